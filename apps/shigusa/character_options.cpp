@@ -89,7 +89,9 @@ void add_file_person_options(CLI::App& c, CharacterOptions& o) {
            {.group = group,
             .brief = "Frame of the file that is the start posture",
             .full = "Frame of the file that is the start posture, exactly (from 0; of glTF of an "
-                    "animation, at 60 a second), or rest: the file's rest pose, at ease.",
+                    "animation, at 60 a second), or rest: the file's rest pose, at ease. When not "
+                    "given, a motion starts in the first frame that stands still on both feet, or "
+                    "at rest where none does.",
             .form = "FRAME|rest",
             .rare = true});
   describe(c.add_option("--animation", o.animation),

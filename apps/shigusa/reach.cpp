@@ -110,15 +110,6 @@ void note_other_units(const TaskFile& file) {
   }
 }
 
-// The feet know the floor; the hands do not.
-void note_goals_below_floor(const Task& task) {
-  for (const Goal& goal : task.goals) {
-    if (goal.position.y >= 0.0) continue;
-    note("goal of " + goal.effector,
-         fmt::format("{:g} m below the floor: the hand goes through it", -goal.position.y));
-  }
-}
-
 Result<int> reach(const ReachOptions& options) {
   SHG_TRY(placed("--formats", parse_formats(options.files.formats.value_or(""))));
   SHG_TRY_ASSIGN(const BatchSettings batch, batch_settings(options));
@@ -141,7 +132,7 @@ Result<int> reach(const ReachOptions& options) {
   if (const auto checked = check_task(task); !checked) {
     return tl::unexpected(in_task(checked.error(), options));
   }
-  note_goals_below_floor(task);
+  for (const Message& odd : goal_notes(task)) note("goal", odd.text);
   SHG_TRY(prepare_out(options.out));
   const auto begin = std::chrono::steady_clock::now();
   Progress progress = terminal_progress();

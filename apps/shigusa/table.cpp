@@ -189,9 +189,18 @@ std::string verdict_lines(const Judgement& judgement, const std::string& of) {
   return hanging(text);
 }
 
+// The verdict on the start of a run that found nothing possible, where the start is at fault.
+Judgement fault_of_start(const FinishedRun& run) {
+  const Judgement start =
+      run.generation.status == ReachStatus::unsteady ? judge_start(run.task.body) : Judgement{};
+  return start.verdict == Verdict::impossible ? start : Judgement{};
+}
+
 // The candidates as tables for a person: verdicts, scores, how they end and what they ask of the
-// body; then each criterion's penalty; below them why what is not possible is not.
-std::string candidate_table(const BodyModel& body, const Candidates& candidates) {
+// body; then each criterion's penalty; below them why what is not possible is not, once where it is
+// the start's fault.
+std::string candidate_table(const BodyModel& body, const Candidates& candidates,
+                            const Judgement& start) {
   const TextTable rows = candidate_rows(body, candidates);
   PenaltyTable penalties(candidates.front().score.terms);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -199,8 +208,9 @@ std::string candidate_table(const BodyModel& body, const Candidates& candidates)
   }
   std::string text =
       "\n" + rows.text() + penalties.text() + zero_line(penalties.zeros(), rows.zeros());
-  std::string verdicts;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
+  std::string verdicts = verdict_lines(start, "the start itself");
+  const bool each = verdicts.empty();
+  for (std::size_t i = 0; each && i < candidates.size(); ++i) {
     verdicts += verdict_lines(candidates[i].judgement, fmt::format("candidate {}", i + 1));
   }
   return text + (verdicts.empty() ? "" : "\n") + verdicts + "\n";
@@ -226,7 +236,7 @@ std::string headline(const FinishedRun& run) {
 }
 
 // Tells the user on stderr how the result differs from what is asked for.
-void note_run(const FinishedRun& run) {
+void note_run(const FinishedRun& run, const Judgement& start) {
   const auto& [file, task, generation, info] = run;
   for (const Message& doubt : task.body.doubts()) note(task.body.name(), doubt.text);
   if (generation.replay_differs > 0) {
@@ -242,10 +252,12 @@ void note_run(const FinishedRun& run) {
                                  generation.duration));
   }
   if (generation.gentled) {
-    note("duration",
-         fmt::format("{:.2f} s, as the first candidate would jolt in less", generation.duration));
+    note("duration", fmt::format("{:.2f} s, as the first candidate would jolt or strain in less",
+                                 generation.duration));
   }
-  if (generation.status == ReachStatus::unsteady) {
+  if (start.verdict == Verdict::impossible) {
+    print_err("shigusa: unsteady: whatever the goal, this body could not hold the start\n");
+  } else if (generation.status == ReachStatus::unsteady) {
     print_err("shigusa: unsteady: the goal{} met, but by no motion that this body could make\n",
               task.goals.size() > 1 ? "s are" : " is");
   }
@@ -276,12 +288,13 @@ std::string score_table(const BodyModel& body, const ClipScore& scored) {
 Result<int> deliver(const FinishedRun& run, const Delivery& delivery) {
   const auto& [folder, settings, json] = delivery;
   SHG_TRY_ASSIGN(const std::string summary, write_result(folder, run, settings));
-  note_run(run);
+  const Judgement start = fault_of_start(run);
+  note_run(run, start);
   const GenerateResult& generation = run.generation;
   if (json) {
     print_out("{}", summary);
   } else {
-    print_out("{}{}", headline(run), candidate_table(run.task.body, generation.candidates));
+    print_out("{}{}", headline(run), candidate_table(run.task.body, generation.candidates, start));
     const auto& formats = settings.formats;
     const bool pictures =
         std::find(formats.begin(), formats.end(), FileFormat::png) != formats.end();

@@ -96,8 +96,11 @@ struct Capsule {
   int link = kBaseLink;       ///< that carries the line
   Vec3d from{};               ///< m, link frame
   Vec3d to{};                 ///< m, link frame
-  double radius = 0.0;        ///< m, > 0
+  double radius = 0.0;        ///< m, > 0, at `from`
   std::optional<Side> leg{};  ///< of whose leg it is a part, where it is
+  double to_radius = radius;  ///< m, > 0, at `to`; between them it changes evenly
+  double give = 0.0;          ///< m, by which its flesh yields to what presses on it
+  bool grown_on = false;  ///< of an arm: it begins within the trunk, which it cannot collide with
 };
 
 /// A heel that lifts. The link that stands is then the forefoot, and the rest of the foot turns

@@ -33,8 +33,16 @@ using BvhChannels = std::vector<std::vector<BvhChannel>>;
 
 /// A BVH file: its motion, and how it writes it.
 struct BvhFile {
-  SkeletonMotion motion;  ///< in the file's own unit and axes
-  BvhChannels channels;   ///< of its nodes
+  SkeletonMotion motion;             ///< in the file's own unit and axes
+  BvhChannels channels;              ///< of its nodes
+  std::vector<Message> doubts{};     ///< faults that were told
+  std::vector<int> unread_frames{};  ///< frames, rising, with values that are no numbers
+};
+
+/// The way that a file with a damaged motion is taken.
+enum class BvhFaults {
+  refused,  ///< an error
+  told,     ///< what it still has is taken, with doubts; its skeleton without frames at the least
 };
 
 /// Parses BVH text. Lengths stay in the file's own unit (BVH does not tell it) and axes in the
@@ -45,7 +53,9 @@ struct BvhFile {
 /// - A joint's rotation is the product of its axis rotations in the order of its channels,
 ///   R = R1 R2 R3; one axis may come twice.
 /// - Position channels replace the OFFSET along their axis, for the root as for any other joint:
-///   animation tools write the whole place of the joint in its parent there.
+///   animation tools write the whole place of the joint in its parent there. MakeHuman writes what
+///   is to be added to the OFFSET: a file whose joints below the roots have position channels, 0
+///   nearly all in its first frame while the OFFSETs are not, is read so.
 /// - A name is the rest of its line, spaces included. Bytes that are no UTF-8 and control
 ///   characters become '_', a joint without name is called "joint", and a name that comes again
 ///   gets "_2", "_3", … so that names are unique. End sites have no name.
@@ -54,8 +64,10 @@ struct BvhFile {
 ///   writers count frames from 0.
 [[nodiscard]] Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name);
 
-/// The same with the channels.
-[[nodiscard]] Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name);
+/// The same with the channels. Faults that may be told: no motion, or one without frames; a frame
+/// time that is none; rows that are missing or more than promised; values that are no numbers.
+[[nodiscard]] Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name,
+                                             BvhFaults faults = BvhFaults::refused);
 
 /// Reads and parses a BVH file.
 [[nodiscard]] Result<SkeletonMotion> read_bvh(const std::filesystem::path& path);

@@ -67,9 +67,10 @@ struct CharacterSpec {
   Sex sex = Sex::male;              ///< of the tables of masses and strengths
   std::optional<BodyExtent> extent{};  ///< of a person from a file; human when not given
   /// of the file's motion: the start posture, exactly as that frame has it, or kRestPose. Of glTF
-  /// it is one of an animation, at 60 frames a second. None: of an animation its first; else of
-  /// glTF the rest pose, of BVH frame 0, where that is no T- or A-pose; in these people stand at
-  /// ease
+  /// it is one of an animation, at 60 frames a second. None: of BVH and of an animation the first
+  /// in which the person stands still on both feet, which measuring tells here unless it is frame
+  /// 0; else, and of glTF without an animation, the rest pose. Of BVH that begins with a T- or an
+  /// A-pose its first. In the last three people stand at ease
   std::optional<int> frame{};
   std::optional<std::string>
       animation{};  ///< of glTF: its name or index; the first for a frame alone
@@ -147,8 +148,10 @@ inline constexpr FieldTable kFields<CharacterSpec>{
             &CharacterSpec::frame,
             "Of a person from a file: the frame that is the start posture, from 0, of glTF of an "
             "animation; or rest, the file's rest pose, from which the person stands at ease. When "
-            "not given, of an animation its first, else of glTF the rest pose and of BVH frame 0, "
-            "at ease where that is a T- or an A-pose.",
+            "not given, of BVH and of an animation the first in which the person stands still on "
+            "both feet, else the rest pose; of glTF without an animation the rest pose. Of BVH "
+            "that "
+            "begins with a T- or an A-pose that one, at ease.",
             {.high = kFrameMax, .word = {kRestPose, "rest"}, .of = may_be_a_persons_file}},
         Field{"animation",
               &CharacterSpec::animation,
@@ -182,9 +185,10 @@ inline constexpr FieldTable kFields<CharacterSpec>{
 [[nodiscard]] Result<void> check_source(const CharacterSpec& spec);
 
 /// Measures the person or robot of a file in memory: the file's name in spec.source tells its kind,
-/// and errors name it. Fills stature, landmarks, doubts and rig, of a robot urdf. A rest pose is
-/// mostly a T: from that the person stands at ease. A robot has its own stature and mass. Files
-/// that an MJCF file includes are looked for in `folder`, where there is one.
+/// and errors name it. Fills stature, landmarks, doubts, rig and the frame that was found, of a
+/// robot urdf. A rest pose is mostly a T: from that the person stands at ease. A robot has its own
+/// stature and mass. Files that an MJCF file includes are looked for in `folder`, where there is
+/// one.
 [[nodiscard]] Result<void> load_character(
     std::string bytes, CharacterSpec& spec,
     const std::optional<std::filesystem::path>& folder = std::nullopt);

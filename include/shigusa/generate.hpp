@@ -122,8 +122,9 @@ struct GenerateResult {
   /// The task gives no duration, and nothing that was found is possible in the usual one: this is
   /// one in which something is. See played_task.
   bool slowed = false;
-  /// The task gives no duration, and in the usual one the first candidate jolts (see Suddenness):
-  /// this is a longer one in which it does not. See played_task.
+  /// The task gives no duration, and in the usual one the first candidate jolts (see Suddenness) or
+  /// strains: this is a longer one in which it does not, for a strain by 1.3 times at the most. See
+  /// played_task.
   bool gentled = false;
   int evaluations = 0;   ///< motions scored by the search
   int runs = 1;          ///< of the preset paper: with other random numbers each, see generate
@@ -131,7 +132,7 @@ struct GenerateResult {
   int rejected_nan = 0;  ///< motions that a criterion scored NaN
   int near_copies = 0;   ///< distinct genomes that move nearly as a better one
   int missed = 0;        ///< final genomes that missed a goal, left the path or moved a foot
-  int collided = 0;      ///< left out as others pass through nothing
+  int collided = 0;      ///< left out as others pass through nothing, or less deep through it
   int jolting = 0;       ///< left out as others do not jolt, see Suddenness
   int strange = 0;       ///< left out as they end as nobody does who need not
   int over_limit = 0;    ///< of layers that hold limits: left out as others are within them
@@ -160,8 +161,11 @@ inline constexpr double kDistinctEnd = radians(10.0);
 inline constexpr double kNearEnd = radians(5.0);
 /// A replay in double may bring two ends nearer by this (rad).
 inline constexpr double kEndSlack = radians(0.1);
-/// Candidates score at most this much worse than the best.
+/// Candidates score at most this much worse than the best …
 inline constexpr double kCandidateSpread = 0.6;
+/// … but for those that make up this number of motions which could be made: people see as many
+/// whatever they score.
+inline constexpr int kShownLeast = 3;
 /// Where the best bends down, one that is the best of its style may be worse by this: people squat
 /// although it costs more, and stoop although few do.
 inline constexpr double kStyleSpread = 1.5;

@@ -43,11 +43,13 @@ inline constexpr int kBodyPartCount = 20;
 /// A line with a thickness, in the part's own frame: its origin is the joint that the part hangs on
 /// (of the trunk and its pieces between the hips), y points from its far end to that joint, z
 /// ahead, x to the left; of head, neck and trunk these are the trunk's axes, and a foot's y is up
-/// where it stands.
+/// where it stands. A flat part is two such lines side by side.
 struct PartShape {
-  Vec3d from{};         ///< m
-  Vec3d to{};           ///< m
-  double radius = 0.0;  ///< m, > 0
+  Vec3d from{};               ///< m
+  Vec3d to{};                 ///< m
+  double radius = 0.0;        ///< m, > 0, at `from`
+  double to_radius = radius;  ///< m, > 0, at `to`; between them it changes evenly
+  Vec3d aside{};              ///< m: of a flat part, from the middle to either line
 };
 
 /// (parts) shapes, as far as they are known.
@@ -102,7 +104,9 @@ struct Landmarks {
   /// Joints that the paper's rigid trunk does without; a person from a file may lack some.
   std::vector<Vec3d> spine{};   ///< 0..3, from below
   std::optional<Vec3d> head{};  ///< between neck and skull
-  PartShapes parts{};           ///< of a character with a mesh, those that it tells
+  /// rad: how far back the line from the hips to the shoulders leans of a trunk that is upright
+  double trunk_lean = 0.0;
+  PartShapes parts{};  ///< of a character with a mesh, those that it tells
 
   /// The leg of a side.
   [[nodiscard]] const Leg& leg(Side side) const {

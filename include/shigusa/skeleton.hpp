@@ -94,6 +94,7 @@ inline constexpr int kHumanoidBoneCount = 22;
 struct HumanoidMap {
   std::array<int, kHumanoidBoneCount> node;  ///< node index, or -1 where the skeleton has none
   std::vector<Message> doubts;               ///< sentences for a person: guesses that may be wrong
+  bool mirrored = false;  ///< what is called left is on the body's right: a mirrored file
 
   /// No bone is known.
   HumanoidMap() { node.fill(-1); }

@@ -62,4 +62,9 @@ struct PreparedTask : Task {
 /// does, and where a foot has no way to be what is asked of it.
 [[nodiscard]] Result<PreparedTask> prepared(Task task);
 
+/// Notes on goals of hands that may be an oversight: in the body's own head or a foot, where these
+/// are at the start, below the floor (y < 0), or nearer to it than the hand is thick. They refuse
+/// nothing.
+[[nodiscard]] std::vector<Message> goal_notes(const Task& task);
+
 }  // namespace shigusa

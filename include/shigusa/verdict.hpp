@@ -111,6 +111,10 @@ struct Judgement {
 /// Judges a motion by what was measured of it, without possible_in.
 [[nodiscard]] Judgement judge(const BodyModel& body, const MotionMeasures& measures);
 
+/// Judges the start posture as one that is held still: what is wrong with that, no goal is at fault
+/// for.
+[[nodiscard]] Judgement judge_start(const BodyModel& body);
+
 /// A motion that is slower than this many times its duration is another motion.
 inline constexpr double kSlowest = 3.0;
 /// Judges a motion that is at hand, with possible_in.

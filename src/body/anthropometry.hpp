@@ -90,8 +90,13 @@ inline constexpr double kJawRadius = 0.5 * 0.120 / 1.756;
 inline constexpr double kNeckRadius = 0.380 / kTwoPi / 1.756;
 inline constexpr double kCalfRadius = 0.380 / kTwoPi / 1.756;
 inline constexpr double kChinBelowVertex = 1.0 - 0.870;
-// A capsule is as thick all along; a shank is as thick as the calf in its upper half alone.
+// A capsule by stature is as thick all along; a shank is as thick as the calf in its upper half
+// alone.
 inline constexpr double kShankRadius = 0.93 * kCalfRadius;
+
+// How far (m) the flesh of trunk and thighs yields to a hand or forearm without strain, an
+// estimate.
+inline constexpr double kFleshGives = 0.008;
 
 // Share of the foot's length that lies behind the ankle joint.
 inline constexpr double kHeelShare = 0.25;

@@ -15,6 +15,7 @@
 #include "person/at_ease.hpp"
 #include "person/finger_bones.hpp"
 #include "person/landmark_points.hpp"
+#include "person/segment_mass.hpp"
 
 namespace shigusa {
 namespace {
@@ -69,6 +70,14 @@ double apart(const Landmarks& a, const Landmarks& b) {
   double most = 0.0;
   for (std::size_t i = 0; i < ours.size(); ++i) most = max(most, norm(ours[i] - theirs[i]));
   return most;
+}
+
+// Seats a person who was measured, with the rig, upright on their seat.
+void seat_upright(CharacterSpec& spec) {
+  spec.landmarks = seated(*spec.landmarks, *spec.stature, *spec.seat);
+  CharacterRig rig = *spec.rig;
+  rig.rig.start = *spec.landmarks;
+  spec.rig = std::make_shared<const CharacterRig>(std::move(rig));
 }
 
 // Checks the request for the person, before the file is read.
@@ -129,7 +138,11 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
   }
   spec.stature = found.person.stature;
   spec.landmarks = found.eased ? at_ease(start.landmarks, *spec.stature) : start.landmarks;
-  if (spec.seat) spec.landmarks = seated(*spec.landmarks, *spec.stature, *spec.seat);
+  if (spec.seat && !found.sits) {
+    spec.landmarks = seated(*spec.landmarks, *spec.stature, *spec.seat);
+  }
+  // the rest pose is of no animation
+  if (found.frame && !(found.frame == kRestPose && spec.animation)) spec.frame = found.frame;
   spec.doubts = file.doubts;
   for (const auto* more : {&found.map.doubts, &start.doubts}) {
     spec.doubts.insert(spec.doubts.end(), more->begin(), more->end());
@@ -174,9 +187,10 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
   };
   // the stature stands in a result whether it was given or measured
   std::vector<Try> tries{{std::nullopt, spec.frame}, {spec.stature, spec.frame}};
-  // older results have frame 0 for glTF's rest pose
+  // older results have frame 0 for glTF's rest pose, and none for frame 0 of a motion
   if (spec.frame == 0 && !spec.animation) tries.push_back({std::nullopt, std::nullopt});
-  Result<void> attached;
+  if (!spec.frame) tries.insert(tries.end(), {{std::nullopt, 0}, {spec.stature, 0}});
+  std::optional<Error> first;
   for (const auto& [stature, frame] : tries) {
     CharacterSpec fresh{.source = path.string(),
                         .stature = stature,
@@ -185,11 +199,17 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
                         .seat = spec.seat,
                         .heels = spec.heels,
                         .map = spec.map};
-    attached = measure_character(fresh, {});
-    if (attached) attached = attach_rig(spec, fresh);
-    if (attached) break;
+    const Result<void> measured = measure_character(fresh, {});
+    Result<void> attached = measured ? attach_rig(spec, fresh) : measured;
+    if (!attached && measured && spec.seat && frame) {
+      // in older results who sits in the frame sits upright all the same
+      seat_upright(fresh);
+      attached = attach_rig(spec, fresh);
+    }
+    if (attached) return attached;
+    if (!first) first = attached.error();
   }
-  return attached;
+  return tl::unexpected(*first);
 }
 
 Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_both) {
@@ -198,7 +218,8 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_
   SHG_TRY(check_range("mass", spec.mass, kMassMin, kMassMax, "kg"));
   SHG_TRY(check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"));
   const double stature = spec.stature.value_or(segment_table(spec.sex).mean_stature);
-  const double mass = spec.mass.value_or(default_mass(stature, spec.sex));
+  const double of_limbs = spec.landmarks ? stature_of_limbs(*spec.landmarks, stature) : stature;
+  const double mass = spec.mass.value_or(default_mass(of_limbs, spec.sex));
   BodyExtent extent = spec.extent.value_or(BodyExtent::human);
   if (!spec.landmarks && spec.source != "human") {
     extent = spec.source == "half_body" ? BodyExtent::half : BodyExtent::full;

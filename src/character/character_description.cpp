@@ -43,7 +43,8 @@ Json capsules_to_json(const BodyModel& body) {
     list.push_back({{"name", capsule.name},
                     {"from_m", to_json(start.point(capsule.link, capsule.from))},
                     {"to_m", to_json(start.point(capsule.link, capsule.to))},
-                    {"radius_m", capsule.radius}});
+                    {"radius_m", capsule.radius},
+                    {"to_radius_m", capsule.to_radius}});
   }
   return list;
 }

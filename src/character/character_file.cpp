@@ -12,6 +12,7 @@
 #include "io/gltf_animation.hpp"
 #include "io/gltf_skin.hpp"
 #include "io/gltf_write.hpp"
+#include "limb_ends.hpp"
 
 namespace shigusa {
 namespace {
@@ -44,11 +45,18 @@ Result<std::optional<std::string>> animation_of(const CharacterSpec& spec,
   return spec.animation ? spec.animation : std::optional<std::string>("");
 }
 
-Result<void> parse_gltf_character(const std::string& bytes, const CharacterSpec& spec,
+// The bytes get nodes for hands and feet that the skeleton lacks.
+Result<void> parse_gltf_character(std::string& bytes, const CharacterSpec& spec,
                                   CharacterFile& character) {
   const std::string& name = spec.source;
   SHG_TRY_ASSIGN(GltfCharacter file, parse_gltf(bytes, name));
   Skin rest = read_gltf_skin(bytes, name, file, file.places);
+  if (std::optional<EndedFile> ended = with_limb_ends(bytes, name, file, rest.vertices)) {
+    bytes = std::move(ended->bytes);
+    SHG_TRY_ASSIGN(file, parse_gltf(bytes, name));
+    rest = read_gltf_skin(bytes, name, file, file.places);
+    rest.doubts.insert(rest.doubts.end(), ended->doubts.begin(), ended->doubts.end());
+  }
   character.skin = std::move(rest.vertices);
   if (std::optional<GltfPose> bound = gltf_bind_pose(bytes, name, file)) {
     character.bound_skin = read_gltf_skin(bytes, name, file, bound->places).vertices;
@@ -105,10 +113,12 @@ template <>
 Result<void> read_person<FileFormat::bvh>(std::string bytes, const CharacterSpec& spec,
                                           CharacterFile& character) {
   if (spec.animation) return holds_one_motion(spec.source);
-  SHG_TRY_ASSIGN(BvhFile file, parse_bvh_file(bytes, spec.source));
+  SHG_TRY_ASSIGN(BvhFile file, parse_bvh_file(bytes, spec.source, BvhFaults::told));
   character.skeleton = std::move(file.motion.skeleton);
   character.motion = std::move(file.motion.clip);
   character.rig.channels = std::move(file.channels);
+  character.doubts = std::move(file.doubts);
+  character.unread_frames = std::move(file.unread_frames);
   for (const SkeletonNode& node : character.skeleton.nodes) {
     character.rest.local.push_back({node.offset, {}});
   }

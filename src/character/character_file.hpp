@@ -33,6 +33,7 @@ struct CharacterFile {
   FilePose rest;                       // of BVH that of the OFFSETs
   std::optional<FilePose> bound;       // of glTF: in which the mesh was bound, where it is another
   SkeletonClip motion;                 // of BVH, or an animation of glTF; no frames: there is none
+  std::vector<int> unread_frames;      // of it, rising: those that are no postures
   std::vector<GltfPlace> posed;        // (nodes) of glTF, in the motion's frame asked for
   HumanoidMap given;                   // by the file itself
   std::vector<Message> doubts;         // of reading
@@ -59,6 +60,9 @@ struct PersonStart {
   FilePose posed;         // the pose that the motion starts from, as the file has it …
   MeasuredPerson start;   // … and the person in it; with all doubts
   bool eased = false;     // they stand at ease from there
+  bool sits = false;      // they sit as the file has it
+  std::optional<int>
+      frame{};  // that was found, where none was asked for; kRestPose of the rest pose
 };
 
 // Finds and measures the person of a file in the pose that the spec asks for.

@@ -30,6 +30,14 @@ Result<ReadRobot> read_robot(Robot robot, const CharacterSpec& spec) {
   for (const Robot::Link& link : robot.links) links.push_back(link.name);
   SHG_TRY_ASSIGN(const HumanoidMap asked, requested_bones(spec.map, links, name));
   Result<HumanoidMap> map = find_humanoid(robot, asked);
+  const std::vector<int> lacking = map ? forearms_for_hands(robot, *map) : open_ends(robot);
+  if (!lacking.empty()) {
+    Robot ended = with_ends(robot, lacking);
+    if (Result<HumanoidMap> longer = find_humanoid(ended, asked)) {
+      robot = std::move(ended);
+      map = std::move(longer);
+    }
+  }
   if (!map) {
     return fail(map.error().code, say("no_humanoid", map.error().to_message()), name);
   }

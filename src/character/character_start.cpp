@@ -8,9 +8,12 @@
 #include "core/say.hpp"
 #include "humanoid_request.hpp"
 #include "io/gltf_animation.hpp"
-#include "person/at_ease.hpp"
+#include "io/gltf_skin.hpp"
 #include "person/find_humanoid.hpp"
+#include "person/finger_bones.hpp"
 #include "person/landmark_points.hpp"
+#include "person/stance.hpp"
+#include "start_frame.hpp"
 
 namespace shigusa {
 namespace {
@@ -43,15 +46,8 @@ Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonCli
   stand_on_floor(posed, rest.stature);
   // limbs are straight at rest, and their mesh as it was made
   posed.landmarks.parts = rest.landmarks.parts;
+  posed.landmarks.trunk_lean = rest.landmarks.trunk_lean;
   return posed;
-}
-
-// The frame of the file's motion that a spec asks for.
-Result<int> frame_of(const SkeletonClip& clip, const CharacterSpec& spec) {
-  const int frame = spec.frame.value_or(0);
-  if (frame >= 0 && frame < clip.frames) return frame;
-  const std::string has = clip.frames == 1 ? say("one_frame") : say("frames", clip.frames - 1);
-  return fail(ErrorCode::invalid_argument, say("no_frame", frame, has), spec.source);
 }
 
 FilePose pose_at(const CharacterFile& file, int frame) {
@@ -59,9 +55,23 @@ FilePose pose_at(const CharacterFile& file, int frame) {
   return {{local, local + file.skeleton.nodes.size()}, file.posed};
 }
 
+// Fits the shapes of hands whose fingers are laid in a relaxed grip.
+void fit_hands(const CharacterFile& file, const std::vector<Transformd>& world,
+               const HumanoidMap& map, std::span<const SkinVertex> skin, MeasuredPerson& person) {
+  const std::vector<FingerBone> fingers =
+      find_finger_bones(file.skeleton, world, map, file.rig.vrm_bones, person.placement.mirrored());
+  if (skin.empty() || fingers.empty()) return;
+  const std::vector<SkinVertex> hands = relaxed_hands(file.skeleton, world, map, fingers, skin);
+  const PartShapes fitted = fitted_hands(file.skeleton, world, hands, map, person);
+  for (const BodyPart hand : {BodyPart::left_hand, BodyPart::right_hand}) {
+    if (fitted[hand]) person.landmarks.parts[hand] = fitted[hand];
+  }
+}
+
 // Finds the bones of a file in one pose, whose mesh is `skin`, and measures the person.
 Result<PersonStart> measure_in(const CharacterFile& file, const CharacterSpec& spec,
-                               const FilePose& pose, std::span<const SkinVertex> skin) {
+                               const FilePose& pose, std::span<const SkinVertex> skin,
+                               bool at_rest) {
   const std::vector<Transformd> world = world_transforms(file.skeleton, pose.clip(), 0);
   std::vector<std::string> nodes;
   for (const SkeletonNode& node : file.skeleton.nodes) nodes.push_back(node.name);
@@ -70,10 +80,12 @@ Result<PersonStart> measure_in(const CharacterFile& file, const CharacterSpec& s
   SHG_TRY_ASSIGN(
       const HumanoidMap map,
       find_humanoid(file.skeleton, world, file.given, asked, skin).map_error(within(spec.source)));
-  SHG_TRY_ASSIGN(const MeasuredPerson person,
-                 measure_person(file.skeleton, world, map, {.stature = spec.stature, .skin = skin})
+  SHG_TRY_ASSIGN(MeasuredPerson person,
+                 measure_person(file.skeleton, world, map,
+                                {.stature = spec.stature, .skin = skin, .at_rest = at_rest})
                      .map_error(within(spec.source)));
   SHG_TRY(check_likeness(person.landmarks, spec.map, spec.source));
+  fit_hands(file, world, map, skin, person);
   return PersonStart{map, pose, person, pose, person};
 }
 
@@ -84,9 +96,9 @@ bool rests(const PersonStart& person) {
 // glTF is measured at rest, where no animation hides what its bones are: in the nodes' own pose, or
 // where that is the middle of a motion in the one that the mesh was bound in.
 Result<PersonStart> measure_at_rest(const CharacterFile& file, const CharacterSpec& spec) {
-  Result<PersonStart> person = measure_in(file, spec, file.rest, file.skin);
+  Result<PersonStart> person = measure_in(file, spec, file.rest, file.skin, true);
   if (!file.bound || (person && rests(*person))) return person;
-  Result<PersonStart> bound = measure_in(file, spec, *file.bound, file.bound_skin);
+  Result<PersonStart> bound = measure_in(file, spec, *file.bound, file.bound_skin, true);
   if (!bound || !rests(*bound)) return person;
   bound->start.doubts.push_back(say("bind_pose"));
   return bound;
@@ -108,36 +120,82 @@ std::string standing_animation(const CharacterFile& file, const PersonStart& fou
   return {};
 }
 
-Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec& spec) {
-  SHG_TRY_ASSIGN(PersonStart found, measure_at_rest(file, spec));
-  found.eased = file.motion.frames == 0;
-  if (found.eased) {
-    if (rests(found)) return found;
-    const std::string better = standing_animation(file, found);
-    found.start.doubts.push_back(
-        say("not_standing", better.empty() ? "" : say("standing_animation", better)));
-    return found;
+// The person of a glTF file in a frame of its animation, which `file` has in the pose asked for.
+Result<PersonStart> in_animation(const CharacterFile& file, const CharacterSpec& spec,
+                                 const PersonStart& rest, int frame) {
+  FilePose pose = pose_at(file, frame);
+  std::vector<SkinVertex> skin = file.posed_skin;
+  if (frame != spec.frame.value_or(0)) {
+    const std::string& bytes = *file.rig.bytes;
+    SHG_TRY_ASSIGN(
+        const GltfMotion moving,
+        parse_gltf_animation(bytes, spec.source,
+                             {.animation = spec.animation.value_or(""), .posed = frame}));
+    pose.places = moving.posed;
+    skin = read_gltf_skin(bytes, spec.source, moving.character, moving.posed).vertices;
   }
-  SHG_TRY_ASSIGN(const int frame, frame_of(file.motion, spec));
-  SHG_TRY_ASSIGN(found.start,
-                 measure_posed(file.skeleton, file.motion, frame, file.posed_skin, found)
-                     .map_error(within(spec.source)));
-  found.posed = pose_at(file, frame);
+  PersonStart found = rest;
+  SHG_TRY_ASSIGN(
+      found.start,
+      measure_posed(file.skeleton, file.motion, frame, skin, rest).map_error(within(spec.source)));
+  found.posed = std::move(pose);
   return found;
 }
 
+Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec& spec) {
+  SHG_TRY_ASSIGN(PersonStart rest, measure_at_rest(file, spec));
+  if (file.motion.frames > 0) {
+    SHG_TRY_ASSIGN(const std::optional<int> frame, frame_of(file, spec));
+    const auto at_rest = [&]() -> Result<PersonStart> {
+      PersonStart eased = rest;
+      eased.eased = true;
+      return eased;
+    };
+    return choose_start(file, spec, rest, *frame,
+                        {[&](int at) { return in_animation(file, spec, rest, at); }, at_rest});
+  }
+  rest.eased = true;
+  if (rests(rest)) return rest;
+  const std::string better = standing_animation(file, rest);
+  rest.start.doubts.push_back(
+      say("not_standing", better.empty() ? "" : say("standing_animation", better)));
+  return rest;
+}
+
 Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& spec) {
-  if (spec.frame == kRestPose) {
-    Result<PersonStart> found = measure_in(file, spec, file.rest, {});
+  const auto at_rest = [&] {
+    Result<PersonStart> found = measure_in(file, spec, file.rest, {}, true);
     if (found) found->eased = true;
     return found;
+  };
+  if (spec.frame == kRestPose) return at_rest();
+  SHG_TRY_ASSIGN(const std::optional<int> frame, frame_of(file, spec));
+  if (!frame) {
+    Result<PersonStart> found = at_rest();
+    if (found) {
+      found->frame = kRestPose;
+      found->start.doubts.push_back(say("no_motion"));
+    }
+    return found;
   }
-  SHG_TRY_ASSIGN(const int frame, frame_of(file.motion, spec));
-  Result<PersonStart> found = measure_in(file, spec, pose_at(file, frame), {});
-  if (!found || spec.frame || !spreads_arms(found->person.landmarks)) return found;
-  found->eased = true;
-  found->start.doubts.push_back(say("arms_spread"));
-  return found;
+  const auto in_frame = [&](int at) {
+    return measure_in(file, spec, pose_at(file, at), {}, false);
+  };
+  Result<PersonStart> known = in_frame(*frame);
+  if (known && !spec.frame && spreads_arms(known->person.landmarks)) {
+    known = measure_in(file, spec, pose_at(file, *frame), {}, true);
+    if (!known) return known;
+    known->eased = true;
+    known->start.doubts.push_back(say("arms_spread"));
+    return known;
+  }
+  // of a person who lies sideways nothing tells where ahead is
+  if (!known && !spec.frame) {
+    const Result<PersonStart> rest = at_rest();
+    if (rest) known = rest;
+  }
+  if (!known) return known;
+  return choose_start(file, spec, *known, *frame, {in_frame, at_rest});
 }
 
 }  // namespace

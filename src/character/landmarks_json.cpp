@@ -7,6 +7,7 @@
 
 #include "body/anthropometry.hpp"
 #include "core/say.hpp"
+#include "person/measure_person.hpp"
 
 namespace shigusa {
 
@@ -29,6 +30,7 @@ Json landmarks_to_json(const Landmarks& person) {
   for_each_further_landmark(person, [&](const char* name, const std::optional<Vec3d>& p) {
     if (p) json[name] = to_json(*p);
   });
+  if (person.trunk_lean != 0.0) json["trunk_lean_rad"] = person.trunk_lean;
   for (const auto& [name, leg] : legs_of(person)) {
     if (!leg.sole) continue;
     for (const Vec3d& corner : *leg.sole) json[name].push_back(to_json(corner));
@@ -37,9 +39,12 @@ Json landmarks_to_json(const Landmarks& person) {
     const auto part = static_cast<BodyPart>(i);
     const auto& shape = person.parts[part];
     if (!shape) continue;
-    json["parts"][std::string(body_part_name(part))] = {{"from_m", to_json(shape->from)},
-                                                        {"to_m", to_json(shape->to)},
-                                                        {"radius_m", shape->radius}};
+    Json& written = json["parts"][std::string(body_part_name(part))];
+    written = {{"from_m", to_json(shape->from)},
+               {"to_m", to_json(shape->to)},
+               {"radius_m", shape->radius}};
+    if (shape->to_radius != shape->radius) written["to_radius_m"] = shape->to_radius;
+    if (shape->aside != Vec3d{}) written["aside_m"] = to_json(shape->aside);
   }
   return json;
 }
@@ -89,6 +94,9 @@ void read_part(JsonReader& parts, const char* name, std::optional<PartShape>& sh
   reader.vector("from_m", read.from, kLengthRange);
   reader.vector("to_m", read.to, kLengthRange);
   reader.number("radius_m", read.radius, kThinnest, kLengthRange);
+  read.to_radius = read.radius;
+  reader.number("to_radius_m", read.to_radius, kThinnest, kLengthRange);
+  reader.vector("aside_m", read.aside, kLengthRange);
   parts.absorb(reader.finish());
 }
 
@@ -118,6 +126,12 @@ Json landmarks_schema() {
       {"items", point},
       {"maxItems", kSpineJoints}};
   for_each_further_landmark(person, add);
+  properties["trunk_lean_rad"] = {
+      {"description",
+       "How far back the line from the hips to the shoulders leans of a trunk that is upright."},
+      {"type", "number"},
+      {"minimum", -kTrunkLeanMost},
+      {"maximum", kTrunkLeanMost}};
   for (const auto& [name, leg] : legs_of(person)) properties[name] = {{"$ref", "#/$defs/sole"}};
   Json parts;
   for (int i = 0; i < kBodyPartCount; ++i) {
@@ -150,13 +164,21 @@ Json sole_schema() {
 
 Json part_schema() {
   const Json point{{"$ref", "#/$defs/point"}};
-  return {{"type", "object"},
-          {"properties",
-           {{"from_m", point},
-            {"to_m", point},
-            {"radius_m", {{"type", "number"}, {"minimum", kThinnest}, {"maximum", kLengthRange}}}}},
-          {"required", {"from_m", "to_m", "radius_m"}},
-          {"additionalProperties", false}};
+  const Json radius{{"type", "number"}, {"minimum", kThinnest}, {"maximum", kLengthRange}};
+  const auto told = [](Json schema, const char* what) {
+    schema["description"] = what;
+    return schema;
+  };
+  return {
+      {"type", "object"},
+      {"properties",
+       {{"from_m", point},
+        {"to_m", point},
+        {"radius_m", told(radius, "At from_m.")},
+        {"to_radius_m", told(radius, "At to_m; radius_m when not given.")},
+        {"aside_m", told(point, "Of a flat part, two lines side by side: to either of them.")}}},
+      {"required", {"from_m", "to_m", "radius_m"}},
+      {"additionalProperties", false}};
 }
 
 std::optional<Landmarks> read_landmarks(JsonReader& reader) {
@@ -171,6 +193,7 @@ std::optional<Landmarks> read_landmarks(JsonReader& reader) {
   for_each_further_landmark(person, [&](const char* name, std::optional<Vec3d>& p) {
     if (landmarks.has(name)) landmarks.vector(name, p.emplace(), kLengthRange);
   });
+  landmarks.number("trunk_lean_rad", person.trunk_lean, -kTrunkLeanMost, kTrunkLeanMost);
   for (auto& [name, leg] : legs_of(person)) read_sole(landmarks, name, leg.sole);
   read_parts(landmarks, person.parts);
   reader.absorb(landmarks.finish());

@@ -10,7 +10,7 @@ namespace {
 // m, of a capsule from its middle
 double reach_of(const BodyModel& body, int number) {
   const Capsule& capsule = body.capsules()[index(number)];
-  return capsule.radius + 0.5 * norm(capsule.to - capsule.from);
+  return thickest(capsule) + 0.5 * norm(capsule.to - capsule.from);
 }
 
 // Whether a capsule is that of a hand that rests on what has the name.
@@ -48,7 +48,7 @@ CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& s
     if (rests_on(body, pair.limb, capsules[index(pair.part)].name, settings)) continue;
     const double together = reach_of(body, pair.limb) + reach_of(body, pair.part);
     const auto near = static_cast<float>(kApartSlack * together * together);
-    pairs.parts.push_back({pair.limb, pair.part, 0.0, near});
+    pairs.parts.push_back({pair.limb, pair.part, 0.0, give_of(body, pair), near});
   }
   for (const Effector& effector : body.effectors()) add_floor(body, effector, pairs);
   for (int c = 0; c < static_cast<int>(body.capsules().size()); ++c) {
@@ -84,13 +84,13 @@ CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
   };
   for (int f = 0; f < clip.frames; ++f) {
     forward_kinematics<double>(body, clip.frame(f), kinematics);
-    visit_collisions<double>(
-        body, pairs, kinematics, placed,
-        [&](const CollisionPairs::Pair& pair, CollisionKind kind, double depth) {
-          if (!(depth > found.depth)) return;
-          found = {depth, body.capsules()[index(pair.limb)].name, name(pair, kind),
-                   f * clip.frame_time};
-        });
+    visit_collisions<double>(body, pairs, kinematics, placed,
+                             [&](const CollisionPairs::Pair& pair, CollisionKind kind, double in) {
+                               const double depth = in - pair.give;
+                               if (!(depth > found.depth)) return;
+                               found = {depth, body.capsules()[index(pair.limb)].name,
+                                        name(pair, kind), f * clip.frame_time};
+                             });
   }
   return found;
 }

@@ -30,6 +30,7 @@ struct CollisionPairs {
     int limb = 0;          // capsule
     int other = 0;         // capsule or obstacle
     double allowed = 0.0;  // m, depth of the start posture where it is above 0
+    double give = 0.0;     // m, by which the softer of both yields
     float near = 0.0F;  // m², of parts: squared distance of the middles beyond which they are apart
   };
   std::vector<Pair> parts;      // limbs and parts of the body
@@ -49,9 +50,9 @@ enum class CollisionKind { part, obstacle, floor };
 template <class S, class Pairs, class Visitor>
 void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& kinematics,
                       std::span<PlacedCapsule<S>> placed, Visitor&& visit) {
-  const auto radius = [&](int c) { return body.capsules()[index(c)].radius; };
+  const auto& capsules = body.capsules();
   for (std::size_t c = 0; c < placed.size(); ++c) {
-    const Capsule& capsule = body.capsules()[c];
+    const Capsule& capsule = capsules[c];
     place_capsule(capsule.link, to_scalar<Element<S>>(capsule.from),
                   to_scalar<Element<S>>(capsule.to), kinematics, placed[c]);
   }
@@ -61,10 +62,13 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& 
     const Vec3<S> between = limb.middle - part.middle;
     const S square = dot(between, between);
     if (!any(square < S(pair.near))) continue;
-    const double radii = radius(pair.limb) + radius(pair.other);
-    if (!any(may_touch(limb, part, between, square, radii))) continue;
-    const S apart = sqrt(square_distance(limb, part));
-    visit(pair, CollisionKind::part, S(radii - pair.allowed) - apart);
+    const Capsule& of_limb = capsules[index(pair.limb)];
+    const Capsule& of_part = capsules[index(pair.other)];
+    if (!any(may_touch(limb, part, between, square, thickest(of_limb) + thickest(of_part))))
+      continue;
+    visit(pair, CollisionKind::part,
+          depth_of(limb, part, of_limb.radius + of_part.radius - pair.allowed, taper_of(of_limb),
+                   taper_of(of_part)));
   }
   for (auto& pair : pairs.obstacles) {
     const Obstacle& obstacle = pairs.shapes[index(pair.other)];
@@ -72,21 +76,23 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& 
     const auto distance = [&](const Vec3<S>& point) {
       return obstacle_distance(obstacle, pairs.axes[index(pair.other)], point);
     };
-    const S ends = min(distance(limb.from), distance(limb.to));
-    const S apart = min(ends, distance(limb.middle));
-    visit(pair, CollisionKind::obstacle, S(radius(pair.limb) - pair.allowed) - apart);
+    const double taper = taper_of(capsules[index(pair.limb)]);
+    const S ends = min(distance(limb.from), distance(limb.to) - S(taper));
+    const S apart = min(ends, distance(limb.middle) - S(0.5 * taper));
+    visit(pair, CollisionKind::obstacle,
+          S(capsules[index(pair.limb)].radius - pair.allowed) - apart);
   }
   for (auto& pair : pairs.floor) {
     const PlacedCapsule<S>& limb = placed[index(pair.limb)];
-    const S height = min(limb.from.y, limb.to.y);
-    visit(pair, CollisionKind::floor, S(radius(pair.limb) - pair.allowed) - height);
+    const S height = min(limb.from.y, limb.to.y - S(taper_of(capsules[index(pair.limb)])));
+    visit(pair, CollisionKind::floor, S(capsules[index(pair.limb)].radius - pair.allowed) - height);
   }
 }
 
 // Whether arms pass through the body, and any part through obstacles, or arms that have a wrist
 // through the floor at y = 0, in [0, 1]. With d the depth of the deepest such pair of capsules
-// beyond what it has in the start posture, as a share of `full`, held to [0, 1]:  P = ½ mean_t d +
-// ½ max_t d. An obstacle is asked about a capsule's ends and middle.
+// beyond what it has in the start posture and what its flesh gives, as a share of `full`, held to
+// [0, 1]:  P = ½ mean_t d + ½ max_t d. An obstacle is asked about a capsule's ends and middle.
 template <class S>
 class Collision {
  public:
@@ -111,8 +117,8 @@ class Collision {
  private:
   [[nodiscard]] S deepest(const Kinematics<S>& kinematics) {
     S most(0);
-    const auto keep = [&most](const auto&, CollisionKind, const S& depth) {
-      most = max(most, depth);
+    const auto keep = [&most](const auto& pair, CollisionKind, const S& depth) {
+      most = max(most, depth - S(pair.give));
     };
     visit_collisions<S>(*body_, pairs_, kinematics, placed_, keep);
     return most;

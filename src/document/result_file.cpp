@@ -277,6 +277,10 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
     json["fewer"] = generation.fewer.text;
     json["fewer_message"] = message_to_json(generation.fewer);
   }
+  if (const std::vector<Message> notes = goal_notes(task); !notes.empty()) {
+    json["goal_notes"] = texts_to_json(notes);
+    for (const Message& note : notes) json["goal_note_messages"].push_back(message_to_json(note));
+  }
   json["search_detail"] = search_to_json(plan, generation);
   json["doubts"] = texts_to_json(task.body.doubts());
   json["task"] = task_to_json(played_task(file, generation));

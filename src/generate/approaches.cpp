@@ -37,12 +37,13 @@ bool arrives(const ReachProblem& approach, const RolledOut& rolled) {
 
 }  // namespace
 
-std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const ClosestReach& reach) {
+std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const ClosestReach& reach,
+                                             bool straight) {
   // a path to a box ends where the posture that is known to arrive has the effector
   for (std::size_t g = 0; reach.reached() && g < problem.goals.size(); ++g) {
     problem.goals[g].end_nearest(reach.positions[g]);
   }
-  if (reach.reached()) add_detours(problem);
+  if (reach.reached() && !straight) add_detours(problem);
   ReachProblem guided = problem;
   guided.guide = reach.angles;
   ReachProblem posture = guided;

@@ -15,8 +15,10 @@ namespace shigusa {
 // Approaches to the goals, tried in this order until one leads there: a straight hand path; a
 // straight hand path with the null space drawn to a posture that is known to arrive; that posture
 // alone.
+// `straight`: hands go straight even where that takes them through the body.
 [[nodiscard]] std::vector<ReachProblem> approaches_to_goal(ReachProblem problem,
-                                                           const ClosestReach& reach);
+                                                           const ClosestReach& reach,
+                                                           bool straight = false);
 
 // The parameters' motion on the first approach that brings them to the goal. The same parameters
 // always give the same motion, whichever approach they were found on.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "generate/posture_meter.hpp"
@@ -162,11 +163,21 @@ ReachStatus status_of(bool met, std::span<const Candidate> candidates) {
   return none ? ReachStatus::unsteady : ReachStatus::reached;
 }
 
-bool ranks_before(const Candidate& a, const Candidate& b) {
-  const bool a_impossible = a.judgement.verdict == Verdict::impossible;
-  const bool b_impossible = b.judgement.verdict == Verdict::impossible;
-  if (a_impossible != b_impossible) return b_impossible;
-  return ranking(a.score) < ranking(b.score);
+bool collides(const Candidate& candidate) {
+  return candidate.measures.collides.depth > kCollisionDepth;
+}
+
+bool RanksBefore::operator()(const Candidate& a, const Candidate& b) const {
+  const auto key = [this](const Candidate& c) {
+    return std::tuple(c.judgement.verdict == Verdict::impossible, asks_free && collides(c),
+                      ranking(c.score));
+  };
+  return key(a) < key(b);
+}
+
+RanksBefore ranks_of(const Task& task) {
+  const PresetTraits& traits = traits_of(task.preset);
+  return {traits.natural && !traits.layers && !task.pareto};
 }
 
 double largest_distance(const Clip& a, const Clip& b) {

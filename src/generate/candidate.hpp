@@ -18,9 +18,17 @@ namespace shigusa {
 // The status of a search, by whether its candidates meet their goals (`met`) and are possible.
 [[nodiscard]] ReachStatus status_of(bool met, std::span<const Candidate> candidates);
 
-// Orders candidates: what is impossible after all that is not, and of each the lowest score first,
-// a NaN last.
-[[nodiscard]] bool ranks_before(const Candidate& a, const Candidate& b);
+// Whether a candidate passes through the body, an obstacle or the floor by what counts.
+[[nodiscard]] bool collides(const Candidate& candidate);
+
+// Orders candidates: what is impossible after all that is not, where it asks for motions which pass
+// through nothing those that do after all others, and of each the lowest score first, a NaN last.
+struct RanksBefore {
+  bool asks_free = false;
+
+  [[nodiscard]] bool operator()(const Candidate& a, const Candidate& b) const;
+};
+[[nodiscard]] RanksBefore ranks_of(const Task& task);
 
 // Largest root-mean-square difference of two motions' joint angles over their frames (rad).
 [[nodiscard]] double largest_distance(const Clip& a, const Clip& b);

@@ -15,6 +15,8 @@ namespace {
 
 // Replays of spare motions, of each style that is lacking and of all together, for each distance.
 constexpr int kTries = 12;
+// … and of spare motions that score worse, where few could be made.
+constexpr int kWorseTries = 24;
 
 // Which steps of the delivery a preset has.
 struct Policy {
@@ -63,6 +65,10 @@ struct Replayed {
   bool copy = false;
 };
 
+bool could_be_made(const Candidate& candidate) {
+  return candidate.judgement.verdict != Verdict::impossible;
+}
+
 class Delivery {
  public:
   Delivery(const Task& task, Planner& planner, std::size_t approach, const Selection& selection,
@@ -100,6 +106,7 @@ class Delivery {
     if (!policy_.styles) return;
     std::array<int, kStyles> tried{};
     for (const Archived& spare : selection_.spare) {
+      if (spare.score > selection_.picked.front().score + kStyleSpread) break;
       if (has_free(spare.style)) continue;
       if (tried[static_cast<std::size_t>(spare.style)]++ < policy_.tries) {
         take_spare(spare, kDistinctEnd);
@@ -118,6 +125,24 @@ class Delivery {
         take_spare(spare, apart);
       }
     }
+    if (policy_.as_people) take_worse();
+  }
+
+  // Where people would see fewer than kShownLeast motions, some that score worse are shown to them,
+  // if they could be made.
+  void take_worse() {
+    int tries = 0;
+    for (const Archived& spare : selection_.spare) {
+      const auto shown =
+          static_cast<int>(std::count_if(all().begin(), all().end(), [this](const Candidate& c) {
+            return is_free(c) && could_be_made(c);
+          }));
+      if (shown >= std::min(kShownLeast, task_.candidates) || tries >= kWorseTries) return;
+      if (spare.score <= selection_.picked.front().score + kCandidateSpread) continue;
+      if (has_like(spare, kDistinctEnd)) continue;
+      ++tries;
+      take_spare(spare, kDistinctEnd, true);
+    }
   }
 
   // The number of spare motions that became candidates.
@@ -127,7 +152,7 @@ class Delivery {
   [[nodiscard]] std::vector<Candidate>& all() const { return generation_.candidates; }
   [[nodiscard]] bool is_free(const Candidate& candidate) const {
     if (policy_.asks_smooth && candidate.measures.sudden.jolts()) return false;
-    return !policy_.asks_free || candidate.measures.collides.depth <= kCollisionDepth;
+    return !policy_.asks_free || !collides(candidate);
   }
   [[nodiscard]] bool has_free(Style style) const {
     return std::any_of(all().begin(), all().end(), [&](const Candidate& candidate) {
@@ -196,9 +221,10 @@ class Delivery {
 
   // Takes a spare motion that is no copy of a free candidate: candidates that pass through
   // something are left out in the end.
-  void take_spare(const Archived& spare, double apart) {
+  void take_spare(const Archived& spare, double apart, bool possible_ones = false) {
     std::optional<Replayed> replayed = replayed_of(play(planner_.expand(spare.point)), apart, true);
     if (!replayed || replayed->copy || !is_free(replayed->candidate)) return;
+    if (possible_ones && !could_be_made(replayed->candidate)) return;
     const std::size_t before = all().size();
     add(std::move(*replayed), spare.score);
     if (all().size() > before) ++taken_;
@@ -232,16 +258,23 @@ class Delivery {
   int taken_ = 0;
 };
 
-// Where a motion passes through nothing, those that do are left out; else those that are deeper in
-// than the least.
-void drop_collisions(GenerateResult& generation) {
+// Where a motion passes through nothing, those that do are left out, but for what people would see
+// too few without; else those that are deeper in than the least.
+void drop_collisions(std::size_t shown, GenerateResult& generation) {
   std::vector<Candidate>& all = generation.candidates;
   if (all.empty()) return;
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& c : all) least = min(least, c.measures.collides.depth);
-  const double most = least <= kCollisionDepth ? kCollisionDepth : least + kCollisionDepth;
-  generation.collided = static_cast<int>(
-      std::erase_if(all, [most](const Candidate& c) { return c.measures.collides.depth > most; }));
+  const bool some_free = least <= kCollisionDepth;
+  const double most = some_free ? kCollisionDepth : least + kCollisionDepth;
+  std::size_t kept = 0;  // the best first
+  generation.collided = static_cast<int>(std::erase_if(all, [&](const Candidate& c) {
+    if (c.measures.collides.depth <= most || (some_free && could_be_made(c) && kept < shown)) {
+      ++kept;
+      return false;
+    }
+    return true;
+  }));
 }
 
 // Where some candidate keeps to its joints' limits, those that do not are not delivered.
@@ -297,9 +330,12 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
   delivery.take_styles();
   delivery.take_spares();
   // on an earlier approach than they were searched on, motions may have other scores
-  std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
+  std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_of(task));
   if (traits_of(task.preset).natural) {
-    traits_of(task.preset).layers ? keep_within_limits(generation) : drop_collisions(generation);
+    traits_of(task.preset).layers
+        ? keep_within_limits(generation)
+        : drop_collisions(static_cast<std::size_t>(std::min(kShownLeast, task.candidates)),
+                          generation);
     if (minds_jolts(task)) drop_jolts(generation);
   }
   selection.similar = count_similar(selection, generation.candidates, delivery.taken());

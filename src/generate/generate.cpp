@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <shigusa/generate.hpp>
+#include <tuple>
 #include <utility>
 
 #include "candidate.hpp"
@@ -32,8 +33,8 @@ Candidate only_candidate(const Planner& planner, const Parameters& values) {
   return planner.candidate({.values = values}, planner.nearest(values));
 }
 
-void finish(bool in_reach, GenerateResult& generation) {
-  std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_before);
+void finish(const Task& task, bool in_reach, GenerateResult& generation) {
+  std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_of(task));
   const Candidate& best = generation.candidates.front();
   const bool met = in_reach && miss_of(best) <= kReachTolerance;
   generation.status = status_of(met, generation.candidates);
@@ -162,7 +163,7 @@ void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
   }
   take_in(std::move(run.candidates), generation);
   std::vector<Candidate>& all = generation.candidates;
-  std::stable_sort(all.begin(), all.end(), ranks_before);
+  std::stable_sort(all.begin(), all.end(), ranks_of(task));
   const auto most = static_cast<std::size_t>(task.candidates);
   if (all.size() > most) all.erase(all.begin() + task.candidates, all.end());
   generation.fewer = {};
@@ -197,7 +198,7 @@ Result<GenerateResult> search_task(const PreparedTask& task, const Progress& pro
   if (generation.candidates.empty()) {
     generation.candidates.push_back(only_candidate(planner, start_values(planner.plan())));
   }
-  finish(planner.in_reach(), generation);
+  finish(task, planner.in_reach(), generation);
   planner.finish(generation);
   return generation;
 }
@@ -235,7 +236,7 @@ Result<GenerateResult> played_anew(const PreparedTask& task, const GenerateResul
   for (Candidate& candidate : again.candidates) {
     candidate = played(*planner, Parameters(candidate.parameters));
   }
-  std::stable_sort(again.candidates.begin(), again.candidates.end(), ranks_before);
+  std::stable_sort(again.candidates.begin(), again.candidates.end(), ranks_of(task));
   again.status = status_of(generation.meets_goals(), again.candidates);
   return again;
 }
@@ -274,18 +275,26 @@ bool first_jolts(const GenerateResult& generation) {
   return generation.candidates.front().measures.sudden.jolts();
 }
 
-// Where the first choice jolts, and the task gives no duration, the candidates take longer by these
-// factors, until their first does not.
+bool first_strains(const GenerateResult& generation) {
+  return generation.candidates.front().judgement.verdict == Verdict::strains;
+}
+
+// Where the first choice jolts or strains, and the task gives no duration, the candidates take
+// longer by these factors, until their first does not; for a strain by no more than kCalmest.
 constexpr std::array kGentler{1.15, 1.3, 1.5, 1.75};
+constexpr double kCalmest = 1.3;
 
 void try_gentler(const PreparedTask& task, GenerateResult& found) {
   if (!found.meets_goals() || task.duration || found.end == SearchEnd::cancelled) return;
   PreparedTask gentler = task;
+  const GenerateResult in_haste = found;
   for (const double factor : kGentler) {
-    if (!first_jolts(found)) return;
-    gentler.duration = factor * found.duration;
-    Result<GenerateResult> again = played_anew(gentler, found);
+    const bool jolting = first_jolts(found);
+    if (!jolting && !(first_strains(found) && factor <= kCalmest)) return;
+    gentler.duration = factor * in_haste.duration;
+    Result<GenerateResult> again = played_anew(gentler, in_haste);
     if (!again || first_jolts(*again) || again->status != found.status) continue;
+    if (!jolting && first_strains(*again)) continue;
     found = std::move(*again);
     drop_jolts(found);
     const auto left = static_cast<int>(found.candidates.size());
@@ -296,15 +305,39 @@ void try_gentler(const PreparedTask& task, GenerateResult& found) {
   }
 }
 
-// Where nothing that was found is possible, this many times as many motions are scored.
+// How good a choice is: a first that is possible, as many that could be made as people see, and
+// how little the first scores.
+std::tuple<bool, int, double> choice_of(const Task& task, const GenerateResult& generation) {
+  const auto could =
+      std::count_if(generation.candidates.begin(), generation.candidates.end(),
+                    [](const Candidate& c) { return c.judgement.verdict != Verdict::impossible; });
+  const bool first = generation.candidates.front().judgement.verdict == Verdict::possible;
+  return {first, std::min({static_cast<int>(could), kShownLeast, task.candidates}),
+          -generation.candidates.front().score.total};
+}
+
+bool lacks_choice(const Task& task, const GenerateResult& generation) {
+  const auto [first, could, score] = choice_of(task, generation);
+  return !first || could < std::min(kShownLeast, task.candidates);
+}
+
+// Where nothing that was found is possible, or there is no choice, this many times as many motions
+// are scored.
 constexpr int kLongerSearch = 3;
 
 void try_longer(const PreparedTask& task, JointProgress& progress, GenerateResult& found) {
-  if (!wants_more(found) || task.evaluations) return;
+  if (task.evaluations || found.end == SearchEnd::cancelled || task.pareto) return;
+  const bool chooses = found.status == ReachStatus::reached && !traits_of(task.preset).layers;
+  if (!wants_more(found) && !(chooses && lacks_choice(task, found))) return;
   PreparedTask longer = task;
   longer.evaluations = kLongerSearch * usual_evaluations(task);
   Result<GenerateResult> again = search_task(longer, progress.part(1.0));
-  if (again) take_place(std::move(*again), found);
+  if (!again) return;
+  if (!wants_more(found) && !(choice_of(task, found) < choice_of(task, *again))) {
+    found.evaluations += again->evaluations;
+    return;
+  }
+  take_place(std::move(*again), found);
 }
 
 }  // namespace
@@ -362,7 +395,7 @@ Result<GenerateResult> MotionPlayer::play(const Parameters& values) {
   GenerateResult generation;
   generation.duration = planner.duration();
   generation.candidates.push_back(played(planner, values));
-  finish(planner.in_reach(), generation);
+  finish(made_->ready, planner.in_reach(), generation);
   return generation;
 }
 

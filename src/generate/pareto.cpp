@@ -40,7 +40,7 @@ bool dominates(const Score& a, const Score& b) {
 
 // Best first, of those that end alike.
 std::vector<Candidate> without_copies(std::vector<Candidate> front) {
-  std::stable_sort(front.begin(), front.end(), ranks_before);
+  std::stable_sort(front.begin(), front.end(), RanksBefore{});
   std::vector<Candidate> apart;
   for (Candidate& candidate : front) {
     const auto is_copy = [&](const Candidate& better) {
@@ -153,7 +153,7 @@ std::vector<Candidate> spread_over(std::vector<Candidate> front, int most) {
   taken.resize(count);
   std::vector<Candidate> chosen;
   for (const std::size_t i : taken) chosen.push_back(std::move(front[i]));
-  std::stable_sort(chosen.begin(), chosen.end(), ranks_before);
+  std::stable_sort(chosen.begin(), chosen.end(), RanksBefore{});
   return chosen;
 }
 

@@ -37,7 +37,6 @@ Selection distinct_postures(const Archive& archive, int most) {
     selection.picked.push_back({archived->point, archived->score});
   }
   for (const Archived& archived : ranked) {
-    if (archived.score > ranked.front().score + (bends ? kStyleSpread : kCandidateSpread)) break;
     const bool is_picked = std::find(picked.begin(), picked.end(), &archived) != picked.end();
     if (!is_picked) selection.spare.push_back(archived);
   }

@@ -21,7 +21,7 @@ struct Selection {
 
 // Picks at most `most` points of all that a search came upon, which end differently and are not
 // much worse than the best: first the best of each style, then the others, best first. All others
-// that are not much worse are spare.
+// are spare.
 [[nodiscard]] Selection distinct_postures(const Archive& archive, int most);
 
 // Whether a candidate ends less than `apart` (rad) from where an archived motion does.

@@ -5,6 +5,7 @@
 #include <shigusa/scalar.hpp>
 #include <string>
 
+#include "body/anthropometry.hpp"
 #include "core/index.hpp"
 #include "kinematics/forward_kinematics.hpp"
 
@@ -19,6 +20,24 @@ constexpr double kLeanLeast = -20.0;
 constexpr double kSquats[] = {0.0, 40.0, 80.0, 120.0};
 
 constexpr double kPlaceUnit = 1e-3;  // statures
+
+// Of the tables' bodies, in statures: the shoulder's height and the way from it to the hand's
+// point.
+using F = StatureFractions;
+constexpr double kTableShoulder = F::kShoulderHeight;
+constexpr double kTableArm = F::kUpperArm + F::kForearm + kGripFraction * F::kHand;
+
+// From joint to joint as far as the hand's point (m).
+double arm_length(const BodyModel& body, const Effector& hand, const Kinematics<double>& start) {
+  double length = 0.0;
+  Vec3d at = start.origin[index(hand.limb_root)];
+  for (const int d : body.chain(hand.link)) {
+    if (d <= hand.limb_root) continue;
+    length += norm(start.origin[index(d)] - at);
+    at = start.origin[index(d)];
+  }
+  return length + norm(start.point(hand.link, hand.point) - at);
+}
 constexpr std::string_view kRight = "right_";
 constexpr std::string_view kLeft = "left_";
 
@@ -95,9 +114,11 @@ std::optional<Vec3d> start_place(const BodyModel& body, int effector, const Vec3
   if (index(effector) >= body.effectors().size() || body.stature() <= 0.0) return std::nullopt;
   const Effector& hand = body.effector(effector);
   if (hand.part.limb != LimbKind::arm || !hand.part.side) return std::nullopt;
-  Kinematics<double> start(body);
-  forward_kinematics<double>(body, body.start(), start);
-  Vec3d place = (goal - start.origin[index(hand.limb_root)]) * (1.0 / body.stature());
+  const Kinematics<double> start = start_kinematics(body);
+  const Vec3d shoulder = start.origin[index(hand.limb_root)];
+  const double arm = kTableArm / arm_length(body, hand, start);
+  Vec3d place = (goal - shoulder) * arm;
+  if (place.y < 0.0) place.y = (goal.y / shoulder.y - 1.0) * kTableShoulder;
   if (hand.part.side == Side::left) place.x = -place.x;
   return place;
 }

@@ -5,7 +5,7 @@
 #include <shigusa/verdict.hpp>
 #include <utility>
 
-#include "layers/clip_dynamics.hpp"
+#include "dynamics/clip_dynamics.hpp"
 
 namespace shigusa {
 namespace {
@@ -104,6 +104,16 @@ Judgement judge(const BodyModel& body, const MotionMeasures& measures) {
                 {.kind = ReasonKind::limit, .amount = over.excess, .subject = over.dof});
   }
   return std::move(reasons).judgement();
+}
+
+Judgement judge_start(const BodyModel& body) {
+  const Motion held = held_start(body);
+  MotionMeasures measures;
+  measures.loads = joint_loads(body, held);
+  measures.support = support_margins(body, held);
+  Judgement judgement = judge(body, measures);
+  for (Reason& reason : judgement.reasons) reason.time = std::nullopt;
+  return judgement;
 }
 
 Judgement judge(const BodyModel& body, const Motion& motion, const MotionMeasures& measures) {

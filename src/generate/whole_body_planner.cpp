@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "approaches.hpp"
 #include "candidate.hpp"
+#include "core/index.hpp"
 #include "core/say.hpp"
+#include "generate/start_table.hpp"
 #include "planner.hpp"
 #include "rollout/smooth_motion.hpp"
 #include "task/make_problem.hpp"
@@ -50,6 +53,43 @@ Result<void> check_values(const Task& task, const ReachProblem& problem) {
   return check_fixed(task, problem);
 }
 
+bool goes_around(const ReachProblem& problem) {
+  return std::any_of(problem.goals.begin(), problem.goals.end(),
+                     [](const ReachGoal& goal) { return goal.path.detour != Vec3d{}; });
+}
+
+// The best score of what a search would begin at.
+double best_start(const ReachProblem& problem, const Task& task) {
+  const CriteriaSettings criteria = task_criteria(task);
+  const ParameterSpace space(problem, gene_code(task), task.fixed, task.phases);
+  std::vector<double> points = known_starts(problem, space, task.starts);
+  const std::vector<double> bent = bent_starts(space);
+  points.insert(points.end(), bent.begin(), bent.end());
+  std::vector<double> scores(points.size() / index(std::max(space.genes(), 1)));
+  PointScorer(problem, task, criteria, space, task.batch.threads).score(points, scores);
+  double best = worst_score(criteria);
+  for (const double score : scores) best = score < best ? score : best;
+  return best;
+}
+
+// The way without a detour is worth a search where it scores less than this share of the detour's
+// score.
+constexpr double kStraightShare = 0.9;
+
+// The approaches by a detour where one is needed: motions of uniform weights tell of one that the
+// best motions from the start table may do without.
+std::vector<ReachProblem> usual_approaches(const Task& task, const ReachProblem& problem,
+                                           const ClosestReach& reach) {
+  std::vector<ReachProblem> around = approaches_to_goal(problem, reach);
+  const bool natural = traits_of(task.preset).natural && !task.own_search &&
+                       !scores_whole_motions(task, task_criteria(task));
+  if (!natural || !goes_around(around.front()) || !check_values(task, problem)) return around;
+  std::vector<ReachProblem> straight = approaches_to_goal(problem, reach, true);
+  const bool does_without =
+      best_start(straight.front(), task) < kStraightShare * best_start(around.front(), task);
+  return does_without ? straight : around;
+}
+
 class WholeBodyPlanner : public Planner {
  public:
   WholeBodyPlanner(const Task& task, ReachProblem problem)
@@ -57,7 +97,7 @@ class WholeBodyPlanner : public Planner {
         plan_(whole_body_plan(task.body, task.supports)),
         problem_(std::move(problem)),
         reach_(closest_reach(problem_)),
-        usual_approaches_(approaches_to_goal(problem_, reach_)),
+        usual_approaches_(usual_approaches(task_, problem_, reach_)),
         approaches_(usual_approaches_) {}
 
   [[nodiscard]] std::span<const Layer> plan() const override { return plan_; }

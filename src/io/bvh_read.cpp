@@ -10,6 +10,7 @@
 #include <shigusa/words.hpp>
 #include <vector>
 
+#include "bvh_positions.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "core/text.hpp"
@@ -79,6 +80,13 @@ std::string shown_token(std::string_view token) {
   return token.size() > kLongest ? "'" + text + "…'" : "'" + text + "'";
 }
 
+// Whether a token is what programs write for a value that is none: nan(ind), -1.#IND.
+bool tells_no_number(std::string_view token) {
+  if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
+  return token.find('#') != token.npos || same_word(token.substr(0, 3), "nan") ||
+         same_word(token.substr(0, 3), "inf");
+}
+
 std::optional<int> parse_integer(std::string_view token) {
   int value = 0;
   const char* end = token.data() + token.size();
@@ -98,23 +106,24 @@ constexpr std::array<std::string_view, 6> kChannelNames{"Xposition", "Yposition"
                                                         "Xrotation", "Yrotation", "Zrotation"};
 constexpr int kMaxChannelsPerNode = 9;
 constexpr std::size_t kMaxNameBytes = 256;
-constexpr double kMinFrameTime = 1e-6;  // s
-constexpr double kMaxFrameTime = 1e3;   // s
+constexpr double kMinFrameTime = 1e-6;          // s
+constexpr double kMaxFrameTime = 1e3;           // s
+constexpr double kUsualFrameTime = 1.0 / 30.0;  // s
 
 // Reads one text. Each step returns false after it has noted the error.
 class BvhReader {
  public:
-  BvhReader(std::string_view text, std::string_view name) : cursor_(text), name_(name) {}
+  BvhReader(std::string_view text, std::string_view name, BvhFaults faults)
+      : cursor_(text), name_(name), lenient_(faults == BvhFaults::told) {}
 
   Result<BvhFile> read() {
-    if (!hierarchy() || !frame_count() || !frame_time() || !values_fit() || !values()) {
-      return tl::unexpected<Error>(error_);
-    }
-    BvhFile file{std::move(motion_), {}};
+    if (!hierarchy() || !motion()) return tl::unexpected<Error>(error_);
+    BvhFile file{std::move(motion_), {}, std::move(doubts_), std::move(unread_)};
     file.channels.resize(file.motion.skeleton.nodes.size());
     for (const Channel& channel : channels_) {
       file.channels[index(channel.node)].push_back({channel.rotates, channel.axis});
     }
+    add_offsets(file);
     return file;
   }
 
@@ -134,6 +143,9 @@ class BvhReader {
     if (token.empty()) return fail_here(say("bvh_ends", expected));
     return fail_here(say("bvh_found", shown_token(token), expected));
   }
+
+  // Whether nothing more comes, in a file of which what it has is taken.
+  [[nodiscard]] bool may_end() const { return lenient_ && Cursor(cursor_).token().empty(); }
 
   bool expect(std::string_view word) {
     const std::string_view token = cursor_.token();
@@ -158,6 +170,7 @@ class BvhReader {
     if (token.empty()) return fail_here(say("empty_bvh"));
     if (!same_word(token, "HIERARCHY")) return unexpected(token, "HIERARCHY");
     for (;;) {
+      if (open_.empty() && !motion_.skeleton.nodes.empty() && may_end()) return true;
       token = cursor_.token();
       if (open_.empty() && !motion_.skeleton.nodes.empty() && same_word(token, "MOTION")) {
         return true;
@@ -254,11 +267,17 @@ class BvhReader {
     return true;
   }
 
+  bool motion() {
+    if (may_end()) return true;
+    if (!frame_count()) return false;
+    return motion_.clip.frames == 0 || (frame_time() && values_fit() && values());
+  }
+
   bool frame_count() {
     if (!expect("Frames") || !expect(":")) return false;
     const std::string_view token = cursor_.token();
     const std::optional<int> frames = parse_integer(token);
-    if (!frames || *frames < 1 || *frames > kBvhMaxFrames) {
+    if (!frames || *frames < (lenient_ ? 0 : 1) || *frames > kBvhMaxFrames) {
       return unexpected(token, fmt::format("a number of frames, 1 to {},", kBvhMaxFrames));
     }
     motion_.clip.frames = *frames;
@@ -270,6 +289,11 @@ class BvhReader {
     if (!expect("Frame") || !expect("Time") || !expect(":")) return false;
     if (!number(time, "the frame time in seconds")) return false;
     if (time >= kMinFrameTime && time <= kMaxFrameTime) return true;
+    if (lenient_) {
+      doubts_.push_back(say("frame_time_guessed", time, kUsualFrameTime));
+      time = kUsualFrameTime;
+      return true;
+    }
     return fail_here(say("frame_time", time, kMinFrameTime, kMaxFrameTime));
   }
 
@@ -278,6 +302,7 @@ class BvhReader {
   }
 
   bool too_few(std::size_t found) {
+    cut_ = true;
     return fail_here(say("bvh_cut", found, value_count(), motion_.clip.frames, channels_.size()));
   }
 
@@ -286,14 +311,19 @@ class BvhReader {
     if (channels_.empty() && motion_.clip.frames > 1) {
       return fail_here(say("no_channels", motion_.clip.frames));
     }
+    promised_ = motion_.clip.frames;
+    // a value takes a digit and, but for the last, a blank
+    const std::size_t values = (cursor_.bytes_left() + 1) / 2;
+    if (lenient_ && values < value_count()) {
+      motion_.clip.frames = static_cast<int>(values / channels_.size());
+    }
     const std::size_t transforms =
         static_cast<std::size_t>(motion_.clip.frames) * motion_.skeleton.nodes.size();
     if (transforms > kBvhMaxTransforms) {
       return fail_here(say("frames_of_joints", motion_.clip.frames, motion_.skeleton.nodes.size(),
                            kBvhMaxTransforms));
     }
-    // a value takes a digit and, but for the last, a blank
-    if (cursor_.bytes_left() + 1 >= 2 * value_count()) return true;
+    if (values >= value_count()) return true;
     std::size_t found = 0;
     while (!cursor_.token().empty()) ++found;
     return too_few(found);
@@ -307,22 +337,32 @@ class BvhReader {
       local[i].translation = motion_.skeleton.nodes[i % nodes].offset;
     }
     for (int frame = 0; frame < motion_.clip.frames; ++frame) {
-      if (!frame_values(frame, local.data() + index(frame) * nodes)) return false;
+      if (frame_values(frame, local.data() + index(frame) * nodes)) continue;
+      if (!cut_ || !lenient_) return false;
+      motion_.clip.frames = frame;
     }
-    return nothing_follows();
+    local.resize(index(motion_.clip.frames) * nodes);
+    if (!unread_.empty()) doubts_.push_back(say("bvh_unread", unread_.size(), unread_.front()));
+    if (motion_.clip.frames == promised_) return nothing_follows();
+    doubts_.push_back(say("bvh_stops", motion_.clip.frames, promised_));
+    return true;
   }
 
   // One frame more is left out: some writers count frames from 0.
   bool nothing_follows() {
     std::string_view token = cursor_.token();
     if (token.empty()) return true;
+    const std::size_t columns = channels_.size();
     fail_here(say("found_after", shown_token(token), value_count(), motion_.clip.frames));
     std::size_t extra = 0;
-    while (!token.empty() && parse_number(token) && extra <= channels_.size()) {
+    while (!token.empty() && parse_number(token) && (lenient_ || extra <= columns)) {
       ++extra;
       token = cursor_.token();
     }
-    return token.empty() && extra == channels_.size();
+    if (!token.empty() || extra == columns) return token.empty();
+    if (!lenient_ || columns == 0 || extra % columns != 0) return false;
+    doubts_.push_back(say("bvh_goes_on", motion_.clip.frames, extra / columns));
+    return true;
   }
 
   bool frame_values(int frame, LocalTransform* local) {
@@ -332,6 +372,10 @@ class BvhReader {
       const std::optional<double> value = parse_number(token);
       // the comparison is false for NaN
       if (!value || !(*value >= -kBvhMaxValue && *value <= kBvhMaxValue)) {
+        if (lenient_ && (value || tells_no_number(token))) {
+          if (unread_.empty() || unread_.back() != frame) unread_.push_back(frame);
+          continue;
+        }
         return fail_here(say("value_no_number", shown_token(token), i + 1, frame + 1, -kBvhMaxValue,
                              kBvhMaxValue));
       }
@@ -353,6 +397,11 @@ class BvhReader {
 
   Cursor cursor_;
   std::string_view name_;
+  bool lenient_;      // what a damaged file still has is taken
+  bool cut_ = false;  // the text ended among the values
+  int promised_ = 0;  // frames
+  std::vector<Message> doubts_;
+  std::vector<int> unread_;
   SkeletonMotion motion_;
   NodeNames names_;
   std::vector<Seen> seen_;         // (nodes)
@@ -363,11 +412,11 @@ class BvhReader {
 
 }  // namespace
 
-Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name) {
+Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name, BvhFaults faults) {
   if (text.size() > kBvhMaxBytes) {
     return fail(ErrorCode::parse, say("bytes_most", text.size(), kBvhMaxBytes), std::string(name));
   }
-  return BvhReader(text, name).read();
+  return BvhReader(text, name, faults).read();
 }
 
 Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name) {

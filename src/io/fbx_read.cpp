@@ -5,11 +5,10 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <shigusa/quat.hpp>
 
 #include "core/index.hpp"
 #include "core/say.hpp"
-#include "fbx_records.hpp"
+#include "fbx_place.hpp"
 #include "glb.hpp"
 #include "io/gltf_json.hpp"
 #include "math/axes.hpp"
@@ -17,85 +16,14 @@
 namespace shigusa {
 namespace {
 
-// Properties by their names: of a record, of its kind's template, of none.
-class Properties {
- public:
-  Properties(const FbxRecord* own, const FbxRecord* kind) : lists_{own, kind} {}
-
-  [[nodiscard]] const FbxRecord* find(std::string_view name) const {
-    for (const FbxRecord* list : lists_) {
-      if (list == nullptr) continue;
-      for (const FbxRecord& each : list->within) {
-        if (each.name == "P" && each.text(0) == name) return &each;
-      }
-    }
-    return nullptr;
-  }
-  [[nodiscard]] Vec3d vector(std::string_view name, const Vec3d& otherwise = {}) const {
-    const FbxRecord* p = find(name);
-    return p == nullptr ? otherwise : Vec3d{p->number(4), p->number(5), p->number(6)};
-  }
-  [[nodiscard]] double number(std::string_view name, double otherwise) const {
-    const FbxRecord* p = find(name);
-    return p == nullptr ? otherwise : p->number(4);
-  }
-
- private:
-  std::array<const FbxRecord*, 2> lists_;
-};
-
 struct Model {
   std::int64_t id = 0;
   std::string_view name;
   std::string_view kind;  // "LimbNode", "Mesh", …
-  Properties properties;
+  FbxProperties properties;
   int parent = -1;
   std::vector<int> children;
 };
-
-// Degrees about x, y and z, turned one after the other in that order, as FBX numbers the orders.
-Quatd turn(const Vec3d& degrees, std::int64_t order) {
-  constexpr std::array<std::array<Axis, 3>, 6> kOrders{{{Axis::x, Axis::y, Axis::z},
-                                                        {Axis::x, Axis::z, Axis::y},
-                                                        {Axis::y, Axis::z, Axis::x},
-                                                        {Axis::y, Axis::x, Axis::z},
-                                                        {Axis::z, Axis::x, Axis::y},
-                                                        {Axis::z, Axis::y, Axis::x}}};
-  Quatd q;
-  for (const Axis axis : kOrders[static_cast<std::size_t>(order)]) {
-    q = axis_rotation(axis, radians(degrees[static_cast<int>(axis)])) * q;
-  }
-  return q;
-}
-
-Quatd conjugate(const Quatd& q) { return {-q.x, -q.y, -q.z, q.w}; }
-Vec3d product(const Vec3d& a, const Vec3d& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-
-// A place in its parent: translation · rotation · scale.
-struct Place {
-  Vec3d at;
-  Quatd turned;
-  Vec3d scale;
-};
-
-// The product of Autodesk's SDK: T · Roff · Rp · Rpre · R · Rpost⁻¹ · Rp⁻¹ · Soff · Sp · S · Sp⁻¹.
-Place place_of(const Properties& p) {
-  // else there are no other turns, and x goes before y and z
-  const bool active = p.number("RotationActive", 0.0) != 0.0;
-  const auto order = static_cast<std::int64_t>(p.number("RotationOrder", 0.0));
-  Quatd turned = turn(p.vector("Lcl Rotation"), active && order > 0 && order < 6 ? order : 0);
-  if (active) {
-    turned =
-        turn(p.vector("PreRotation"), 0) * turned * conjugate(turn(p.vector("PostRotation"), 0));
-  }
-  const Vec3d scale = p.vector("Lcl Scaling", {1, 1, 1});
-  const Vec3d pivot = p.vector("RotationPivot");
-  const Vec3d scaling = p.vector("ScalingPivot");
-  const Vec3d inner = p.vector("ScalingOffset") + scaling - product(scale, scaling) - pivot;
-  const Vec3d at =
-      p.vector("Lcl Translation") + p.vector("RotationOffset") + pivot + to_matrix(turned) * inner;
-  return {at, turned, scale};
-}
 
 // "Model::Hips" of the text form, "Hips", a zero, a one and "Model" of the binary form.
 std::string_view plain_name(std::string_view name) {
@@ -111,12 +39,13 @@ class FbxReader {
   FbxReader(const FbxRecord& root, std::string_view name) : root_(root), name_(name) {}
 
   Result<std::string> read() {
-    if (!list_models() || !connect() || !check_tree()) return tl::unexpected(*error_);
+    if (!list_models() || !connect() || !order_models()) return tl::unexpected(*error_);
     choose_nodes();
     if (joints_.empty()) {
       wrong(say("fbx_no_bone"));
       return tl::unexpected(*error_);
     }
+    if (!find_places()) return tl::unexpected(*error_);
     GltfJson nodes = GltfJson::array();
     for (std::size_t i = 0; i < models_.size(); ++i) {
       if (node_[i] >= 0 && !write_node(i, nodes)) return tl::unexpected(*error_);
@@ -130,9 +59,9 @@ class FbxReader {
     return false;
   }
 
-  [[nodiscard]] std::string described(std::size_t i) const {
+  static std::string described(const Model& model) {
     std::string text;
-    for (const char c : models_[i].name.substr(0, 60)) text += c >= ' ' && c != 0x7F ? c : '?';
+    for (const char c : model.name.substr(0, 60)) text += c >= ' ' && c != 0x7F ? c : '?';
     return fmt::format("model '{}'", text);
   }
 
@@ -147,6 +76,7 @@ class FbxReader {
     for (const FbxRecord& section : root_.within) {
       if (section.name != "Objects") continue;
       for (const FbxRecord& model : section.within) {
+        if (model.name != "Model") continue;
         if (static_cast<int>(models_.size()) == kFbxMaxNodes) {
           return wrong(say("fbx_models_most", kFbxMaxNodes));
         }
@@ -154,7 +84,7 @@ class FbxReader {
         models_.push_back({model.integer(0),
                            plain_name(model.text(1)),
                            model.text(2),
-                           Properties(model.find("Properties70"), kind),
+                           FbxProperties(model.find("Properties70"), kind),
                            -1,
                            {}});
         if (!by_id_.emplace(model.integer(0), place).second) {
@@ -185,12 +115,19 @@ class FbxReader {
     return true;
   }
 
-  bool check_tree() {
+  // Lists the models from the roots on, parents before children.
+  bool order_models() {
+    std::vector<bool> listed(models_.size(), false);
     for (std::size_t i = 0; i < models_.size(); ++i) {
-      std::size_t steps = 0;
-      for (int at = models_[i].parent; at >= 0; at = models_[index(at)].parent) {
-        if (++steps > models_.size()) return wrong(say("hangs_in_circle", described(i)));
-      }
+      if (models_[i].parent < 0) order_.push_back(static_cast<int>(i));
+    }
+    for (std::size_t at = 0; at < order_.size(); ++at) {
+      const Model& model = models_[index(order_[at])];
+      listed[index(order_[at])] = true;
+      order_.insert(order_.end(), model.children.begin(), model.children.end());
+    }
+    for (std::size_t i = 0; i < models_.size(); ++i) {
+      if (!listed[i]) return wrong(say("hangs_in_circle", described(models_[i])));
     }
     return true;
   }
@@ -226,9 +163,9 @@ class FbxReader {
   }
 
   // The file's axes and unit, for nodes that hang on none.
-  bool to_metres(Place& place) {
+  bool to_metres(FbxPlace& place) {
     const FbxRecord* settings = root_.find("GlobalSettings");
-    const Properties p(settings == nullptr ? nullptr : settings->find("Properties70"), nullptr);
+    const FbxProperties p(settings == nullptr ? nullptr : settings->find("Properties70"), nullptr);
     const double unit = p.number("UnitScaleFactor", 1.0) * 0.01;
     if (!(unit > 0.0) || !(unit < kFbxMaxValue)) {
       return wrong(say("unit_scale", unit * 100.0));
@@ -256,15 +193,54 @@ class FbxReader {
     return true;
   }
 
-  bool write_node(std::size_t i, GltfJson& nodes) {
-    const Model& model = models_[i];
+  // Places in the nodes' parents. Nodes of glTF scale all that hangs on them: where a model is told
+  // to inherit its scale otherwise, all stand where Autodesk's formula has them, and have no scale.
+  bool find_places() {
+    places_.resize(models_.size());
+    std::vector<FbxWorldPlace> world(models_.size());
+    bool as_gltf = true;
+    for (const int i : order_) {
+      const Model& model = models_[index(i)];
+      if (node_[index(i)] < 0) continue;
+      if (!check_turns(model)) return false;
+      const FbxPlace& place = places_[index(i)] = place_of(model.properties);
+      const FbxWorldPlace parent = parent_of(model, world);
+      world[index(i)] = below(parent, place, inherit_of(model.properties));
+      as_gltf = as_gltf && alike(world[index(i)].inherited,
+                                 below(parent, place, FbxInherit::before_turn).inherited);
+    }
+    for (std::size_t i = 0; !as_gltf && i < models_.size(); ++i) {
+      const FbxWorldPlace parent = parent_of(models_[i], world);
+      places_[i].at = transpose_times(parent.turned, world[i].at - parent.at);
+      places_[i].scale = {1, 1, 1};
+    }
+    return true;
+  }
+
+  static FbxWorldPlace parent_of(const Model& model, const std::vector<FbxWorldPlace>& world) {
+    return model.parent < 0 ? FbxWorldPlace{} : world[index(model.parent)];
+  }
+
+  // Scales that files round differently are the same.
+  static bool alike(const Mat3d& a, const Mat3d& b) {
+    constexpr double kRounding = 1e-6;
+    const double most = kRounding * max(norm(b.cx), max(norm(b.cy), norm(b.cz)));
+    return norm(a.cx - b.cx) <= most && norm(a.cy - b.cy) <= most && norm(a.cz - b.cz) <= most;
+  }
+
+  bool check_turns(const Model& model) {
     for (const char* turns : {"Lcl Rotation", "PreRotation", "PostRotation"}) {
       if (is_within(model.properties.vector(turns), kFbxMaxValue)) continue;
-      return wrong(say("turned_more", described(i), kFbxMaxValue));
+      return wrong(say("turned_more", described(model), kFbxMaxValue));
     }
-    Place place = place_of(model.properties);
+    return true;
+  }
+
+  bool write_node(std::size_t i, GltfJson& nodes) {
+    const Model& model = models_[i];
+    FbxPlace place = places_[i];
     if (!is_within(place.at, kFbxMaxValue) || !is_within(place.scale, kFbxMaxValue)) {
-      return wrong(say("stands_beyond", described(i), kFbxMaxValue));
+      return wrong(say("stands_beyond", described(model), kFbxMaxValue));
     }
     if (model.parent < 0 && !to_metres(place)) return false;
     GltfJson node{{"name", std::string(model.name)}};
@@ -296,8 +272,10 @@ class FbxReader {
   const std::string name_;
   std::vector<Model> models_;
   std::map<std::int64_t, int> by_id_;
-  std::vector<int> node_;    // (models) in the GLB file, or -1
-  std::vector<int> joints_;  // nodes
+  std::vector<int> order_;        // the models, parents first
+  std::vector<FbxPlace> places_;  // (models) in their parents
+  std::vector<int> node_;         // (models) in the GLB file, or -1
+  std::vector<int> joints_;       // nodes
   std::optional<Error> error_;
 };
 

@@ -17,7 +17,8 @@ namespace shigusa {
 namespace {
 
 constexpr std::string_view kMagic("Kaydara FBX Binary  \0\x1a\0", 23);
-constexpr int kOldest = 7000;
+constexpr int kOldest = 6000;
+constexpr int kWithIds = 7000;                // since this version models have numbers
 constexpr std::size_t kMaxRecordValues = 64;  // of a record that is read
 constexpr int kLongHeads = 7500;  // since this version records have heads of 64-bit numbers
 
@@ -30,24 +31,30 @@ constexpr std::pair<std::string_view, std::string_view> kRead[] = {
     {"", "Connections"},
     {"FBXHeaderExtension", "FBXVersion"},
     {"GlobalSettings", "Properties70"},
+    {"GlobalSettings", "Properties60"},
     {"Definitions", "ObjectType"},
     {"ObjectType", "PropertyTemplate"},
     {"PropertyTemplate", "Properties70"},
     {"Objects", "Model"},
+    {"Objects", "GlobalSettings"},
     {"Model", "Properties70"},
+    {"Model", "Properties60"},
     {"Properties70", "P"},
-    {"Connections", "C"}};
+    {"Properties60", "Property"},
+    {"Connections", "C"},
+    {"Connections", "Connect"}};
 // Properties that tell where a model stands, or of the file's units and axes.
 constexpr std::string_view kProperties[] = {
-    "Lcl Translation", "Lcl Rotation",    "Lcl Scaling",   "PreRotation",  "PostRotation",
-    "RotationOffset",  "RotationPivot",   "ScalingOffset", "ScalingPivot", "RotationOrder",
-    "RotationActive",  "UnitScaleFactor", "UpAxis",        "UpAxisSign",   "FrontAxis",
-    "FrontAxisSign",   "CoordAxis",       "CoordAxisSign"};
+    "Lcl Translation", "Lcl Rotation",  "Lcl Scaling",     "PreRotation",  "PostRotation",
+    "RotationOffset",  "RotationPivot", "ScalingOffset",   "ScalingPivot", "RotationOrder",
+    "RotationActive",  "InheritType",   "UnitScaleFactor", "UpAxis",       "UpAxisSign",
+    "FrontAxis",       "FrontAxisSign", "CoordAxis",       "CoordAxisSign"};
 
 // Of properties and connections few are of use, and a file has very many.
 bool is_needed(const FbxRecord& record) {
-  if (record.name == "C") return record.text(0) == "OO";
-  return record.name != "P" || contains(kProperties, record.text(0));
+  if (record.name == "C" || record.name == "Connect") return record.text(0) == "OO";
+  const bool property = record.name == "P" || record.name == "Property";
+  return !property || contains(kProperties, record.text(0));
 }
 
 // Both forms share the first error, and how many records are kept.
@@ -387,6 +394,7 @@ Result<FbxRecords> read_fbx_records(std::string_view bytes, std::string_view nam
                     : say("old_fbx", records->version / 1000, records->version / 100 % 10),
                 place);
   }
+  if (records->version < kWithIds) take_as_version_7(records->root);
   return records;
 }
 

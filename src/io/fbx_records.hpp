@@ -31,10 +31,14 @@ struct FbxRecord {
 
 struct FbxRecords {
   FbxRecord root;   // the file, without a name
-  int version = 0;  // 7400
+  int version = 0;  // the file's: 7400
 };
 
-// Reads what is needed of a file, text or binary; it borrows the bytes.
+// Brings the records of version 6 into the form of version 7: there models have ids, by which they
+// are connected, properties a label, and the settings stand beside the objects.
+void take_as_version_7(FbxRecord& root);
+
+// Reads what is needed of a file, text or binary, as version 7 has it; it borrows the bytes.
 [[nodiscard]] Result<FbxRecords> read_fbx_records(std::string_view bytes, std::string_view name);
 
 }  // namespace shigusa

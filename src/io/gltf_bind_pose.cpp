@@ -86,19 +86,27 @@ class BindPose {
     return true;
   }
 
-  // All nodes in the bound pose, in the world: the space of the meshes is brought to where it, or a
-  // node above the joints, is, of these the one that leaves the joints nearest to where they rest.
+  // All nodes in the bound pose, in the world: the space of the meshes is brought to where it, a
+  // node above the joints, or one that shows a mesh, is, of these the one that leaves bones as long
+  // as they are at rest, and joints nearest to where they rest.
   [[nodiscard]] std::vector<Transformd> bring_to_rest() const {
     std::vector<Transformd> candidates{Transformd{}};
     for (std::size_t i = 0; i < bound_.size(); ++i) {
       if (!bound_[i]) candidates.push_back(resting_[i]);
       if (bound_[i]) break;
     }
+    for (const GltfMeshNode& mesh : character_.meshes) {
+      if (mesh.skin < 0) continue;
+      candidates.push_back(mesh.node < 0 ? mesh.place : resting_[index(mesh.node)] * mesh.place);
+    }
     std::vector<Transformd> best;
     double least = 0.0;
+    bool best_in_scale = false;
     for (const Transformd& to : candidates) {
       std::vector<Transformd> world;
       double off = 0.0;
+      double bones = 0.0;
+      double resting_bones = 0.0;
       for (std::size_t i = 0; i < bound_.size(); ++i) {
         const int parent = skeleton_.nodes[i].parent;
         const Transformd local = character_.places[i].transform();
@@ -107,10 +115,18 @@ class BindPose {
                                      : world[index(parent)] * local);
         const Vec3d apart = world.back().translation - resting_[i].translation;
         if (bound_[i]) off += dot(apart, apart);
+        if (!bound_[i] || parent < 0) continue;
+        bones += norm(world.back().translation - world[index(parent)].translation);
+        resting_bones += norm(resting_[i].translation - resting_[index(parent)].translation);
       }
-      if (!best.empty() && !(off < least)) continue;
+      // bones keep their lengths, nearly
+      constexpr double kScale = 1.5;
+      const bool in_scale = bones < kScale * resting_bones && resting_bones < kScale * bones;
+      const bool better = in_scale != best_in_scale ? in_scale : off < least;
+      if (!best.empty() && !better) continue;
       best = std::move(world);
       least = off;
+      best_in_scale = in_scale;
     }
     return best;
   }

@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "glb.hpp"
 #include "io/gltf.hpp"
+#include "io/gltf_nodes.hpp"
 #include "watched_json.hpp"
 
 namespace shigusa {
@@ -35,6 +36,8 @@ class SkeletonFilter {
       dropped_ = is_wanted ? std::numeric_limits<int>::max() : depth;
       return is_wanted;
     }
+    // of extras a member alone is wanted
+    if (event == Event::array_start && path_[level] == "extras") return false;
     if (event == Event::object_start || event == Event::array_start) {
       // nlohmann looks through all of a list when one of its members ends
       if (++members_[level] > kGltfMaxNodes) {
@@ -49,8 +52,9 @@ class SkeletonFilter {
  private:
   [[nodiscard]] bool wanted(int depth) const {
     constexpr std::array<std::string_view, 4> kTop{"asset", "nodes", "skins", "extensions"};
-    constexpr std::array<std::string_view, 8> kNode{"name",        "children", "mesh",  "skin",
-                                                    "translation", "rotation", "scale", "matrix"};
+    constexpr std::array<std::string_view, 10> kNode{"name",        "children", "mesh",  "skin",
+                                                     "translation", "rotation", "scale", "matrix",
+                                                     "extras",      kAddedNode};
     constexpr std::array<std::string_view, 2> kSkin{"joints", "inverseBindMatrices"};
     constexpr std::array<std::string_view, 2> kVrm{"VRM", "VRMC_vrm"};
     const std::string& key = path_[index(depth)];

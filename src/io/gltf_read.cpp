@@ -12,6 +12,7 @@
 #include "gltf_pose.hpp"
 #include "gltf_vrm.hpp"
 #include "io/gltf.hpp"
+#include "io/gltf_nodes.hpp"
 #include "node_names.hpp"
 #include "person/find_humanoid.hpp"
 #include "person/landmark_points.hpp"
@@ -32,6 +33,7 @@ struct FileNode {
   int skin_index = -1;
   bool joint = false;   // of a skin or of VRM
   bool needed = false;  // stands in the skeleton
+  bool added = false;   // by add_nodes
 };
 
 // An index of another list of the file, or -1 where there is none that can be one.
@@ -108,6 +110,8 @@ class GltfReader {
       }
     }
     read.mesh = json.contains("mesh");
+    const auto extras = json.find("extras");
+    read.added = extras != json.end() && extras->is_object() && extras->contains(kAddedNode);
     read.mesh_index = index_or_none(json, "mesh");
     read.skin_index = index_or_none(json, "skin");
     return indices(json, "children", described(index), read.children) && read_place(json, index);
@@ -232,7 +236,7 @@ class GltfReader {
     for (FileNode& each : nodes_) {
       const bool tip =
           each.parent >= 0 && node(each.parent).joint && each.children.empty() && !each.mesh;
-      each.needed = each.needed || !any || tip;
+      each.needed = each.needed || !any || tip || (each.added && !each.mesh);
     }
   }
 

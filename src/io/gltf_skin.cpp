@@ -12,6 +12,7 @@
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"
 #include "io/gltf_json.hpp"
+#include "io/skin_faces.hpp"
 
 namespace shigusa {
 namespace {
@@ -22,6 +23,7 @@ struct Part {
   std::vector<GltfNumbers> joints;
   std::vector<GltfNumbers> weights;
   std::optional<GltfNumbers> indices;
+  bool triangles = true;  // three indices each
 
   // vertices that are drawn, at most
   [[nodiscard]] std::size_t most() const {
@@ -51,13 +53,16 @@ class SkinReader {
       for (const Part& part : mesh.parts) {
         for (const GltfMeshNode* node : mesh.shown_by) {
           const std::size_t before = skin_.vertices.size();
-          if (const auto added = add(part, *node); !added) {
+          if (const auto added = add(part, *node); added) {
+            keep_triangles(part, before);
+          } else {
             skin_.vertices.resize(before);
             leave_out(added.error());
           }
         }
       }
     }
+    add_faces(skin_.vertices, triangles_);
     tell_left_out();
     return std::move(skin_);
   }
@@ -144,6 +149,8 @@ class SkinReader {
                      parse_small_json(json_.text_of(indices), "mesh of " + name_));
       SHG_TRY_ASSIGN(part.indices, accessors_.open(index, 1, AccessorContent::indices));
     }
+    const std::string_view mode = json_.text_of(json_.member(primitive, "mode"));
+    part.triangles = mode.empty() || mode == "4";
     return part;
   }
 
@@ -220,6 +227,24 @@ class SkinReader {
     return done ? done : not_read(done.error());
   }
 
+  // The faces of a part whose vertices were added in the order of each_drawn, from `first` on.
+  void keep_triangles(const Part& part, std::size_t first) {
+    if (!part.triangles || stride_ > 1) return;
+    const std::size_t steps = part.indices ? part.indices->count() : part.positions.count();
+    if (triangles_.size() + steps / 3 > kSkinMaxFaces) return;
+    constexpr auto kUnseen = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> place(part.positions.count(), kUnseen);
+    std::size_t next = first;
+    std::array<std::size_t, 3> corners{};
+    for (std::size_t i = 0; i < steps; ++i) {
+      const std::size_t vertex =
+          part.indices ? static_cast<std::size_t>(part.indices->at(i, 0)) : i;
+      if (place[vertex] == kUnseen) place[vertex] = next++;
+      corners[i % 3] = place[vertex];
+      if (i % 3 == 2) triangles_.push_back(corners);
+    }
+  }
+
   Result<void> not_read(const Error& why) {
     --read_;
     return tl::unexpected<Error>(why);
@@ -294,6 +319,7 @@ class SkinReader {
   std::vector<Transformd> world_;               // (nodes of the skeleton)
   std::vector<std::vector<Transformd>> bound_;  // (skins × joints) once they are asked for
   Skin skin_;
+  std::vector<std::array<std::size_t, 3>> triangles_;  // indices of vertices kept
   std::size_t stride_ = 1;
   std::size_t taken_ = 0;    // vertices so far, kept or not
   std::size_t indices_ = 0;  // so far

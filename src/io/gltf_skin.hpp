@@ -14,6 +14,8 @@ inline constexpr std::size_t kSkinMaxVertices = 1'000'000;
 // More than these indices, and parts of meshes shown by nodes, are not read.
 inline constexpr std::size_t kSkinMaxIndices = 50'000'000;
 inline constexpr std::size_t kSkinMaxParts = 20'000;
+// Of a mesh of more triangles vertices alone are taken.
+inline constexpr std::size_t kSkinMaxFaces = 200'000;
 
 // The vertices of a file's meshes as viewers show them where the nodes of its skeleton stand at
 // `places` (nodes; character.places for the rest pose, or GltfMotion::posed). Metres, in the file's
@@ -22,6 +24,8 @@ inline constexpr std::size_t kSkinMaxParts = 20'000;
 // - A vertex of a skin stands at Σ wᵢ · joint place · inverse bind pose · position, by the weights
 //   of both sets, which need not add up to 1; its node is the joint of the largest weight, of equal
 //   ones the first. Other vertices go with their mesh's node.
+// - Large triangles have further points between their vertices (skin_faces.hpp): coarse meshes have
+//   their vertices at their edges alone.
 // - Vertices that no index names are not shown, so they are left out. Morph targets are at rest.
 // - Numbers are floats or integers (KHR_mesh_quantization), sparse or not, and come from the binary
 //   chunk or from data in the text. Draco's and meshopt's compression is not read, and other files

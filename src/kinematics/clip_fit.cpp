@@ -7,6 +7,7 @@
 #include "kinematics/fit_clip.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "math/ldlt.hpp"
+#include "math/turn_about.hpp"
 #include "rig_drivers.hpp"
 #include "rig_twist.hpp"
 

@@ -4,45 +4,16 @@
 #include <algorithm>
 
 namespace shigusa {
-namespace {
-
-// Where on the segment a0-a1 (0..1) the point p is nearest.
-double nearest_share(const Vec3d& a0, const Vec3d& a1, const Vec3d& p) {
-  const Vec3d a = a1 - a0;
-  const double square = dot(a, a);
-  return square > 0.0 ? clamp(dot(p - a0, a) / square, 0.0, 1.0) : 0.0;
-}
-
-}  // namespace
-
-SegmentPair nearest_points(const Vec3d& a0, const Vec3d& a1, const Vec3d& b0, const Vec3d& b1) {
-  const Vec3d a = a1 - a0;
-  const Vec3d b = b1 - b0;
-  const Vec3d between = a0 - b0;
-  const double aa = dot(a, a);
-  const double bb = dot(b, b);
-  const double ab = dot(a, b);
-  const double determinant = aa * bb - ab * ab;
-  // the nearest points of the two lines, then held to the segments one after the other
-  double s = determinant > 1e-12 * aa * bb
-                 ? clamp((ab * dot(b, between) - bb * dot(a, between)) / determinant, 0.0, 1.0)
-                 : 0.0;
-  const double t = nearest_share(b0, b1, a0 + a * s);
-  s = nearest_share(a0, a1, b0 + b * t);
-  return {a0 + a * s, b0 + b * t};
-}
-
 std::vector<CapsulePair> limb_pairs(const BodyModel& body, const Effector& effector) {
   std::vector<CapsulePair> pairs;
-  const std::string& first = body.dof(effector.limb_root).joint;
   const auto count = static_cast<int>(body.capsules().size());
-  const auto link = [&](int c) { return body.capsules()[static_cast<std::size_t>(c)].link; };
+  const auto moves = [&](int c) {
+    return body.moves(effector.limb_root, body.capsules()[static_cast<std::size_t>(c)].link);
+  };
   for (int limb = 0; limb < count; ++limb) {
-    if (!body.moves(effector.limb_root, link(limb)) || body.dof(link(limb)).joint == first) {
-      continue;
-    }
+    if (!moves(limb) || body.capsules()[static_cast<std::size_t>(limb)].grown_on) continue;
     for (int part = 0; part < count; ++part) {
-      if (!body.moves(effector.limb_root, link(part))) pairs.push_back({limb, part});
+      if (!moves(part)) pairs.push_back({limb, part});
     }
   }
   return pairs;
@@ -74,17 +45,37 @@ std::vector<CapsulePair> all_limb_pairs(const BodyModel& body) {
   return all;
 }
 
+std::vector<CapsulePair> allowed_as_at_start(const BodyModel& body,
+                                             std::vector<CapsulePair> pairs) {
+  const Kinematics<double> start = start_kinematics(body);
+  for (CapsulePair& pair : pairs) {
+    pair.allowed = max(deepest_of(body, start, {&pair, 1}).depth, 0.0);
+  }
+  return pairs;
+}
+
+double give_of(const BodyModel& body, const CapsulePair& pair) {
+  const auto give = [&](int c) { return body.capsules()[static_cast<std::size_t>(c)].give; };
+  return max(give(pair.limb), give(pair.part));
+}
+
 Penetration limb_penetration(const BodyModel& body, const Kinematics<double>& kinematics,
                              const Effector& effector) {
+  return deepest_of(body, kinematics, limb_pairs(body, effector));
+}
+
+Penetration deepest_of(const BodyModel& body, const Kinematics<double>& kinematics,
+                       std::span<const CapsulePair> pairs) {
   Penetration deepest;
-  for (const CapsulePair& pair : limb_pairs(body, effector)) {
+  for (const CapsulePair& pair : pairs) {
     const Capsule& limb = body.capsules()[static_cast<std::size_t>(pair.limb)];
     const Capsule& part = body.capsules()[static_cast<std::size_t>(pair.part)];
     const PlacedCapsule<double> a = placed_capsule(limb, kinematics);
     const PlacedCapsule<double> b = placed_capsule(part, kinematics);
     const SegmentPair nearest = nearest_points(a.from, a.to, b.from, b.to);
     const Vec3d apart = nearest.on_a - nearest.on_b;
-    const double depth = limb.radius + part.radius - norm(apart);
+    const double depth = limb.radius + part.radius + nearest.along_a * taper_of(limb) +
+                         nearest.along_b * taper_of(part) - norm(apart) - pair.allowed;
     if (depth > deepest.depth) deepest = {depth, normalized(apart, {0, 0, 1})};
   }
   return deepest;

@@ -3,28 +3,20 @@
 
 #include <shigusa/body_model.hpp>
 #include <shigusa/goal.hpp>
+#include <span>
 #include <vector>
 
+#include "body/capsules.hpp"
 #include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 
-// Nearest points of two line segments.
-struct SegmentPair {
-  Vec3d on_a{};
-  Vec3d on_b{};
-};
-
-// The points of the segments a0-a1 and b0-b1 that are nearest to each other; of equally near ones
-// any. Segments may be points.
-[[nodiscard]] SegmentPair nearest_points(const Vec3d& a0, const Vec3d& a1, const Vec3d& b0,
-                                         const Vec3d& b1);
-
-// Two capsules of a body (indices) that should not meet: one of an effector's limb, but not of its
-// first segment, which its joint holds to the trunk, and one that the limb does not move.
+// Two capsules of a body (indices) that should not meet: one of an effector's limb that is not
+// grown on the trunk, and one that the limb does not move.
 struct CapsulePair {
   int limb = 0;
   int part = 0;
+  double allowed = 0.0;  // m, of their depth, that does not count
 };
 // Those of one effector's limb.
 [[nodiscard]] std::vector<CapsulePair> limb_pairs(const BodyModel& body, const Effector& effector);
@@ -33,13 +25,22 @@ struct CapsulePair {
 // Those of all arms and of the legs, each pair once.
 [[nodiscard]] std::vector<CapsulePair> all_limb_pairs(const BodyModel& body);
 
+// By how much (m) the softer of both yields.
+[[nodiscard]] double give_of(const BodyModel& body, const CapsulePair& pair);
+// The pairs with the depths that they have in the start posture, which do not count.
+[[nodiscard]] std::vector<CapsulePair> allowed_as_at_start(const BodyModel& body,
+                                                           std::vector<CapsulePair> pairs);
+
 // How deep a limb is inside the rest of the body.
 struct Penetration {
   double depth = -1e9;  // m; negative: that far apart
   Vec3d outward{};      // unit vector, world: where the limb is out soonest
 };
 
-// The deepest of the effector's pairs.
+// The deepest of the pairs.
+[[nodiscard]] Penetration deepest_of(const BodyModel& body, const Kinematics<double>& kinematics,
+                                     std::span<const CapsulePair> pairs);
+// The deepest of the effector's pairs, which allow nothing.
 [[nodiscard]] Penetration limb_penetration(const BodyModel& body,
                                            const Kinematics<double>& kinematics,
                                            const Effector& effector);
@@ -79,11 +80,17 @@ template <class S>
   return placed;
 }
 
-// Squared distance (m²) of two segments, which may be points. Of parallel ones, that at some point
-// which both have beside each other.
+// Where two lines, which may be points, are nearest; of parallel ones some place where they lie
+// beside each other.
 template <class S>
-[[nodiscard, gnu::always_inline]] inline S square_distance(const PlacedCapsule<S>& a,
-                                                           const PlacedCapsule<S>& b) {
+struct NearestPlaces {
+  Vec3<S> apart{};  // m, from b's to a's
+  S along_a{};      // 0..1 of the lines
+  S along_b{};
+};
+template <class S>
+[[nodiscard, gnu::always_inline]] inline NearestPlaces<S> nearest_places(
+    const PlacedCapsule<S>& a, const PlacedCapsule<S>& b) {
   const Vec3<S> along_a = a.to - a.from;
   const Vec3<S> along_b = b.to - b.from;
   const Vec3<S> between = a.from - b.from;
@@ -97,12 +104,28 @@ template <class S>
   const S lines = (ab * b_between - bb * a_between) / max(square - ab * ab, square * S(1e-6));
   const S t = clamp((ab * clamp(lines, S(0), S(1)) + b_between) / bb, S(0), S(1));
   const S s = clamp((ab * t - a_between) / aa, S(0), S(1));
-  const Vec3<S> apart = between + along_a * s - along_b * t;
-  return dot(apart, apart);
+  return {between + along_a * s - along_b * t, s, t};
 }
 
-// False where two capsules, whose radii sum up to `radii` (m), are certainly apart: seen along the
-// line of their middles. `between` (m) is from b's middle to a's, `square` (m²) its square.
+// How deep (m, less than 0: that far apart) two capsules are in each other where their lines are
+// nearest, whose radii sum up to `radii` (m) at their first ends.
+template <class S>
+[[nodiscard, gnu::always_inline]] inline S depth_of(const PlacedCapsule<S>& a,
+                                                    const PlacedCapsule<S>& b, double radii,
+                                                    double taper_a, double taper_b) {
+  const NearestPlaces<S> nearest = nearest_places(a, b);
+  return S(radii) + nearest.along_a * S(taper_a) + nearest.along_b * S(taper_b) -
+         sqrt(dot(nearest.apart, nearest.apart));
+}
+template <class S>
+[[nodiscard]] S depth_of(const PlacedCapsule<S>& a, const Capsule& of_a, const PlacedCapsule<S>& b,
+                         const Capsule& of_b) {
+  return depth_of(a, b, of_a.radius + of_b.radius, taper_of(of_a), taper_of(of_b));
+}
+
+// False where two capsules, whose greatest radii sum up to `radii` (m), are certainly apart: seen
+// along the line of their middles. `between` (m) is from b's middle to a's, `square` (m²) its
+// square.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline auto may_touch(const PlacedCapsule<S>& a,
                                                         const PlacedCapsule<S>& b,

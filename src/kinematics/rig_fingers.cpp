@@ -6,23 +6,6 @@
 #include "rig_drivers.hpp"
 
 namespace shigusa {
-namespace {
-
-// Degrees, by joint, of the mean finger and of the thumb.
-constexpr std::array<double, kFingerJoints> kRelaxed{45.0, 30.0, 20.0};
-constexpr std::array<double, kFingerJoints> kRelaxedThumb{20.0, 15.0, 15.0};
-// Of these a finger has more towards the little one; the mean of the four is 1.
-constexpr std::array<double, kFingerCount> kShare{1.0, 0.8, 0.93, 1.07, 1.2};
-constexpr double kOpenShare = 0.2;
-
-}  // namespace
-
-double flexion(HandPosture posture, Finger finger, int joint) {
-  const auto& mean = finger == Finger::thumb ? kRelaxedThumb : kRelaxed;
-  const double relaxed = mean[index(joint - 1)] * kShare[static_cast<std::size_t>(finger)];
-  return radians(posture == HandPosture::open ? kOpenShare * relaxed : relaxed);
-}
-
 double openness(double share) {
   if (share <= kWidestAt) return minimum_jerk(share / kWidestAt);
   return 1.0 - minimum_jerk((share - kWidestAt) / (1.0 - kWidestAt));

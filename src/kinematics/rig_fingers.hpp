@@ -9,21 +9,6 @@
 
 namespace shigusa {
 
-// The two postures that hands have.
-enum class HandPosture {
-  open,     // as wide as a hand is on its way
-  relaxed,  // the grip about a thing of some 4 cm: the functional position
-};
-
-// By how much a joint is bent (rad), 0 with the finger straight; the thumb's joint at the wrist
-// from where the character has it.
-//
-// Relaxed: knuckles 45, the next joints 30, the last 20 degrees, as splints hold a hand in its
-// functional position (Stedman's Medical Dictionary, "functional hand position"), on the mean of
-// four fingers, which are "more and more flexed from index to little finger" (Taylor and Schwarz
-// 1955, "The anatomy and mechanics of the human hand"); the thumb is opposed. Open: a fifth of it.
-[[nodiscard]] double flexion(HandPosture posture, Finger finger, int joint);
-
 // The share of the open posture in a reaching hand, the rest of which is the relaxed one, at a
 // share of the motion's time: 0 at both ends and 1 at kWidestAt, by two curves of minimum jerk, so
 // that its second derivative has no jump. Source: M. Jeannerod, "The timing of natural prehension

@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "math/turn_about.hpp"
 #include "rig_drivers.hpp"
 
 namespace shigusa {
@@ -47,11 +48,6 @@ double near_to(double before, double angle) {
 }
 
 }  // namespace
-
-Mat3d turn_about(const Vec3d& axis, double angle) {
-  const SinCos<double> half = sin_cos(0.5 * angle);
-  return to_matrix(Quatd{axis.x * half.sin, axis.y * half.sin, axis.z * half.sin, half.cos});
-}
 
 std::optional<ForearmTurn> forearm_turn(const BodyModel& body, HumanoidBone bone) {
   if (bone != Bone::left_lower_arm && bone != Bone::right_lower_arm) return std::nullopt;

@@ -17,9 +17,6 @@ struct ForearmTurn {
 };
 [[nodiscard]] std::optional<ForearmTurn> forearm_turn(const BodyModel& body, HumanoidBone bone);
 
-// A rotation about a unit axis.
-[[nodiscard]] Mat3d turn_about(const Vec3d& axis, double angle);
-
 // How the limbs of a rig with twist bones are twisted, frame by frame: the angles (rad) about the
 // line from a limb's joint to the next one, since the posture at rest,
 //

@@ -5,18 +5,14 @@
 #include <memory>
 #include <shigusa/parallel.hpp>
 
+#include "body/capsules.hpp"
 #include "core/index.hpp"
 #include "criteria/built_in_criteria.hpp"
+#include "dynamics/clip_dynamics.hpp"
 #include "kinematics/penetration.hpp"
-#include "layers/clip_dynamics.hpp"
 
 namespace shigusa {
 namespace {
-
-double capsule_depth(const Capsule& a, const Capsule& b) {
-  const SegmentPair pair = nearest_points(a.from, a.to, b.from, b.to);
-  return a.radius + b.radius - norm(pair.on_a - pair.on_b);
-}
 
 // Moves one arm by one genome after the other. One per thread.
 class FreeArm {
@@ -93,8 +89,11 @@ ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const 
       continue;
     }
     const Transformd held = held_place(body, arm.hinge, capsule.link);
-    feedback.limb.push_back(
-        {capsule.name, kArmDofs - 1, held * capsule.from, held * capsule.to, capsule.radius});
+    Capsule with_elbow = capsule;
+    with_elbow.link = kArmDofs - 1;
+    with_elbow.from = held * capsule.from;
+    with_elbow.to = held * capsule.to;
+    feedback.limb.push_back(std::move(with_elbow));
   }
   Kinematics<double> placed(body);
   for (int f = 0; f < clip.frames; ++f) {
@@ -122,10 +121,11 @@ double unavoidable_depth(const ArmFeedback& feedback) {
     double now = -1e9;
     for (const Capsule& part : feedback.limb) {
       const SegmentPair off = nearest_points(hand, hand, part.from, part.to);
-      const Capsule sphere{.name = {},
-                           .from = feedback.path[f],
-                           .to = feedback.path[f],
-                           .radius = part.radius - norm(off.on_a - off.on_b)};
+      const Capsule sphere{
+          .name = {},
+          .from = feedback.path[f],
+          .to = feedback.path[f],
+          .radius = part.radius + off.along_b * taper_of(part) - norm(off.on_a - off.on_b)};
       for (const Capsule& obstacle : feedback.obstacles[f]) {
         now = max(now, capsule_depth(sphere, obstacle));
       }

@@ -59,8 +59,7 @@ class ArmDepth {
       const PlacedCapsule<S> limb = placed_capsule(part, placed);
       for (const Capsule& obstacle : feedback_->obstacles[frame_]) {
         const PlacedCapsule<S> other{to_scalar<S>(obstacle.from), to_scalar<S>(obstacle.to), {}};
-        const S apart = sqrt(square_distance(limb, other));
-        now = max(now, S(part.radius + obstacle.radius) - apart);
+        now = max(now, depth_of(limb, part, other, obstacle));
       }
     }
     if (frame_++ == 0) at_start_ = now;

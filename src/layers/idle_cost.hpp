@@ -81,9 +81,8 @@ class IdleCost {
     for (const CapsulePair& pair : arm.pairs->pairs) {
       const Capsule& limb = body_->capsules()[index(pair.limb)];
       const Capsule& part = body_->capsules()[index(pair.part)];
-      const S apart = sqrt(square_distance(placed_capsule<S>(limb, kinematics),
-                                           placed_capsule<S>(part, kinematics)));
-      most = max(most, S(limb.radius + part.radius) - apart);
+      most = max(most, depth_of(placed_capsule<S>(limb, kinematics), limb,
+                                placed_capsule<S>(part, kinematics), part));
     }
     return most;
   }

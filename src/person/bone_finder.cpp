@@ -6,6 +6,8 @@
 #include "core/check.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
+#include "facing.hpp"
+#include "other_build.hpp"
 #include "person/find_humanoid.hpp"
 
 namespace shigusa {
@@ -47,12 +49,12 @@ Result<HumanoidMap> BoneFinder::find() {
   find_spine();
   find_shoulder(Bone::left_shoulder, Bone::left_upper_arm);
   find_shoulder(Bone::right_shoulder, Bone::right_upper_arm);
-  find_toes(NameSide::left, Bone::left_foot, Bone::left_toes);
-  find_toes(NameSide::right, Bone::right_foot, Bone::right_toes);
+  find_toes(Side::left, Bone::left_toes);
+  find_toes(Side::right, Bone::right_toes);
   SHG_TRY(check_asked());
-  if (feet_point_backwards(tree_, map_)) {
-    doubt("feet_backwards");
-  }
+  SHG_TRY(check_build());
+  map_.mirrored = is_mirrored(tree_, map_);
+  if (map_.mirrored) doubt("feet_backwards");
   return std::move(map_);
 }
 
@@ -134,6 +136,19 @@ bool BoneFinder::at_parent(int i) const {
 
 bool BoneFinder::strictly_below(int i, int ancestor) const {
   return i >= 0 && ancestor >= 0 && i != ancestor && tree_.below(i, ancestor);
+}
+
+// Fails where the skeleton is another creature's, and neither its file nor a person says otherwise.
+Result<void> BoneFinder::check_build() const {
+  const bool asked =
+      std::any_of(asked_.node.begin(), asked_.node.end(), [](int node) { return node >= 0; });
+  if (any_given_ || asked) return {};
+  const bool by_names =
+      std::none_of(map_.doubts.begin(), map_.doubts.end(),
+                   [](const Message& message) { return message.key == "found_by_shape"; });
+  const Message why = unlike_a_persons_build(tree_, map_, by_names);
+  if (why.empty()) return {};
+  return fail(ErrorCode::invalid_argument, say("no_person", why));
 }
 
 // Fails where a bone is not the node that a person asked for.

@@ -13,6 +13,7 @@
 #include "humanoid_names.hpp"
 #include "humanoid_shape.hpp"
 #include "landmark_points.hpp"
+#include "likeness.hpp"
 #include "skeleton_tree.hpp"
 
 namespace shigusa {
@@ -48,10 +49,12 @@ class BoneFinder {
   [[nodiscard]] bool deforms(int i) const;
   [[nodiscard]] std::vector<int> named(NameSide side, const std::vector<BonePart>& parts) const;
   [[nodiscard]] int first_below(const std::vector<int>& nodes, int ancestor) const;
+  [[nodiscard]] int first_apart_below(std::vector<int> nodes, int ancestor) const;
   [[nodiscard]] bool is_beside_limbs(int i) const;
   [[nodiscard]] bool at_parent(int i) const;
   [[nodiscard]] bool strictly_below(int i, int ancestor) const;
   [[nodiscard]] Result<void> check_asked() const;
+  [[nodiscard]] Result<void> check_build() const;
 
   // limbs
   Result<void> find_limbs();
@@ -59,6 +62,8 @@ class BoneFinder {
   bool find_by_name(std::size_t limb);
   [[nodiscard]] std::vector<int> called(std::size_t limb, std::size_t k,
                                         const std::vector<BonePart>& parts) const;
+  void give_lengths(std::size_t limb, const std::vector<int>& lowers, const std::vector<int>& ends,
+                    LimbNodes& nodes) const;
   void find_in_row(std::size_t limb, const std::vector<int>& ends, LimbNodes& nodes) const;
   void read_arm_as_forearm(const std::vector<int>& uppers, const std::vector<int>& ends,
                            LimbNodes& nodes) const;
@@ -92,7 +97,7 @@ class BoneFinder {
   bool take_given_spine(const std::vector<int>& joints);
   void find_shoulder(Bone shoulder, Bone upper_arm);
   void find_collar_beside(Bone shoulder, int arm);
-  void find_toes(NameSide side, Bone foot, Bone toes);
+  void find_toes(Side of, Bone toes);
 
   const SkeletonTree& tree_;
   HumanoidMap given_;            // by the file or, before it, by a person …

@@ -5,6 +5,7 @@
 #include "body/anthropometry.hpp"
 #include "bone_finder.hpp"
 #include "core/say.hpp"
+#include "facing.hpp"
 
 namespace shigusa {
 namespace {
@@ -244,7 +245,10 @@ void BoneFinder::find_collar_beside(Bone shoulder, int arm) {
   }
 }
 
-void BoneFinder::find_toes(NameSide side, Bone foot, Bone toes) {
+void BoneFinder::find_toes(Side of, Bone toes) {
+  const NameSide side = of == Side::left ? NameSide::left : NameSide::right;
+  const Bone shank = leg_bones(of)[1];
+  const Bone foot = leg_bones(of)[2];
   if (strictly_below(given_[toes], map_[foot])) {
     map_[toes] = given_[toes];
     return;
@@ -259,12 +263,18 @@ void BoneFinder::find_toes(NameSide side, Bone foot, Bone toes) {
   };
   if (off(ball) < off(map_[toes])) map_[toes] = ball;
   if (map_[toes] >= 0) return;
-  const std::vector<int> chain = tree_.chain(map_[foot], map_[foot]);
-  if (!chain.empty() && !tree_.node(chain.front()).end_site) {
-    map_[toes] = chain.front();
+  int next = -1;
+  for (int i = foot_tip(tree_, map_[shank], map_[foot]); i != map_[foot];
+       i = tree_.node(i).parent) {
+    if (tree_.apart(i, map_[foot])) next = i;
+  }
+  if (next >= 0 && !tree_.node(next).end_site) {
+    map_[toes] = next;
   } else {
     doubt("no_bone_below", humanoid_bone_name(toes), tree_.described(map_[foot]),
-          chain.empty() ? "nothing follows" : "comes only its End Site");
+          next >= 0                                  ? "comes only its End Site"
+          : tree_.farthest(map_[foot]) == map_[foot] ? "nothing follows"
+                                                     : "comes only its heel");
   }
 }
 

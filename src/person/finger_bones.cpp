@@ -8,6 +8,7 @@
 #include "core/index.hpp"
 #include "core/text.hpp"
 #include "humanoid_names.hpp"
+#include "math/turn_about.hpp"
 #include "skeleton_tree.hpp"
 
 namespace shigusa {
@@ -38,6 +39,13 @@ constexpr double kStandsOut = 0.7;
 constexpr double kAtWrist = 0.6;
 // How far before the knuckles the thumb is turned to, in the palm's lengths.
 constexpr double kOpposed = 0.5;
+
+// Degrees, by joint, of the mean finger and of the thumb.
+constexpr std::array<double, kFingerJoints> kRelaxed{45.0, 30.0, 20.0};
+constexpr std::array<double, kFingerJoints> kRelaxedThumb{20.0, 15.0, 15.0};
+// Of these a finger has more towards the little one; the mean of the four is 1.
+constexpr std::array<double, kFingerCount> kShare{1.0, 0.8, 0.93, 1.07, 1.2};
+constexpr double kOpenShare = 0.2;
 
 // The finger that a node's name tells, or the number of one ("Finger2", "finger3-1.L").
 struct FingerName {
@@ -304,6 +312,45 @@ std::vector<FingerBone> find_finger_bones(const Skeleton& skeleton,
   std::stable_sort(bones.begin(), bones.end(),
                    [](const FingerBone& a, const FingerBone& b) { return a.node < b.node; });
   return bones;
+}
+
+double flexion(HandPosture posture, Finger finger, int joint) {
+  const auto& mean = finger == Finger::thumb ? kRelaxedThumb : kRelaxed;
+  const double relaxed = mean[index(joint - 1)] * kShare[static_cast<std::size_t>(finger)];
+  return radians(posture == HandPosture::open ? kOpenShare * relaxed : relaxed);
+}
+
+std::vector<SkinVertex> relaxed_hands(const Skeleton& skeleton,
+                                      const std::vector<Transformd>& world, const HumanoidMap& map,
+                                      const std::vector<FingerBone>& fingers,
+                                      std::span<const SkinVertex> skin) {
+  // where each node takes what goes with it, and whether it goes with a hand
+  std::vector<Transformd> moves(world.size());
+  std::vector<bool> of_hand(world.size(), false);
+  auto next = fingers.begin();
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const int parent = skeleton.nodes[i].parent;
+    if (parent >= 0) {
+      moves[i] = moves[index(parent)];
+      of_hand[i] = of_hand[index(parent)];
+    }
+    for (const HumanoidBone hand : {HumanoidBone::left_hand, HumanoidBone::right_hand}) {
+      of_hand[i] = of_hand[i] || map[hand] == static_cast<int>(i);
+    }
+    for (; next != fingers.end() && index(next->node) == i; ++next) {
+      const double angle = flexion(HandPosture::relaxed, next->finger, next->joint) - next->bent;
+      const Mat3d turn = turn_about(next->axis, angle);
+      const Vec3d& joint = world[i].translation;
+      moves[i] = moves[i] * Transformd{turn, joint - turn * joint};
+    }
+  }
+  std::vector<SkinVertex> hands;
+  for (const SkinVertex& vertex : skin) {
+    if (vertex.node < 0 || !of_hand[index(vertex.node)]) continue;
+    hands.push_back(vertex);
+    hands.back().position = moves[index(vertex.node)] * vertex.position;
+  }
+  return hands;
 }
 
 }  // namespace shigusa

@@ -4,10 +4,13 @@
 #include <shigusa/body_model.hpp>
 #include <shigusa/skeleton.hpp>
 #include <shigusa/transform.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "body/skin.hpp"
 
 namespace shigusa {
 
@@ -44,5 +47,28 @@ struct FingerBone {
 [[nodiscard]] std::vector<FingerBone> find_finger_bones(
     const Skeleton& skeleton, const std::vector<Transformd>& world, const HumanoidMap& map,
     const std::vector<std::pair<std::string, int>>& named, bool mirrored);
+
+// The two postures that hands have.
+enum class HandPosture {
+  open,     // as wide as a hand is on its way
+  relaxed,  // the grip about a thing of some 4 cm: the functional position
+};
+
+// By how much a joint is bent (rad), 0 with the finger straight; the thumb's joint at the wrist
+// from where the character has it.
+//
+// Relaxed: knuckles 45, the next joints 30, the last 20 degrees, as splints hold a hand in its
+// functional position (Stedman's Medical Dictionary, "functional hand position"), on the mean of
+// four fingers, which are "more and more flexed from index to little finger" (Taylor and Schwarz
+// 1955, "The anatomy and mechanics of the human hand"); the thumb is opposed. Open: a fifth of it.
+[[nodiscard]] double flexion(HandPosture posture, Finger finger, int joint);
+
+// The vertices that hands with fingers have in their relaxed posture; `fingers` were found with the
+// nodes at `world` (nodes), where the skin is.
+[[nodiscard]] std::vector<SkinVertex> relaxed_hands(const Skeleton& skeleton,
+                                                    const std::vector<Transformd>& world,
+                                                    const HumanoidMap& map,
+                                                    const std::vector<FingerBone>& fingers,
+                                                    std::span<const SkinVertex> skin);
 
 }  // namespace shigusa

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <initializer_list>
+#include <string>
+#include <string_view>
 
 #include "core/index.hpp"
+#include "humanoid_names.hpp"
+#include "limb_fit.hpp"
 #include "part_shapes.hpp"
 #include "person_measurer.hpp"
 
@@ -11,69 +15,15 @@ namespace {
 
 using Bone = HumanoidBone;
 
-constexpr std::size_t kSectors = 8;
-constexpr std::size_t kFewestSectors = 4;
-constexpr double kEnds = 0.1;           // share of a limb at either end that its neighbours shape
-constexpr double kInLimb = 0.75;        // shares of vertices: of a sector of a limb, …
-constexpr double kInTrunk = 0.5;        // … and of the trunk; …
+constexpr double kBehind = 0.5;         // share of vertices behind the trunk, where capes hang
 constexpr double kOutermost = 0.02;     // … of a head those left out at each side
-constexpr double kThickest = 0.75;      // a limb's radius, as a share of its length
-constexpr double kThickestTrunk = 0.6;  // the trunk's, of hips to shoulders
-constexpr double kThinnest = 0.005;     // m
+constexpr double kThickestTrunk = 0.9;  // a trunk's radius, as a share of hips to shoulders
+constexpr double kThicker = 1.3;        // a limb that has a shape of its own, than the other
 
-// The value that a share of the values does not exceed; there must be some.
-double quantile(std::vector<double> values, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
-}
-
-// Distances of points from a line along y, by eight directions about it: the first is x, the third
-// z.
-class Sectors {
- public:
-  Sectors(const std::vector<Vec3d>& points, double x, double z, double share) {
-    std::array<std::vector<double>, kSectors> values;
-    for (const Vec3d& p : points) {
-      const double turn = atan2(p.z - z, p.x - x) * (kSectors / kTwoPi) + kSectors + 0.5;
-      const auto sector = static_cast<std::size_t>(turn) % kSectors;
-      values[sector].push_back(sqrt((p.x - x) * (p.x - x) + (p.z - z) * (p.z - z)));
-    }
-    for (std::size_t s = 0; s < kSectors; ++s) {
-      if (values[s].empty()) continue;
-      distance_[s] = quantile(std::move(values[s]), share);
-      ++filled_;
-    }
-  }
-
-  [[nodiscard]] std::size_t filled() const { return filled_; }
-  [[nodiscard]] const std::optional<double>& at(std::size_t sector) const {
-    return distance_[sector];
-  }
-  // of all directions the middle one
-  [[nodiscard]] double middle() const {
-    std::vector<double> known;
-    for (const auto& distance : distance_) {
-      if (distance) known.push_back(*distance);
-    }
-    return quantile(std::move(known), 0.5);
-  }
-  // How far the middle of a circle at these distances is off the line: the first term of their
-  // Fourier series. Where a direction is empty nothing.
-  [[nodiscard]] Vec3d off() const {
-    Vec3d sum{};
-    if (filled_ < kSectors) return sum;
-    for (std::size_t s = 0; s < kSectors; ++s) {
-      const SinCos<double> towards = sin_cos(static_cast<double>(s) * (kTwoPi / kSectors));
-      sum += Vec3d{towards.cos, 0.0, towards.sin} * (*distance_[s] * (2.0 / kSectors));
-    }
-    return sum;
-  }
-
- private:
-  std::array<std::optional<double>, kSectors> distance_{};
-  std::size_t filled_ = 0;
-};
+// Words in the names of bones that move flesh.
+constexpr std::string_view kFleshWords[] = {"belly",   "tummy", "stomach", "breast",   "breasts",
+                                            "bust",    "boob",  "pec",     "pectoral", "butt",
+                                            "buttock", "glute", "胸",      "乳",       "腹"};
 
 class PartFitter {
  public:
@@ -87,23 +37,23 @@ class PartFitter {
   }
 
   PartShapes fit() {
-    for (const Side side : kBothSides) {
-      const auto [hip, knee, ankle] = leg_bones(side);
-      const auto [shoulder, elbow, wrist] = arm_bones(side);
-      const Landmarks::Leg& leg = person_.leg(side);
-      const Landmarks::Arm& arm = person_.arm(side);
-      const Landmarks::Leg& other = person_.leg(side == Side::left ? Side::right : Side::left);
-      const double thighs = 0.25 * norm(leg.hip + leg.knee - other.hip - other.knee);
-      const double shanks = 0.25 * norm(leg.knee + leg.ankle - other.knee - other.ankle);
-      fit_limb(of_side(BodyPart::left_thigh, side), hip, norm(leg.knee - leg.hip), thighs);
-      fit_limb(of_side(BodyPart::left_shank, side), knee, norm(leg.ankle - leg.knee), shanks);
-      fit_limb(of_side(BodyPart::left_upper_arm, side), shoulder, norm(arm.elbow - arm.shoulder));
-      fit_limb(of_side(BodyPart::left_forearm, side), elbow, norm(arm.wrist - arm.elbow));
-      fit_limb(of_side(BodyPart::left_hand, side), wrist, norm(arm.fingertip - arm.wrist));
-    }
+    const Landmarks::Leg& left = person_.left_leg;
+    const Landmarks::Leg& right = person_.right_leg;
+    const double thighs = 0.25 * norm(left.hip + left.knee - right.hip - right.knee);
+    const double shanks = 0.25 * norm(left.knee + left.ankle - right.knee - right.ankle);
+    fit_limbs(BodyPart::left_thigh, leg_bones, 0, thighs);
+    fit_limbs(BodyPart::left_shank, leg_bones, 1, shanks);
+    fit_limbs(BodyPart::left_upper_arm, arm_bones, 0);
+    fit_limbs(BodyPart::left_forearm, arm_bones, 1);
+    fit_hands();
     fit_trunk();
     if (map_[Bone::head] >= 0) fit_head();
     if (map_[Bone::neck] >= 0) fit_neck();
+    return shapes_;
+  }
+
+  PartShapes fit_hands() {
+    fit_limbs(BodyPart::left_hand, arm_bones, 2);
     return shapes_;
   }
 
@@ -123,7 +73,17 @@ class PartFitter {
     for (std::size_t i = 0; i < bone_.size(); ++i) {
       const int parent = tree_.node(static_cast<int>(i)).parent;
       if (bone_[i] < 0 && parent >= 0) bone_[i] = bone_[index(parent)];
+      if (is_flesh(tree_.node(static_cast<int>(i)).name)) own_[i] = true;
     }
+  }
+
+  // Bones that move a body's own flesh, and neither hair nor cloth.
+  static bool is_flesh(std::string_view name) {
+    const std::vector<std::string> words = words_of(name);
+    return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+      return std::find(std::begin(kFleshWords), std::end(kFleshWords), word) !=
+             std::end(kFleshWords);
+    });
   }
 
   // The vertices that go with one of the bones, in a frame of the world.
@@ -140,54 +100,80 @@ class PartFitter {
     return points;
   }
 
-  static std::vector<Vec3d> between(const std::vector<Vec3d>& points, double low, double high) {
-    std::vector<Vec3d> within;
-    for (const Vec3d& p : points) {
-      if (p.y >= low && p.y <= high) within.push_back(p);
+  // The limbs of both sides. They have the same shape, by the vertices of both; a limb that is
+  // thicker than that, an armoured one, has its own.
+  void fit_limbs(BodyPart left, const LimbBones& (*bones)(Side), std::size_t bone,
+                 double room = 1e300) {
+    std::array<LimbPoints, 2> limbs;
+    std::array<Transformd, 2> along;
+    LimbPoints both{.points = {},
+                    .rises = left == BodyPart::left_thigh || left == BodyPart::left_hand,
+                    .hand = left == BodyPart::left_hand};
+    for (const Side side : kBothSides) {
+      LimbPoints& limb = limbs[static_cast<std::size_t>(side)];
+      const BodyPart part = of_side(left, side);
+      Transformd& frame = along[static_cast<std::size_t>(side)];
+      frame = limb_frame(part);
+      limb = {.points = flesh({bones(side)[bone]}, false, frame),
+              .length = limb_length(part, person_),
+              .rises = both.rises,
+              .hand = both.hand};
+      both.length += 0.5 * limb.length;
+      for (Vec3d p : limb.points) {
+        p.x *= side_sign(side);
+        both.points.push_back(p);
+      }
     }
-    return within;
+    const std::optional<PartShape> common = fit_limb(both, room);
+    const std::array<std::optional<PartShape>, 2> owns{fit_limb(limbs[0], room),
+                                                       fit_limb(limbs[1], room)};
+    const bool unlike =
+        owns[0] && owns[1] && (thicker(*owns[0], *owns[1]) || thicker(*owns[1], *owns[0]));
+    for (const Side side : kBothSides) {
+      const LimbPoints& limb = limbs[static_cast<std::size_t>(side)];
+      std::optional<PartShape> own = owns[static_cast<std::size_t>(side)];
+      if (common && !unlike) {
+        own = common;
+        for (Vec3d* at : {&own->from, &own->to, &own->aside}) at->x *= side_sign(side);
+        own->to.y *= limb.length / both.length;
+      }
+      if (!own) continue;
+      const BodyPart part = of_side(left, side);
+      const Transformd to_part =
+          inverse(part_frame(part, person_, frames_)) * along[static_cast<std::size_t>(side)];
+      own->from = to_part * own->from;
+      own->to = to_part * own->to;
+      own->aside = to_part.rotation * own->aside;
+      shapes_[part] = own;
+    }
   }
 
-  // A limb from its joint at y = 0 down to -length.
-  void fit_limb(BodyPart part, Bone bone, double length, double room = 1e300) {
-    const std::vector<Vec3d> all = flesh({bone}, false, part_frame(part, person_, frames_));
-    std::vector<Vec3d> points = between(all, (kEnds - 1.0) * length, -kEnds * length);
-    // a coarse limb has vertices at its ends alone
-    if (points.size() < kFewestVertices)
-      points = between(all, -(1.0 + kEnds) * length, kEnds * length);
-    const auto column = round_column(points, min(kThickest * length, room));
-    if (!column) return;
-    shapes_[part] = {{column->from.x, 0.0, column->from.z},
-                     {column->from.x, -length, column->from.z},
-                     column->radius};
+  // The part's frame with y along the limb; a hand may be bent against its forearm.
+  [[nodiscard]] Transformd limb_frame(BodyPart part) const {
+    Transformd frame = part_frame(part, person_, frames_);
+    for (const Side side : kBothSides) {
+      if (part != of_side(BodyPart::left_hand, side)) continue;
+      const Landmarks::Arm& arm = person_.arm(side);
+      frame.rotation = along_segment(frame.rotation, arm.wrist, arm.fingertip);
+    }
+    return frame;
   }
 
-  // A line along y through the middle of the points, and how far they lie about it.
-  static std::optional<PartShape> round_column(const std::vector<Vec3d>& points, double thickest) {
-    if (points.size() < kFewestVertices) return std::nullopt;
-    Sectors about(points, 0.0, 0.0, kInLimb);
-    if (about.filled() < kFewestSectors) return std::nullopt;
-    const double rough = min(about.middle(), thickest);
-    Vec3d centre = about.off();
-    // a bone lies within its limb
-    centre = centre * min(1.0, 0.5 * rough / max(norm(centre), 1e-9));
-    about = Sectors(points, centre.x, centre.z, kInLimb);
-    if (about.filled() < kFewestSectors) return std::nullopt;
-    const double radius = clamp(about.middle(), kThinnest, max(thickest, kThinnest));
-    return PartShape{centre, centre, radius};
+  static bool thicker(const PartShape& own, const PartShape& other) {
+    return own.radius > kThicker * other.radius || own.to_radius > kThicker * other.to_radius;
   }
 
   void fit_trunk() {
-    const std::vector<Vec3d> points =
-        flesh({Bone::hips, Bone::spine, Bone::chest, Bone::upper_chest, Bone::left_shoulder,
-               Bone::right_shoulder},
-              true, part_frame(BodyPart::trunk, person_, frames_));
-    fit_trunk_piece(BodyPart::trunk, points);
-    const std::size_t joints = std::min(person_.spine.size(), kSpineJoints);
-    for (std::size_t j = 0; joints > 0 && j <= joints; ++j) {
-      fit_trunk_piece(static_cast<BodyPart>(static_cast<std::size_t>(BodyPart::pelvis) + j),
-                      points);
+    std::vector<Vec3d> points;
+    for (const bool own : {true, false}) {
+      points = flesh({Bone::hips, Bone::spine, Bone::chest, Bone::upper_chest, Bone::left_shoulder,
+                      Bone::right_shoulder},
+                     own, part_frame(BodyPart::trunk, person_, frames_));
+      fit_trunk_piece(BodyPart::trunk, points);
+      if (shapes_[BodyPart::trunk]) break;
     }
+    if (person_.spine.empty()) return;
+    for (const BodyPart piece : trunk_parts(person_)) fit_trunk_piece(piece, points);
   }
 
   void fit_trunk_piece(BodyPart part, const std::vector<Vec3d>& points) {
@@ -196,21 +182,34 @@ class PartFitter {
     const Vec3d from = to_part * piece.from;
     const Vec3d to = to_part * piece.to;
     const std::vector<Vec3d> within = between(points, from.y, to.y);
-    if (within.size() < kFewestVertices) return;
     const double line = 0.5 * (from.z + to.z);
-    const Sectors about(within, 0.0, line, kInTrunk);
-    if (!about.at(2) || !about.at(6)) return;
-    const double depth = 0.5 * (*about.at(2) + *about.at(6));
+    const Sectors about(within, 0.0, line, kInLimb);
+    const Sectors caped(within, 0.0, line, kBehind);
+    if (within.size() < kFewestVertices || !about.at(2) || !about.at(6)) {
+      return fit_as_trunk(part, from, to, piece.last);
+    }
+    const double depth = 0.5 * (*about.at(2) + *caped.at(6));
     const double breadth = about.at(0) && about.at(4) ? 0.5 * (*about.at(0) + *about.at(4)) : depth;
     const Vec3d rise = (person_.left_arm.shoulder + person_.right_arm.shoulder -
                         person_.left_leg.hip - person_.right_leg.hip) *
                        0.5;
     const double radius =
         clamp(min(depth, breadth), kThinnest, max(kThickestTrunk * norm(rise), kThinnest));
-    const double ahead = line + 0.5 * (*about.at(2) - *about.at(6));
+    const double ahead = line + 0.5 * (*about.at(2) - *caped.at(6));
     // the upper end is round: it begins a radius within
     const double top = piece.last ? max(to.y - radius, from.y) : to.y;
-    shapes_[part] = {{from.x, from.y, ahead}, {to.x, top, ahead}, radius};
+    const double aside = clamp(breadth - radius, 0.0, radius);
+    shapes_[part] = {{from.x, from.y, ahead}, {to.x, top, ahead}, radius, radius, {aside, 0, 0}};
+  }
+
+  // A piece with few vertices is as thick as the trunk is on the whole.
+  void fit_as_trunk(BodyPart part, const Vec3d& from, const Vec3d& to, bool last) {
+    if (part == BodyPart::trunk || !shapes_[BodyPart::trunk]) return;
+    PartShape shape = *shapes_[BodyPart::trunk];
+    const double top = last ? max(to.y - shape.radius, from.y) : to.y;
+    shape.from = {from.x, from.y, shape.from.z};
+    shape.to = {to.x, top, shape.to.z};
+    shapes_[part] = shape;
   }
 
   void fit_head() {
@@ -233,13 +232,16 @@ class PartFitter {
     const double radius = min(min(half(0), half(2)), 0.5 * (top - low));
     if (!(radius >= kThinnest)) return;
     const Vec3d centre{middle(0), top - radius, middle(2)};
-    // along the longer of breadth and depth
-    const Vec3d reach{max(half(0) - radius, 0.0), 0.0, max(half(2) - radius, 0.0)};
-    const Vec3d along = reach.x > reach.z ? Vec3d{reach.x, 0.0, 0.0} : Vec3d{0.0, 0.0, reach.z};
-    shapes_[BodyPart::head] = {centre - along, centre + along, radius};
+    // along the longer of breadth and depth, two side by side where it is flat
+    const Vec3d broad{max(half(0) - radius, 0.0), 0.0, 0.0};
+    const Vec3d deep{0.0, 0.0, max(half(2) - radius, 0.0)};
+    const bool across = broad.x > deep.z;
+    const Vec3d& along = across ? broad : deep;
+    shapes_[BodyPart::head] = {centre - along, centre + along, radius, radius,
+                               across ? deep : broad};
     // down to the chin, where the skull does not reach
     const double chin = min(radius, max(kChin * radius, 0.5 * (top - low) - radius));
-    Vec3d face = centre + Vec3d{0.0, 0.0, along.z + radius - chin};
+    Vec3d face = centre + Vec3d{0.0, 0.0, deep.z + radius - chin};
     Vec3d down = face;
     down.y = min(low + chin, face.y);
     shapes_[BodyPart::jaw] = {face, down, chin};
@@ -271,6 +273,13 @@ class PartFitter {
 };
 
 }  // namespace
+
+PartShapes fitted_hands(const Skeleton& skeleton, const std::vector<Transformd>& world,
+                        std::span<const SkinVertex> hands, const HumanoidMap& map,
+                        const MeasuredPerson& person) {
+  const SkeletonTree tree(skeleton, world, hands);
+  return PartFitter(tree, map, person).fit_hands();
+}
 
 PartShapes fitted_parts(const SkeletonTree& tree, const HumanoidMap& map,
                         const MeasuredPerson& person) {

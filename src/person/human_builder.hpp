@@ -62,6 +62,7 @@ class HumanBuilder {
   void couple_hip(int hip, int knee);
   [[nodiscard]] Part add_toes(Side side, const Part& on, double sign);
   void add_foot(Side side, const Part& part);
+  [[nodiscard]] Vec3d to_below_ankle(const SoleOutline& sole, Side side, const Part& part) const;
   [[nodiscard]] Heel heel_of(Side side, const Part& part) const;
   [[nodiscard]] int freedom(const std::string& name) const;
   // a point of the start posture in the part's frame

@@ -3,13 +3,20 @@
 #include "human_builder.hpp"
 
 namespace shigusa {
+namespace {
+
+// Share of an upper arm that may lie within the trunk.
+constexpr double kGrownOn = 0.5;
+
+}  // namespace
 
 void HumanBuilder::add_capsule(BodyPart part, const Part& on) {
-  const Transformd frame = part_frame(part, person_, frames_);
-  const PartShape shape = part_shape(part, person_, frames_, settings_.stature);
-  body_.capsules.push_back({std::string(body_part_name(part)), on.link,
-                            in_link(frame * shape.from, on), in_link(frame * shape.to, on),
-                            shape.radius});
+  for (Capsule& capsule : part_capsules(part, person_, frames_, settings_.stature)) {
+    capsule.link = on.link;
+    capsule.from = in_link(capsule.from, on);
+    capsule.to = in_link(capsule.to, on);
+    body_.capsules.push_back(std::move(capsule));
+  }
 }
 
 void HumanBuilder::add_trunk_capsules() {
@@ -54,7 +61,17 @@ void HumanBuilder::add_leg_capsules(Side side) {
 
 void HumanBuilder::add_arm_capsules(Side side) {
   const ArmParts& parts = arms_[index_of(side)];
-  add_capsule(of_side(BodyPart::left_upper_arm, side), parts.upper);
+  const BodyPart upper = of_side(BodyPart::left_upper_arm, side);
+  add_capsule(upper, parts.upper);
+  body_.capsules.back().grown_on = true;
+  if (person_.parts[upper]) {
+    // where it is out of the trunk for certain it may get into it
+    Capsule outer = body_.capsules.back();
+    outer.grown_on = false;
+    outer.from += (outer.to - outer.from) * kGrownOn;
+    outer.radius += (outer.to_radius - outer.radius) * kGrownOn;
+    body_.capsules.push_back(std::move(outer));
+  }
   add_capsule(of_side(BodyPart::left_forearm, side), parts.fore);
   if (whole()) {
     add_capsule(of_side(BodyPart::left_hand, side), parts.hand);

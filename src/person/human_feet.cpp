@@ -5,6 +5,12 @@
 #include "human_builder.hpp"
 
 namespace shigusa {
+namespace {
+
+// How far to a sole's edge its pressure goes.
+constexpr double kAcrossSole = 0.8;
+
+}  // namespace
 
 Vec3d HumanBuilder::in_link(const Vec3d& point, const Part& part) {
   return transpose_times(part.frame, point - part.origin);
@@ -44,11 +50,21 @@ void HumanBuilder::add_foot(Side side, const Part& part) {
     sum += foot.outline.back();
   }
   foot.centre = sum * (1.0 / static_cast<double>(corners.size()));
+  if (person_.leg(side).sole) foot.centre += to_below_ankle(sole, side, part);
   if (settings_.heels) {
     foot.node = prefix_of(side) + "toes";
     foot.heel = heel_of(side, part);
   }
   body_.feet.push_back(std::move(foot));
+}
+
+// From the middle of a sole across it to below the ankle, as far as the sole goes: a person presses
+// there, where that asks nothing of the ankle.
+Vec3d HumanBuilder::to_below_ankle(const SoleOutline& sole, Side side, const Part& part) const {
+  const Vec3d middle = (sole[0] + sole[1] + sole[2] + sole[3]) * 0.25;
+  const Vec3d half = (sole[0] + sole[1] - sole[2] - sole[3]) * 0.25;
+  const double off = dot(person_.leg(side).ankle - middle, half) / dot(half, half);
+  return transpose_times(part.frame, half * clamp(off, -kAcrossSole, kAcrossSole));
 }
 
 Heel HumanBuilder::heel_of(Side side, const Part& part) const {

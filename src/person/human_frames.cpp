@@ -59,7 +59,8 @@ Mat3d trunk_frame(const Landmarks& p) {
   const Vec3d left = p.left_arm.shoulder - p.right_arm.shoulder + p.left_leg.hip - p.right_leg.hip;
   const Vec3d y = normalized(up);
   const Vec3d z = normalized(cross(left, y), {0, 0, 1});
-  return {cross(y, z), y, z};
+  const Mat3d along{cross(y, z), y, z};
+  return p.trunk_lean == 0.0 ? along : along * rotation(Axis::x, p.trunk_lean);
 }
 
 LegFrames leg_frames(const Landmarks::Leg& leg, const Vec3d& trunk_left, bool lifted) {

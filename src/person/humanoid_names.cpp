@@ -28,7 +28,11 @@ constexpr PartWords kWords[] = {
       "calf", "tibia", "knee", "ひざ", "小腿"}},
     {BonePart::ankle, {"ankle", "talus", "talocrural"}},
     {BonePart::foot, {"foot", "feet", "足首", "脚", "脚踝"}},
-    {BonePart::toes, {"toe", "toes", "toebase", "ball", "つま先", "脚趾"}},
+    {BonePart::toes,
+     {"toe", "toes", "toebase", "ball", "foottoe", "toefoot", "football", "つま先", "脚趾"}},
+    {BonePart::heel,
+     {"heel", "heelbone", "calcaneus", "footheel", "footback", "backfoot", "footrear", "rearfoot",
+      "toeback", "backtoe", "かかと", "脚跟"}},
     {BonePart::collar,
      {"collar", "clavicle", "clav", "collarbone", "scapula", "sternoclavicular",
       "acromioclavicular", "肩", "锁骨"}},
@@ -49,21 +53,24 @@ constexpr PartWords kWords[] = {
 
 // Words of joints that belong to a bone, or control it, but are not it.
 constexpr std::string_view kOthers[] = {
-    "twist",      "roll",   "ik",      "fk",     "mch",   "pole",  "target", "ctrl",
-    "control",    "goal",   "tweak",   "helper", "site",  "heel",  "slot",   "effector",
-    "helmet",     "muscle", "index",   "middle", "ring",  "pinky", "little", "hint",
-    "metacarpal", "carpal", "fingers", "mesh",   "geo",   "prop",  "finger", "corrective",
-    "share",      "bck",    "fwd",     "inner",  "outer", "sec",   "adj",
+    "twist",   "roll",    "ik",     "fk",     "mch",   "pole",   "target",     "ctrl",
+    "control", "goal",    "tweak",  "helper", "site",  "slot",   "effector",   "helmet",
+    "muscle",  "index",   "middle", "ring",   "pinky", "little", "hint",       "metacarpal",
+    "carpal",  "fingers", "mesh",   "geo",    "prop",  "finger", "corrective", "share",
+    "bck",     "fwd",     "inner",  "outer",  "sec",   "adj",
 };
 // Words of what hangs on a body and is no part of the spine or a limb.
 constexpr std::string_view kOrnaments[] = {
-    "face",     "facial",  "jaw",     "chin",   "eye",   "eyes",     "eyeball",  "eyelid",  "lid",
-    "brow",     "brows",   "eyebrow", "ear",    "ears",  "nose",     "nostril",  "lip",     "lips",
-    "mouth",    "teeth",   "tooth",   "tongue", "cheek", "temple",   "forehead", "hair",    "beard",
-    "ponytail", "pigtail", "braid",   "hat",    "hood",  "horn",     "horns",    "antenna", "crown",
-    "tail",     "wing",    "wings",   "skirt",  "cape",  "cloak",    "dress",    "ribbon",  "scarf",
-    "belt",     "breast",  "breasts", "bust",   "boob",  "pectoral", "sleeve",   "cloth",   "mane",
-    "weapon",   "sword",   "shield",  "gun",    "bag",   "backpack",
+    "face",     "facial", "jaw",      "chin",     "eye",       "eyes",       "eyeball", "eyelid",
+    "lid",      "brow",   "brows",    "eyebrow",  "ear",       "ears",       "nose",    "nostril",
+    "lip",      "lips",   "mouth",    "teeth",    "tooth",     "tongue",     "cheek",   "temple",
+    "forehead", "hair",   "beard",    "ponytail", "pigtail",   "braid",      "hat",     "hood",
+    "horn",     "horns",  "antenna",  "crown",    "tail",      "wing",       "wings",   "skirt",
+    "cape",     "cloak",  "dress",    "ribbon",   "scarf",     "belt",       "breast",  "breasts",
+    "bust",     "boob",   "pectoral", "sleeve",   "cloth",     "mane",       "weapon",  "sword",
+    "shield",   "gun",    "bag",      "backpack", "imu",       "camera",     "cam",     "lidar",
+    "sensor",   "laser",  "radar",    "gyro",     "realsense", "microphone", "mic",     "speaker",
+    "led",      "logo",
 };
 constexpr std::string_view kThumbs[] = {"thumb", "lthumb", "rthumb", "左親指", "右親指"};
 constexpr std::string_view kTips[] = {"end", "nub", "tip", "top"};
@@ -207,7 +214,7 @@ BoneName read_bone_name(std::string_view name) {
       // the first one: L_HIP_R is a left hip's roll
       if (result.side != NameSide::none) continue;
       result.side = left ? NameSide::left : NameSide::right;
-    } else {
+    } else if (word != "link") {
       rest.push_back(std::move(word));
     }
   }

@@ -19,6 +19,7 @@ enum class BonePart {
   ankle,
   foot,  // toes below an ankle ("AnkleLeft", "FootLeft"), else foot
   toes,
+  heel,  // "Heel.L", "FootBack.L": behind the ankle, and no foot
   collar,
   shoulder,  // collar above an upper arm ("LeftShoulder", "LeftArm"), else upper arm
   upper_arm,

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/say.hpp"
-#include "landmark_points.hpp"
 
 namespace shigusa {
 namespace {
@@ -141,6 +140,14 @@ std::optional<LimbNodes> joints(const SkeletonTree& tree, const std::vector<int>
     length += norm(tree.at(chain[i]) - tree.at(chain[i - 1]));
   }
   LimbNodes nodes{chain[start], -1, -1};
+  // of no more than three joints each is one of the limb's
+  constexpr double kLeast = 0.15;  // of the limb
+  if (chain.size() == start + 3 && !tree.node(chain.back()).end_site) {
+    const double upper = norm(tree.at(chain[start + 1]) - tree.at(chain[start]));
+    if (upper >= kLeast * length && length - upper >= kLeast * length) {
+      return LimbNodes{chain[start], chain[start + 1], chain[start + 2]};
+    }
+  }
   std::size_t found = 1;
   double beyond = 0.0;
   for (std::size_t i = start + 1; i < chain.size() && found < 3; ++i) {
@@ -151,6 +158,27 @@ std::optional<LimbNodes> joints(const SkeletonTree& tree, const std::vector<int>
     beyond = 0.0;
   }
   if (found < 3) return std::nullopt;
+  return nodes;
+}
+
+// The joints of a chain that stand as far along it as those of its fellow along theirs.
+std::optional<LimbNodes> joints_like(const SkeletonTree& tree, const LimbNodes& fellow,
+                                     const std::vector<int>& chain, std::size_t start) {
+  LimbNodes nodes{chain[start], -1, -1};
+  std::size_t from = start;
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    const double wanted = norm(tree.at(fellow[k]) - tree.at(fellow[k - 1]));
+    const auto off = [&](std::size_t i) {
+      return abs(norm(tree.at(chain[i]) - tree.at(chain[from])) - wanted);
+    };
+    std::size_t best = from + 1;
+    for (std::size_t i = from + 1; i < chain.size(); ++i) {
+      if (off(i) < off(best)) best = i;
+    }
+    if (best >= chain.size() || tree.node(chain[best]).end_site) return std::nullopt;
+    nodes[k] = chain[best];
+    from = best;
+  }
   return nodes;
 }
 
@@ -217,8 +245,11 @@ std::optional<std::array<LimbNodes, 2>> arm_nodes(const SkeletonTree& tree,
   std::size_t shoulder = 0;
   while (shoulder < count && too_near(shoulder)) ++shoulder;
   if (shoulder == count) return std::nullopt;
-  const auto a = joints(tree, first, shoulder, kForearmShare);
-  const auto b = joints(tree, second, shoulder, kForearmShare);
+  auto a = joints(tree, first, shoulder, kForearmShare);
+  auto b = joints(tree, second, shoulder, kForearmShare);
+  // a hand may have fingers, and its fellow none: the shorter chain tells the joints of both
+  if (a && first.size() < second.size()) b = joints_like(tree, *a, second, shoulder);
+  if (b && second.size() < first.size()) a = joints_like(tree, *b, first, shoulder);
   if (!a || !b) return std::nullopt;
   return std::array<LimbNodes, 2>{*a, *b};
 }
@@ -227,22 +258,6 @@ std::optional<LimbNodes> limb_joints(const SkeletonTree& tree, int upper, bool a
   std::vector<int> chain = tree.chain(upper, upper);
   chain.insert(chain.begin(), upper);
   return joints(tree, chain, 0, arm ? kForearmShare : kSegmentShare);
-}
-
-bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map) {
-  using Bone = HumanoidBone;
-  const Vec3d left = tree.at(map[Bone::left_upper_leg]) - tree.at(map[Bone::right_upper_leg]);
-  double ahead = 0.0;
-  double scale = 0.0;
-  for (const Side side : kBothSides) {
-    const auto& [hip, knee, ankle] = leg_bones(side);
-    const Vec3d foot = tree.foot_from(map[ankle]);
-    const Vec3d shank = tree.at(map[knee]) - tree.at(map[ankle]);
-    ahead += dot(foot, cross(left, shank));
-    scale += norm(foot) * norm(left) * norm(shank);
-  }
-  constexpr double kClearly = 0.3;
-  return ahead < -kClearly * scale;
 }
 
 Message missing_by_shape(const SkeletonTree& tree) {

@@ -53,10 +53,6 @@ using MayBeLimbs = std::function<bool(const BranchPair&, bool legs)>;
 // The joints of the limb that begins at `upper`, likewise.
 [[nodiscard]] std::optional<LimbNodes> limb_joints(const SkeletonTree& tree, int upper, bool arm);
 
-// Whether the feet point backwards, seen from the mapped left and right: the mark of a mirrored
-// body. Bending hips, knees or trunk does not change the answer.
-[[nodiscard]] bool feet_point_backwards(const SkeletonTree& tree, const HumanoidMap& map);
-
 // Why a body without names has no shape: what is missing, and what there is instead.
 [[nodiscard]] Message missing_by_shape(const SkeletonTree& tree);
 

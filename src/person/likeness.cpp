@@ -11,12 +11,11 @@ namespace {
 
 // Bounds of figures, in lengths of their legs: a dwarf with a big head has 1.6 of trunk and 1.4 of
 // arm, a giant 2 of arm. People have 0.6 of trunk and 0.7 of arm.
+constexpr double kShortestTrunk = 0.2;
 constexpr double kLongestTrunk = 4.0;
 constexpr double kShortestArm = 0.2;
 constexpr double kLongestArm = 4.0;
-// Of a limb's two segments the longer over the shorter one, and of two fellows; people have 1.3 and
-// 1.0 at most.
-constexpr double kSegments = 5.0;
+// Of two fellows the longer over the shorter one; people have 1.0.
 constexpr double kFellows = 2.5;
 // From shoulder to shoulder, and from hip to hip, in lengths of trunk and legs; people have 0.3.
 constexpr double kBroadest = 1.0;
@@ -40,7 +39,20 @@ Lengths arm_of(const Landmarks& figure, Side side) {
 
 double unevenness(double a, double b) { return max(a, b) / min(a, b); }
 
-// The trunk lies level over four limbs that reach down alike.
+// Why a pair of limbs is no person's; empty where it may be one.
+Message odd_limbs(const char* limb, Lengths left, Lengths right) {
+  for (const Lengths& each : {left, right}) {
+    const double share = unevenness(each.upper, each.lower);
+    if (share <= kMostUnevenSegments) continue;
+    return say("odd_segments", limb, share, kMostUnevenSegments);
+  }
+  const double share = unevenness(left.sum(), right.sum());
+  if (share <= kFellows) return {};
+  return say("odd_limbs", limb, share, kFellows);
+}
+
+}  // namespace
+
 bool stands_on_four(const Landmarks& f) {
   constexpr double kAcross = 0.64;  // cosine of 50°
   constexpr double kAlong = 0.7;    // cosine of 45°
@@ -55,20 +67,6 @@ bool stands_on_four(const Landmarks& f) {
          dot(normalized(wrists - shoulders), down) > kAlong &&
          abs(dot(wrists - ankles, down)) < kLevel * legs;
 }
-
-// Why a pair of limbs is no person's; empty where it may be one.
-Message odd_limbs(const char* limb, Lengths left, Lengths right) {
-  for (const Lengths& each : {left, right}) {
-    const double share = unevenness(each.upper, each.lower);
-    if (share <= kSegments) continue;
-    return say("odd_segments", limb, share, kSegments);
-  }
-  const double share = unevenness(left.sum(), right.sum());
-  if (share <= kFellows) return {};
-  return say("odd_limbs", limb, share, kFellows);
-}
-
-}  // namespace
 
 Message unlike_a_person(const Landmarks& figure) {
   const double legs = 0.5 * (leg_of(figure, Side::left).sum() + leg_of(figure, Side::right).sum());
@@ -85,8 +83,8 @@ Message unlike_a_person(const Landmarks& figure) {
   if (breadth > kBroadest) {
     return say("broad", breadth, kBroadest);
   }
-  if (trunk_share > kLongestTrunk) {
-    return say("long_trunk", trunk_share, kLongestTrunk);
+  if (trunk_share < kShortestTrunk || trunk_share > kLongestTrunk) {
+    return say("odd_trunk", trunk_share, kShortestTrunk, kLongestTrunk);
   }
   if (arm_share < kShortestArm || arm_share > kLongestArm) {
     return say("odd_arms", arm_share, kShortestArm, kLongestArm);

@@ -136,6 +136,15 @@ Transformd part_frame(BodyPart part, const Landmarks& person, const HumanFrames&
   }
 }
 
+std::vector<BodyPart> trunk_parts(const Landmarks& person) {
+  if (person.spine.empty()) return {BodyPart::trunk};
+  std::vector<BodyPart> parts;
+  for (std::size_t j = 0; j <= std::min(person.spine.size(), kSpineJoints); ++j) {
+    parts.push_back(static_cast<BodyPart>(static_cast<std::size_t>(BodyPart::pelvis) + j));
+  }
+  return parts;
+}
+
 TrunkPiece trunk_piece(BodyPart part, const Landmarks& person) {
   TrunkPiece piece{mid_hip(person), mid_shoulder(person)};
   if (part == BodyPart::trunk) return piece;
@@ -145,6 +154,13 @@ TrunkPiece trunk_piece(BodyPart part, const Landmarks& person) {
   if (below > 0) piece.from = person.spine[below - 1];
   if (below == joints) return piece;
   return {piece.from, person.spine[below], false};
+}
+
+double limb_length(BodyPart part, const Landmarks& person) {
+  const auto limb = sided(part);
+  SHG_CHECK(limb && limb->left != BodyPart::left_foot, "a limb's part");
+  const Segment s = segment(*limb, person, human_frames(person));
+  return norm(s.to - s.from);
 }
 
 PartShape part_shape(BodyPart part, const Landmarks& person, const HumanFrames& frames,
@@ -162,6 +178,26 @@ PartShape part_shape(BodyPart part, const Landmarks& person, const HumanFrames& 
     return head_shape(part, person, frames, frame, stature);
   }
   return trunk_shape(part, person, frame, stature);
+}
+
+std::vector<Capsule> part_capsules(BodyPart part, const Landmarks& person,
+                                   const HumanFrames& frames, double stature) {
+  const Transformd frame = part_frame(part, person, frames);
+  const PartShape shape = part_shape(part, person, frames, stature);
+  std::vector<Capsule> capsules;
+  // without a mesh shapes are rough, and give nothing
+  const bool soft = person.parts[part] && part >= BodyPart::trunk && part <= BodyPart::right_thigh;
+  const auto add = [&](const Vec3d& aside) {
+    capsules.push_back({.name = std::string(body_part_name(part)),
+                        .from = frame * (shape.from + aside),
+                        .to = frame * (shape.to + aside),
+                        .radius = shape.radius,
+                        .to_radius = shape.to_radius,
+                        .give = soft ? kFleshGives : 0.0});
+  };
+  add(shape.aside);
+  if (shape.aside != Vec3d{}) add(-shape.aside);
+  return capsules;
 }
 
 }  // namespace shigusa

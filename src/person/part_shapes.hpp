@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/landmarks.hpp>
+#include <vector>
 
 #include "human_frames.hpp"
 
@@ -19,10 +20,20 @@ namespace shigusa {
 // Where a person's head has its joint: their own, or at kHeadJointShare of the way to the vertex.
 [[nodiscard]] Vec3d head_joint(const Landmarks& person);
 
+// How long (m) a limb's part is, from its joint to the next, or of a hand to the fingertip.
+[[nodiscard]] double limb_length(BodyPart part, const Landmarks& person);
+
 // A part's shape: that of the person's mesh, or else by stature (m) and the tables of
 // anthropometry.hpp; a foot has that of its sole.
 [[nodiscard]] PartShape part_shape(BodyPart part, const Landmarks& person,
                                    const HumanFrames& frames, double stature);
+
+// The same as capsules in the world: of a flat part two. Their link is not told.
+[[nodiscard]] std::vector<Capsule> part_capsules(BodyPart part, const Landmarks& person,
+                                                 const HumanFrames& frames, double stature);
+
+// The pieces that a person's trunk is, from below: one where the spine has no joints.
+[[nodiscard]] std::vector<BodyPart> trunk_parts(const Landmarks& person);
 
 // The lengthwise ends of a piece of the trunk (m, world): the joints below and above it, or for the
 // last one the middle of the shoulders.

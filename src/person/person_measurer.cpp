@@ -6,7 +6,6 @@
 #include "core/check.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
-#include "humanoid_shape.hpp"
 #include "math/axes.hpp"
 
 namespace shigusa {
@@ -58,6 +57,7 @@ Result<MeasuredPerson> PersonMeasurer::measure(const MeasureSettings& settings) 
   find_grips();
   SHG_TRY(find_unit(settings));
   move_to_world();
+  if (settings.at_rest) find_trunk_lean();
   fit_parts();
   check_plausibility();
   return std::move(result_);
@@ -89,7 +89,7 @@ Result<void> PersonMeasurer::read_limbs() {
 Vec3d PersonMeasurer::find_up() {
   const Vec3d ankles = (body().left_leg.ankle + body().right_leg.ankle) * 0.5;
   const Vec3d posture = TrunkAndLegs{mid_shoulder_ - mid_hip_, mid_hip_ - ankles}.common_axis();
-  const Vec3d rest = rest_build().common_axis();
+  const Vec3d rest = TrunkAndLegs::at_rest(skeleton_, map_).common_axis();
   const Vec3d none{};
   if (posture != none) {
     if (rest != none && rest != posture) {
@@ -108,10 +108,10 @@ Vec3d PersonMeasurer::find_up() {
   return nearest_axis(rise);
 }
 
-TrunkAndLegs PersonMeasurer::rest_build() const {
-  const std::vector<Vec3d> rest = rest_origins(skeleton_);
+TrunkAndLegs TrunkAndLegs::at_rest(const Skeleton& skeleton, const HumanoidMap& map) {
+  const std::vector<Vec3d> rest = rest_origins(skeleton);
   const auto mid = [&](Bone a, Bone b) {
-    return (rest[index(map_[a])] + rest[index(map_[b])]) * 0.5;
+    return (rest[index(map[a])] + rest[index(map[b])]) * 0.5;
   };
   const Vec3d hips = mid(Bone::left_upper_leg, Bone::right_upper_leg);
   return {mid(Bone::left_upper_arm, Bone::right_upper_arm) - hips,
@@ -129,11 +129,17 @@ Result<void> PersonMeasurer::find_left() {
   }
   left_ = normalized(level);
   ahead_ = cross(left_, up_);
-  if (feet_point_backwards(tree_, map_)) {
+  if (map_.mirrored) {
     ahead_ = -ahead_;
     doubt("was_mirrored");
   }
   return {};
+}
+
+void PersonMeasurer::find_trunk_lean() {
+  const Vec3d trunk = mid_shoulder(body()) - mid_hip(body());
+  const double lean = atan2(-trunk.z, trunk.y);
+  if (abs(lean) <= kTrunkLeanMost) body().trunk_lean = lean;
 }
 
 Vec3d Placement::to_world(const Vec3d& p) const {

@@ -30,6 +30,9 @@ struct TrunkAndLegs {
   [[nodiscard]] Vec3d common_axis() const;
   // The direction of a body that is straight from the ankles to the shoulders, or 0.
   [[nodiscard]] Vec3d common_line() const;
+
+  // Those of the rest pose, in the file's units and axes.
+  [[nodiscard]] static TrunkAndLegs at_rest(const Skeleton& skeleton, const HumanoidMap& map);
 };
 
 struct FileUnit;
@@ -62,14 +65,17 @@ class PersonMeasurer {
                                           Bone b) const;
   Result<void> read_limbs();
   Vec3d find_up();
-  [[nodiscard]] TrunkAndLegs rest_build() const;
   Result<void> find_left();
 
   // tips, stature and grips
+  [[nodiscard]] int toe_node(Side side) const;
   void read_tips();
   void read_further_joints();
-  [[nodiscard]] double length_along_bones(int a, int b) const;
-  [[nodiscard]] double trunk_length(double leg_length) const;
+  [[nodiscard]] double length_along_bones(int a, int b, const std::vector<Vec3d>& at) const;
+  [[nodiscard]] double trunk_length(double leg_length, const std::vector<Vec3d>& at) const;
+  [[nodiscard]] double winding(double leg_length) const;
+  [[nodiscard]] bool stands_straight() const;
+  double stature_along_bones();
   double measure_stature();
   void place_missing_tips();
   void find_grips();
@@ -79,6 +85,7 @@ class PersonMeasurer {
   void read_soles();
   [[nodiscard]] SoleOutline outline_of(const std::vector<Vec3d>& flesh, const Vec3d& ankle,
                                        const Vec3d& ahead) const;
+  void widen_peg(Side side);
   [[nodiscard]] std::optional<Vec3d> skull_by_mesh() const;
   void fit_parts();
 
@@ -87,6 +94,7 @@ class PersonMeasurer {
   void doubt_unit(const FileUnit& best);
   [[nodiscard]] double sole(Side side) const;
   void move_to_world();
+  void find_trunk_lean();
   void check_plausibility();
 
   const Skeleton& skeleton_;
@@ -101,8 +109,10 @@ class PersonMeasurer {
   int neck_ = -1;
   int head_ = -1;
   int head_tip_ = -1;
+  bool wound_ = false;          // the trunk's bones go to and fro
   std::optional<Vec3d> skull_;  // the head's joint to the vertex, by the mesh
   double head_length_ = 0.0;    // neck to vertex, file units
+  double legs_ = 0.0;           // hip to ankle along the bones, file units
   double stature_ = 0.0;        // file units
 };
 
@@ -131,11 +141,14 @@ template <class OfPart>
 // - Around a limb's line, ends excepted, the vertices bound to it or to what hangs on it below the
 //   next bone are parted into eight sectors. Each has the distance that three quarters of its
 //   vertices do not exceed, and the radius is the middle one of these: what sticks out to one side,
-//   a sleeve, a skirt, a sword, changes it little. A leg is no thicker than there is room between
-//   the legs.
-// - A piece of the trunk, of vertices bound to its own bones alone, is as thick as the lesser of
-//   depth and breadth by the middle vertex ahead, behind and at the sides: a capsule cannot be
-//   flat, and a cape counts no more than the back.
+//   a sleeve, a skirt, a sword, changes it little. The same in four slices of the limb tells how it
+//   tapers. A leg is no thicker than there is room between the legs.
+// - A hand that is broader than thick is flat, and ends where nineteen of twenty of its vertices
+//   do.
+// - A piece of the trunk, of vertices bound to its own bones alone or to those of its flesh, is as
+//   thick as the lesser of depth and breadth by three quarters of the vertices ahead and at the
+//   sides and by half of those behind, where capes hang; one that is broader is flat, by up to
+//   twice as broad as deep.
 // - The head is what is bound to its own bone: hair and ears on bones of their own are left out. It
 //   is as broad and deep as the vertices without the outermost fiftieth at each side.
 // - Meshes that hang on bones as a whole count where a part has no others: robots, and no hats.

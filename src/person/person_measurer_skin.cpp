@@ -11,6 +11,10 @@ namespace {
 constexpr double kSoleLayer = 0.3;
 // A sole shorter than this share of its foot is a tip that the foot stands or hangs on.
 constexpr double kTipOfFoot = 0.5;
+// Cosine of the angle from straight ahead up to which vertices tell where a foot points.
+constexpr double kForwards = 0.5;
+// A sole shorter than this share of an average foot is a peg.
+constexpr double kPeg = 0.5;
 // The least level share of a direction that is a foot's.
 constexpr double kLevel = 0.3;
 // The middle of the head, where its vertex is, as a share of how broad and how deep it is.
@@ -64,7 +68,8 @@ void PersonMeasurer::read_soles() {
       for (const Vec3d& p : flesh) sum += level(p - l.ankle);
       const Vec3d mean = sum * (1.0 / static_cast<double>(flesh.size()));
       const double breadth = range_along(flesh, left_).size();
-      ahead = norm(mean) > 0.5 * kLevel * breadth ? mean : ahead_;
+      const bool forwards = dot(mean, ahead_) > kForwards * norm(mean);
+      ahead = forwards && norm(mean) > 0.5 * kLevel * breadth ? mean : ahead_;
     }
     ahead = normalized(ahead, ahead_);
     l.sole = outline_of(flesh, l.ankle, ahead);
@@ -99,6 +104,25 @@ SoleOutline PersonMeasurer::outline_of(const std::vector<Vec3d>& flesh, const Ve
   };
   return {corner(along.high, across.high), corner(along.low, across.high),
           corner(along.low, across.low), corner(along.high, across.low)};
+}
+
+// A leg that ends in a peg, or in a sheet, bears the body on an average foot: on less nobody
+// stands.
+void PersonMeasurer::widen_peg(Side side) {
+  using F = StatureFractions;
+  Landmarks::Leg& l = leg(side);
+  if (!l.sole) return;
+  SoleOutline& sole = *l.sole;
+  const double length = F::kFootLength * stature_;
+  if (norm(sole[0] - sole[1]) >= kPeg * length) return;
+  const Vec3d half = normalized(sole[0] - sole[3], left_) *
+                     (0.5 * max(norm(sole[0] - sole[3]), F::kFootBreadth * stature_));
+  const Vec3d toe = l.toe - l.ankle;
+  const Vec3d ahead = normalized(toe - up_ * dot(toe, up_), ahead_);
+  const Vec3d below = l.ankle + up_ * dot(sole[0] - l.ankle, up_);
+  const Vec3d tip = below + ahead * ((1.0 - kHeelShare) * length);
+  const Vec3d heel = below - ahead * (kHeelShare * length);
+  sole = {tip + half, heel + half, heel - half, tip - half};
 }
 
 // From the head's joint straight up to the vertex (file units), by the mesh; nothing where that

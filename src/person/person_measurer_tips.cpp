@@ -2,6 +2,7 @@
 #include <shigusa/human_body.hpp>
 
 #include "core/say.hpp"
+#include "facing.hpp"
 #include "person_measurer.hpp"
 
 namespace shigusa {
@@ -10,18 +11,32 @@ namespace {
 using Bone = HumanoidBone;
 using F = StatureFractions;
 
+using OfFoot = Sentence<std::string, std::string_view>;
+
 // From the ankle joint to the tip of the toes, along the floor.
 constexpr double kToeAhead = (1.0 - kHeelShare) * F::kFootLength;
-// The vertex is at least this share of the stature beyond the head's joint.
-constexpr double kLeastSkull = 0.05;
 
 }  // namespace
+
+// The tip of a foot; its ankle where there is none, or where it points backwards and nobody calls
+// it toes: that is a heel.
+int PersonMeasurer::toe_node(Side side) const {
+  constexpr double kBackwards = -0.5;  // cosine of 120°
+  const auto [hip, knee, ankle] = leg_bones(side);
+  const int tip = foot_tip(tree_, map_[knee], map_[ankle]);
+  for (int i = tip; i != map_[ankle]; i = tree_.node(i).parent) {
+    if (part(i) == BonePart::toes) return tip;
+  }
+  const double hand = dot(ahead_, cross(left_, up_));  // -1 of mirrored files
+  const Vec3d ahead = normalized(cross(left_, at(knee) - at(ankle)), {}) * hand;
+  return dot(normalized(tree_.at(tip) - at(ankle), {}), ahead) < kBackwards ? map_[ankle] : tip;
+}
 
 // The tips that the file has; where it has none, the limb ends at its last joint.
 void PersonMeasurer::read_tips() {
   const auto is_thumb = [&](int i) { return part(i) == BonePart::thumb; };
   for (const Side side : kBothSides) {
-    leg(side).toe = tree_.at(tree_.farthest(map_[leg_bones(side)[2]]));
+    leg(side).toe = tree_.at(toe_node(side));
     arm(side).fingertip = tree_.at(tree_.farthest(map_[arm_bones(side)[2]], is_thumb));
   }
   neck_ = map_[Bone::neck];
@@ -48,69 +63,6 @@ void PersonMeasurer::read_further_joints() {
   if (map_[Bone::right_shoulder] >= 0) arm(Side::right).clavicle = at(Bone::right_shoulder);
 }
 
-double PersonMeasurer::length_along_bones(int a, int b) const {
-  const int meet = tree_.common_ancestor(a, b);
-  double length = 0.0;
-  for (int end : {a, b}) {
-    for (; end != meet; end = tree_.node(end).parent) {
-      length += norm(tree_.at(end) - tree_.at(tree_.node(end).parent));
-    }
-  }
-  return length;
-}
-
-// From between the hips to the neck.
-double PersonMeasurer::trunk_length(double leg_length) const {
-  const int hips = map_[Bone::hips];
-  const int chest = tree_.common_ancestor(map_[Bone::left_upper_arm], map_[Bone::right_upper_arm]);
-  const Vec3d neck = neck_ >= 0 ? tree_.at(neck_) : mid_shoulder_;
-  const int last = neck_ >= 0 ? neck_ : chest;
-  const double to_hips = norm(tree_.at(hips) - mid_hip_);
-  // hips far from the hip joints are a root on the floor, and hips below them would count the way
-  // up to them twice: the straight way then
-  constexpr double kClearly = 0.05;
-  const Vec3d trunk = neck - mid_hip_;
-  const bool low_hips = dot(mid_hip_ - tree_.at(hips), trunk) > kClearly * dot(trunk, trunk);
-  if (last < 0 || tree_.common_ancestor(hips, last) < 0 || to_hips > 0.5 * leg_length || low_hips) {
-    return norm(neck - mid_hip_);
-  }
-  return to_hips + length_along_bones(hips, last) + norm(neck - tree_.at(last));
-}
-
-double PersonMeasurer::measure_stature() {
-  double legs = 0.0;
-  double feet = 0.0;  // heights of the ankles over their soles
-  for (const Side side : kBothSides) {
-    legs += 0.5 * (norm(leg(side).hip - leg(side).knee) + norm(leg(side).knee - leg(side).ankle));
-    if (leg(side).sole) feet += 0.5 * dot(leg(side).ankle - (*leg(side).sole)[0], up_);
-  }
-  const bool soles = leg(Side::left).sole && leg(Side::right).sole && feet > 0.0;
-  const double below_neck = legs + trunk_length(legs) + (soles ? feet : 0.0);
-  const double ankles = soles ? 0.0 : F::kAnkleHeight;  // share of the stature below them
-  if (head_ >= 0) {
-    head_length_ =
-        neck_ >= 0 ? length_along_bones(neck_, head_) : norm(tree_.at(head_) - mid_shoulder_);
-  }
-  if (head_tip_ >= 0) {
-    head_length_ = head_ >= 0 ? head_length_ + norm(tree_.at(head_tip_) - tree_.at(head_))
-                              : length_along_bones(neck_, head_tip_);
-    return (below_neck + head_length_) / (1.0 - ankles);
-  }
-  skull_ = head_ >= 0 ? skull_by_mesh() : std::nullopt;
-  if (skull_) {
-    head_length_ += norm(*skull_);
-    return (below_neck + head_length_) / (1.0 - ankles);
-  }
-  const double stature = below_neck / (1.0 - ankles - F::kHeadLength);
-  if (head_length_ + kLeastSkull * stature <= F::kHeadLength * stature) {
-    head_length_ = F::kHeadLength * stature;
-    return stature;
-  }
-  const double tall = (below_neck + head_length_) / (1.0 - ankles - kLeastSkull);
-  head_length_ += kLeastSkull * tall;
-  return tall;
-}
-
 void PersonMeasurer::place_missing_tips() {
   for (const Side side : kBothSides) {
     Landmarks::Leg& l = leg(side);
@@ -119,8 +71,12 @@ void PersonMeasurer::place_missing_tips() {
       const Vec3d turned = cross(left_, shank) * (dot(ahead_, cross(left_, up_)));
       l.toe = l.ankle + normalized(turned, ahead_) * (kToeAhead * stature_) -
               shank * (F::kAnkleHeight * stature_);
-      doubt("foot_guessed", tree_.described(map_[leg_bones(side)[2]]), side_word(side));
+      const int foot = map_[leg_bones(side)[2]];
+      const bool heel = tree_.farthest(foot) != foot;
+      doubt(heel ? OfFoot("foot_guessed_at_heel") : OfFoot("foot_guessed"), tree_.described(foot),
+            side_word(side));
     }
+    widen_peg(side);
     Landmarks::Arm& a = arm(side);
     if (a.fingertip == a.wrist) {
       a.fingertip = a.wrist + normalized(a.wrist - a.elbow) * (F::kHand * stature_);

@@ -25,23 +25,33 @@ constexpr double kShortestPerson = 0.5;  // m
 constexpr double kTallestPerson = 2.5;   // m
 constexpr double kMeanStature = 1.7;     // m
 // Beyond these statures (m) the unit is worth a look; between the wider two a second unit is too.
+// One that gives an unusual stature is not, beside one that gives a usual one.
 constexpr double kUsualLow = 1.3;
 constexpr double kUsualHigh = 2.1;
 constexpr double kPlausibleLow = 0.8;
 constexpr double kPlausibleHigh = 2.2;
 
-constexpr std::array<FileUnit, 5> kUnits{
+// A child of less than kUsualLow has legs, hip to ankle, of less than this share of the stature; an
+// adult's are 0.49.
+constexpr double kLegsOfChild = 0.46;
+
+constexpr std::array<FileUnit, 6> kUnits{
     {{"metres", 1.0},
      {"centimetres", 0.01},
      {"millimetres", 0.001},
+     {"decimetres", 0.1, true},
      {"inches", 0.0254, true},
      {"1/0.45 inch, the CMU database's unit", 0.0254 / 0.45, true}}};
 
 bool is_person(double stature) { return stature >= kShortestPerson && stature <= kTallestPerson; }
-// Whether the stature that a unit gives speaks for the unit: for rare ones a usual one alone.
-bool tells(const FileUnit& unit, double stature) {
-  return unit.rare ? stature >= kPlausibleLow && stature <= kPlausibleHigh : is_person(stature);
+// Whether the stature that a unit gives speaks for the unit: for rare ones a usual one alone, or
+// that of a child who is built as one.
+bool tells(const FileUnit& unit, double stature, double legs) {
+  if (!unit.rare) return is_person(stature);
+  const double least = legs < kLegsOfChild * stature ? kPlausibleLow : kUsualLow;
+  return stature >= least && stature <= kPlausibleHigh;
 }
+bool is_usual(double stature) { return stature >= kUsualLow && stature <= kUsualHigh; }
 double oddness(double stature) { return abs(stature - kMeanStature); }
 
 }  // namespace
@@ -58,7 +68,8 @@ Result<void> PersonMeasurer::find_unit(const MeasureSettings& settings) {
   for (const FileUnit& unit : kUnits) {
     if (oddness(stature_ * unit.metres) < oddness(stature_ * best->metres)) best = &unit;
   }
-  if (tells(*best, stature_ * best->metres)) {
+  const double legs = legs_ * best->metres;
+  if (tells(*best, stature_ * best->metres, legs)) {
     result_.placement.unit = best->metres;
     result_.stature = stature_ * best->metres;
     doubt_unit(*best);
@@ -73,12 +84,13 @@ Result<void> PersonMeasurer::find_unit(const MeasureSettings& settings) {
 }
 
 void PersonMeasurer::doubt_unit(const FileUnit& best) {
-  if (result_.stature < kUsualLow || result_.stature > kUsualHigh) {
+  if (!is_usual(result_.stature)) {
     doubt("stature_unusual", Metres{result_.stature}, best.name);
   }
   for (const FileUnit& unit : kUnits) {
     const double stature = stature_ * unit.metres;
     if (&unit == &best || stature < kPlausibleLow || stature > kPlausibleHigh) continue;
+    if (is_usual(result_.stature) && !is_usual(stature)) continue;
     doubt("unit_guessed", best.name, Metres{result_.stature}, unit.name, Metres{stature});
   }
 }

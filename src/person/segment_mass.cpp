@@ -20,6 +20,12 @@ SoleOutline sole_outline(const Landmarks::Leg& leg, double stature) {
   return {toe + half, heel + half, heel - half, toe - half};
 }
 
+double stature_of_limbs(const Landmarks& person, double stature) {
+  constexpr double kUsual = StatureFractions::kHeadLength;
+  const double head = norm(person.head_top - person.neck);
+  return head > kBigHead * kUsual * stature ? (stature - head) / (1.0 - kUsual) : stature;
+}
+
 SoleOutline forefoot_outline(const Landmarks::Leg& leg, double stature) {
   SoleOutline sole = sole_outline(leg, stature);
   const Vec3d back = sole[1] - sole[0];

@@ -16,6 +16,12 @@ namespace shigusa {
 // The part of that sole ahead of the toes' joint.
 [[nodiscard]] SoleOutline forefoot_outline(const Landmarks::Leg& leg, double stature);
 
+// A head longer than this many times a person's says nothing of the body below it.
+inline constexpr double kBigHead = 1.5;
+// The stature (m) of a person whose trunk and legs are these: by it go mass and strength, which the
+// big head of a figure of `stature` (m) does not raise.
+[[nodiscard]] double stature_of_limbs(const Landmarks& person, double stature);
+
 // The segments of a person as masses (de Leva's fractions on the measured lengths).
 class SegmentMasses {
  public:

@@ -92,17 +92,4 @@ int SkeletonTree::farthest(int i, const std::function<bool(int)>& skip) const {
   return best;
 }
 
-Vec3d SkeletonTree::foot_from(int ankle) const {
-  const int tip = farthest(ankle);
-  if (tip != ankle) return at(tip) - at(ankle);
-  Vec3d sum{};
-  double count = 0.0;
-  for (const SkinVertex& vertex : skin_) {
-    if (vertex.node < 0 || !below(vertex.node, ankle)) continue;
-    sum += vertex.position - at(ankle);
-    count += 1.0;
-  }
-  return count > 0.0 ? sum * (1.0 / count) : Vec3d{};
-}
-
 }  // namespace shigusa

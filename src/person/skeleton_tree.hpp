@@ -49,9 +49,6 @@ class SkeletonTree {
   [[nodiscard]] int farthest(int i, const std::function<bool(int)>& skip = {}) const;
 
   [[nodiscard]] std::span<const SkinVertex> skin() const { return skin_; }
-  // Where a foot reaches from its ankle: to the tip of what hangs on it, or, where nothing does, to
-  // the middle of its mesh; 0 where it has neither.
-  [[nodiscard]] Vec3d foot_from(int ankle) const;
 
  private:
   const Skeleton& skeleton_;

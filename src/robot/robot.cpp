@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <shigusa/skeleton.hpp>
 #include <utility>
 
 #include "core/index.hpp"
 #include "core/say.hpp"
+#include "core/text.hpp"
 #include "person/find_humanoid.hpp"
 #include "person/humanoid_names.hpp"
 #include "person/landmark_points.hpp"
@@ -39,67 +39,61 @@ void tell_sides(const Robot& robot, const std::vector<Transformd>& places, Human
   std::swap(map[Bone::left_shoulder], map[Bone::right_shoulder]);
 }
 
-// Where a forearm ends, in its link's frame: at its shapes' end, else at twice the distance of its
-// centre of mass, or nowhere.
-std::optional<Vec3d> forearm_end(const Robot::Link& link) {
-  constexpr double kShortestFinger = 0.02;  // m
-  Vec3d along = link.com;
-  if (!link.corners.empty()) {
-    Vec3d mean{};
-    for (const Vec3d& c : link.corners) {
-      mean += c * (1.0 / static_cast<double>(link.corners.size()));
+// The hand of an arm whose names do not tell it: robots have joints within the forearm, and the
+// hand is the last link, or the first of those about one wrist.
+int hand_beyond(const Robot& robot, const std::vector<Transformd>& places, int elbow, int hand) {
+  constexpr double kOneWrist = 0.35;  // of the way from the elbow to the last link
+  constexpr double kForearm = 0.5;
+  const auto apart = [&](int a, int b) {
+    return norm(places[index(a)].translation - places[index(b)].translation);
+  };
+  std::vector<int> links{hand};
+  for (bool goes_on = true; goes_on;) {
+    std::vector<int> next;
+    for (const Robot::Joint& joint : robot.joints) {
+      const bool sensor =
+          read_bone_name(robot.links[index(joint.child)].name).part == BonePart::ornament;
+      if (joint.parent == links.back() && joint.turns && !sensor) next.push_back(joint.child);
     }
-    double length = 0.0;
-    for (const Vec3d& c : link.corners) length = max(length, dot(c, normalized(mean)));
-    along = normalized(mean) * length;
-  } else {
-    along = along * 2.0;
+    goes_on = next.size() == 1 && !is_digit(robot.links[index(next[0])].name);
+    if (goes_on) links.push_back(next[0]);
   }
-  return norm(along) > kShortestFinger ? std::optional(along) : std::nullopt;
+  const double length = apart(elbow, links.back());
+  std::size_t wrist = links.size() - 1;
+  while (wrist > 0 && apart(links[wrist - 1], links[wrist]) <= kOneWrist * length &&
+         apart(elbow, links[wrist - 1]) >= kForearm * length) {
+    --wrist;
+  }
+  return links[wrist];
 }
 
-// The joint that a link hangs on, or -1.
-int carrier_of(const Robot& robot, int link) {
-  const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
-                                  [&](const Robot::Joint& joint) { return joint.child == link; });
-  return found == robot.joints.end() ? -1 : static_cast<int>(found - robot.joints.begin());
-}
-
-// Moves a link's frame in it; what the link has stays where it is.
-void move_frame(Robot& robot, int link, const Vec3d& by) {
-  Robot::Link& moved = robot.links[index(link)];
-  moved.com = moved.com - by;
-  for (Vec3d& corner : moved.corners) corner = corner - by;
-  for (Robot::Joint& joint : robot.joints) {
-    if (joint.parent == link) joint.origin.translation += -by;
-    if (joint.child == link) joint.origin.translation += joint.origin.rotation * by;
+// The first link of a foot's ankle: its joints stand at about one place, and a name may tell the
+// last of them alone.
+int ankle_of(const std::vector<Transformd>& places, const std::vector<int>& parent, int shank,
+             int foot) {
+  constexpr double kOneAnkle = 0.1;  // of the shank
+  const auto apart = [&](int a, int b) {
+    return norm(places[index(a)].translation - places[index(b)].translation);
+  };
+  const double near = kOneAnkle * apart(shank, foot);
+  int ankle = foot;
+  for (int i = parent[index(foot)]; i >= 0 && i != shank; i = parent[index(i)]) {
+    if (apart(i, foot) <= near) ankle = i;
   }
-}
-
-// Makes a fixed joint between shank and foot an ankle that turns about the knee's axis.
-void add_ankle(Robot& robot, int foot, const Robot::Joint& knee, int fixed) {
-  constexpr double kAnkle = 0.137;  // of the way from a person's knee to the sole, from the sole
-  const std::vector<Transformd> places = robot_places(robot);
-  const auto at = [&](int link) { return places[index(link)]; };
-  const Vec3d from = at(knee.child).translation;
-  const Vec3d along = normalized(at(foot).translation - from);
-  double sole = 0.0;
-  for (const Vec3d& corner : robot.links[index(foot)].corners) {
-    sole = max(sole, dot(at(foot) * corner - from, along));
-  }
-  Robot::Joint& joint = robot.joints[index(fixed)];
-  const Transformd child = at(joint.child);
-  const double length = sole > 0.0 ? (1.0 - kAnkle) * sole : norm(at(foot).translation - from);
-  move_frame(robot, joint.child,
-             transpose_times(child.rotation, from + along * length - child.translation));
-  joint.axis = transpose_times(child.rotation, at(knee.child).rotation * knee.axis);
-  joint.turns = joint.moves = true;
-  joint.name = robot.links[index(foot)].name + "_ankle";
+  return ankle;
 }
 
 bool is_toe(std::string_view link) { return read_bone_name(link).part == BonePart::toes; }
 
 }  // namespace
+
+bool is_digit(const std::string& link) {
+  const std::string name = lower(link);
+  for (const char* word : {"grip", "finger", "thumb", "jaw"}) {
+    if (name.find(word) != name.npos) return true;
+  }
+  return false;
+}
 
 std::array<Vec3d, 8> box_corners(const Vec3d& half) {
   std::array<Vec3d, 8> corners;
@@ -140,56 +134,6 @@ std::vector<Transformd> robot_places(const Robot& robot) {
   return places;
 }
 
-Robot with_hands(Robot robot) {
-  std::vector<bool> bears(robot.links.size(), false);
-  for (const Robot::Joint& joint : robot.joints) bears[index(joint.parent)] = true;
-  const auto taken = [&](const std::string& name) {
-    return std::any_of(robot.links.begin(), robot.links.end(),
-                       [&](const Robot::Link& link) { return link.name == name; });
-  };
-  for (std::size_t i = 0; i < bears.size(); ++i) {
-    const BoneName name = read_bone_name(robot.links[i].name);
-    if (bears[i] || name.part != BonePart::lower_arm || name.side == NameSide::none) continue;
-    const std::string hand = name.side == NameSide::left ? "left_hand" : "right_hand";
-    const std::optional<Vec3d> end = forearm_end(robot.links[i]);
-    if (!end || taken(hand)) continue;
-    robot.doubts.push_back(
-        say("arm_ends", robot.links[i].name, Metres{norm(*end)},
-            robot.links[i].corners.empty() ? say("twice_its_centre") : say("where_shapes_end")));
-    Robot::Joint fixed{.name = hand + "_fixed",
-                       .parent = static_cast<int>(i),
-                       .child = static_cast<int>(robot.links.size()),
-                       .origin = {Mat3d{}, *end}};
-    robot.links.emplace_back().name = hand;
-    robot.joints.push_back(std::move(fixed));
-  }
-  return robot;
-}
-
-Robot with_ankles(Robot robot, const HumanoidMap& map) {
-  std::vector<std::string> added;
-  for (const Side side : kBothSides) {
-    const auto& [thigh, shank, foot] = leg_bones(side);
-    const int knee = carrier_of(robot, map[shank]);
-    if (knee < 0 || !robot.joints[index(knee)].turns) continue;
-    int first = -1;  // the joint by which the foot hangs on the shank
-    bool turns = false;
-    for (int link = map[foot]; link != map[shank];) {
-      first = carrier_of(robot, link);
-      if (first < 0) break;
-      turns = turns || robot.joints[index(first)].turns;
-      link = robot.joints[index(first)].parent;
-    }
-    if (first < 0 || turns) continue;
-    add_ankle(robot, map[foot], robot.joints[index(knee)], first);
-    added.push_back(robot.joints[index(first)].name);
-  }
-  if (!added.empty()) {
-    robot.doubts.push_back(say("ankles_added", added[0]));
-  }
-  return robot;
-}
-
 Landmarks limbs_of(const Robot& robot, const HumanoidMap& map) {
   const std::vector<Transformd> places = robot_places(robot);
   const auto at = [&](HumanoidBone bone) { return places[index(map[bone])].translation; };
@@ -220,6 +164,19 @@ Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) 
   }
   Result<HumanoidMap> map = find_humanoid(skeleton, world, {}, asked);
   if (map) tell_sides(robot, places, *map);
+  for (const Side side : kBothSides) {
+    const auto& [hip, knee, ankle] = leg_bones(side);
+    if (map && asked[ankle] < 0) {
+      (*map)[ankle] = ankle_of(places, parent, (*map)[knee], (*map)[ankle]);
+    }
+    const auto& [shoulder, elbow, hand] = arm_bones(side);
+    if (!map || asked[hand] >= 0) continue;
+    int& end = (*map)[hand];
+    const BonePart named = read_bone_name(robot.links[index(end)].name).part;
+    if (named != BonePart::hand && named != BonePart::palm) {
+      end = hand_beyond(robot, places, (*map)[elbow], end);
+    }
+  }
   // few robots have toes: what hangs on a foot is a sensor or a sole
   if (map) {
     for (const HumanoidBone toes : {HumanoidBone::left_toes, HumanoidBone::right_toes}) {

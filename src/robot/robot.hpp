@@ -44,6 +44,9 @@ struct Robot {
   std::vector<Message> doubts;
 };
 
+// Whether a link is part of a gripper or a finger, by its name.
+[[nodiscard]] bool is_digit(const std::string& link);
+
 // The eight corners of a box about the origin: bit k of a corner's number tells which end of axis k
 // it stands at.
 [[nodiscard]] std::array<Vec3d, 8> box_corners(const Vec3d& half);
@@ -64,8 +67,18 @@ void doubt_about(const std::vector<std::string>& names, const OfOne& one, const 
 [[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);
 
 // The robot with a link for the hand, fixed at the end of the forearm, where an arm ends at its
-// elbow, with a doubt.
+// elbow, with a doubt: where the forearm's shapes end, never nearer than its centre of mass, else
+// twice as far as that, else where a person's would.
 [[nodiscard]] Robot with_hands(Robot robot);
+
+// Links that a joint turns and that nothing follows.
+[[nodiscard]] std::vector<int> open_ends(const Robot& robot);
+// Those that were taken for hands and are too long for that, beside the way from their shoulders:
+// forearms, of both arms or of none.
+[[nodiscard]] std::vector<int> forearms_for_hands(const Robot& robot, const HumanoidMap& map);
+// The robot with a link fixed at the end of each of these, with doubts: for robots of which no name
+// tells where limbs end.
+[[nodiscard]] Robot with_ends(Robot robot, const std::vector<int>& links);
 
 // The robot with ankles, where no joint turns between shank and foot, with a doubt: each turns
 // about the knee's axis, as high above the sole as a person's. Links keep their indices; the frame

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <optional>
 
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"
+#include "core/text.hpp"
+#include "person/humanoid_names.hpp"
 #include "robot_builder.hpp"
 
 namespace shigusa {
@@ -39,16 +42,67 @@ RobotSole rectangle(const Bounds& b, double y, bool guessed) {
           guessed};
 }
 
+// Heights of a foot's sole (m, world) by its frames and masses, or nothing.
+struct SoleMarks {
+  std::optional<double> called;  // the lowest frame that is fixed to it and is called a sole's
+  std::optional<double> frame;   // of any other frame, sensors excepted
+  std::optional<double> mass;    // the bottom of the boxes that weigh and turn as its links do
+};
+
+void lower_to(std::optional<double>& lowest, double y) { lowest = lowest ? min(*lowest, y) : y; }
+
+bool is_called_sole(const std::string& link) {
+  const std::string name = lower(link);
+  for (const char* word : {"sole", "foot", "feet", "toe", "heel", "contact", "ground"}) {
+    if (name.find(word) != name.npos) return true;
+  }
+  return false;
+}
+
+// The lowest corner of a box of the link's mass and inertia about its centre of mass; nothing of
+// one that is no foot's, which is flat.
+std::optional<double> bottom_of_box(const Robot::Link& link, const Transformd& place) {
+  constexpr double kFlattest = 0.6;  // of its length
+  const Mat3d& i = link.inertia;
+  const double sum = i.cx.x + i.cy.y + i.cz.z;
+  const auto half = [&](double own) { return sqrt(max(1.5 * (sum - 2.0 * own) / link.mass, 0.0)); };
+  const Vec3d box{half(i.cx.x), half(i.cy.y), half(i.cz.z)};
+  if (min(min(box.x, box.y), box.z) > kFlattest * max(max(box.x, box.y), box.z)) return {};
+  double lowest = 1e9;
+  for (const Vec3d& corner : box_corners(box)) {
+    lowest = min(lowest, (place * (link.com + corner)).y);
+  }
+  return lowest;
+}
+
+SoleMarks sole_marks(const Robot& robot, const PlacedRobot& placed, const std::vector<int>& links) {
+  SoleMarks marks;
+  for (const int link : links) {
+    const auto i = index(link);
+    const Robot::Link& l = robot.links[i];
+    const auto box = l.mass > 0.0 ? bottom_of_box(l, placed.links[i]) : std::nullopt;
+    if (box) lower_to(marks.mass, *box);
+    const int carrier = placed.carrier[i];
+    // a joint's own frame stands where it turns
+    if (carrier < 0 || robot.joints[index(carrier)].turns) continue;
+    const bool sensor = read_bone_name(l.name).part == BonePart::ornament;
+    if (is_called_sole(l.name) && !sensor) {
+      lower_to(marks.called, placed.links[i].translation.y);
+    } else if (!sensor) {
+      lower_to(marks.frame, placed.links[i].translation.y);
+    }
+  }
+  return marks;
+}
+
 }  // namespace
 
 RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed, const std::vector<int>& links,
                      const Vec3d& ankle, double stature) {
   std::vector<Vec3d> corners;
-  double lowest_frame = ankle.y;
   for (const int link : links) {
     const auto i = index(link);
     for (const Vec3d& corner : robot.links[i].corners) corners.push_back(placed.links[i] * corner);
-    lowest_frame = min(lowest_frame, placed.links[i].translation.y);
   }
   const double length = F::kFootLength * stature;
   const double half = 0.5 * F::kFootBreadth * stature;
@@ -68,9 +122,12 @@ RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed, const std::v
     }
     if (y < ankle.y) return rectangle(person, y, true);
   }
-  const double drop = ankle.y - lowest_frame;
-  const bool has_frame = drop > 0.01 * stature && drop < 0.15 * stature;
-  return rectangle(person, has_frame ? lowest_frame : ankle.y - F::kAnkleHeight * stature, true);
+  const SoleMarks marks = sole_marks(robot, placed, links);
+  for (const std::optional<double>& mark : {marks.called, marks.mass, marks.frame}) {
+    const double drop = mark ? ankle.y - *mark : 0.0;
+    if (drop > 0.01 * stature && drop < 0.15 * stature) return rectangle(person, *mark, true);
+  }
+  return rectangle(person, ankle.y - F::kAnkleHeight * stature, true);
 }
 
 }  // namespace shigusa

@@ -8,7 +8,6 @@
 
 #include "core/index.hpp"
 #include "core/say.hpp"
-#include "core/text.hpp"
 #include "math/axes.hpp"
 #include "person/landmark_points.hpp"
 #include "robot_freedoms.hpp"
@@ -24,7 +23,8 @@ constexpr std::array<const char*, 2> kSideWords{"left_", "right_"};
 // segment.
 constexpr double kOneAnkle = 0.15;
 constexpr double kOneWrist = 0.6;
-constexpr double kOneNeck = 0.15;  // … of the way from the chest
+constexpr double kWithinForearm = 1.5;  // … of the upper arm
+constexpr double kOneNeck = 0.15;       // … of the way from the chest
 
 // The coordinate axis that a direction nearly is, else the direction.
 Vec3d snapped(const Vec3d& v) {
@@ -36,15 +36,6 @@ Vec3d snapped(const Vec3d& v) {
     return axis;
   }
   return v;
-}
-
-// Whether a link is part of a gripper or a finger, by its name.
-bool is_digit(const std::string& link) {
-  const std::string name = lower(link);
-  for (const char* word : {"grip", "finger", "thumb", "jaw"}) {
-    if (name.find(word) != name.npos) return true;
-  }
-  return false;
 }
 
 class JointFinder {
@@ -210,11 +201,13 @@ class JointFinder {
     const auto [upper, elbow, hand] = kLimbBones[2 + side];
     PersonLimb& arm = found_.arms[side];
     const Vec3d forearm = at(map_[hand]) - at(map_[elbow]);
-    arm.end = end_of_joint(map_[hand], kOneWrist * norm(forearm));
+    const Vec3d upper_arm = at(map_[elbow]) - at(map_[upper]);
+    // several joints within the forearm may come before the wrist's
+    arm.end =
+        end_of_joint(map_[hand], max(kOneWrist * norm(forearm), kWithinForearm * norm(upper_arm)));
     arm.joints = turning(found_.chest, arm.end);
     std::size_t to_elbow = before(arm.joints, found_.chest, map_[elbow]);
     std::size_t to_wrist = before(arm.joints, found_.chest, map_[hand]);
-    const Vec3d upper_arm = at(map_[elbow]) - at(map_[upper]);
     give_back_rotation(arm.joints, upper_arm, to_elbow >= 3 ? to_elbow - 3 : 0, to_wrist, to_elbow);
     if (to_wrist > to_elbow) {
       give_back_rotation(arm.joints, forearm, to_elbow, arm.joints.size() + 1, to_wrist);

@@ -45,6 +45,9 @@ int RobotBuilder::hand_link(std::size_t side) const {
   const PersonLimb& arm = person_.arms[side];
   for (const char* word : {"grip", "palm", "hand"}) {
     for (const int link : members_[index(group_[index(arm.end)])]) {
+      const int carrier = placed_.carrier[index(link)];
+      const bool at_joint = carrier >= 0 && robot_.joints[index(carrier)].turns;
+      if (at_joint && link != arm.end) continue;
       const std::string name = lower(robot_.links[index(link)].name);
       const double beyond = norm(placed_.links[index(link)].translation - wrist(side));
       const bool apart = beyond > kLeastHand * body_.stature;

@@ -14,11 +14,14 @@ namespace shigusa {
 namespace {
 
 constexpr int kSteps = 200;
-constexpr double kRate = 0.15;  // of the way left, in a step
-constexpr double kFlat = 1e-7;  // m: a foot that is so near its place stands
-constexpr double kHanging =
-    0.35;                        // an arm sticks out where its hand is further aside, of its height
-constexpr double kAside = 0.15;  // and hangs with so much of it aside
+constexpr double kRate = 0.15;   // of the way left, in a step
+constexpr double kFlat = 1e-7;   // m: a foot that is so near its place stands
+constexpr double kAside = 0.15;  // of an arm that hangs, how far its hand is aside
+// An arm sticks out where its hand is further aside, of its height …
+constexpr double kHanging = 0.35;
+// … and is raised where its upper arm is further than 45° from hanging.
+constexpr double kRaised = 0.7;
+constexpr double kAlmostStraight = 0.97;
 
 class Settler {
  public:
@@ -46,7 +49,7 @@ class Settler {
     std::vector<IkTarget<double>> targets = arms;
     if (arms.empty()) targets = feet_;
     for (std::size_t d = 0; d < weights_.size(); ++d) {
-      weights_[d] = arms.empty() || is_shoulder(static_cast<int>(d)) ? 1.0 : 0.0;
+      weights_[d] = arms.empty() || moves_arm(static_cast<int>(d)) ? 1.0 : 0.0;
     }
     std::vector<double> pull(now.size());
     for (int k = 0; k < kSteps; ++k) {
@@ -60,7 +63,8 @@ class Settler {
     return true;
   }
 
-  // the hands' targets to hang at the sides, of arms that do not yet
+  // The hands' targets to hang at the sides, of arms that do not yet: those that stick out keep
+  // their elbows, those that are raised stretch them.
   [[nodiscard]] std::vector<IkTarget<double>> hanging(const std::vector<double>& angles) {
     forward_kinematics<double>(body_, angles, kinematics_);
     std::vector<IkTarget<double>> targets;
@@ -68,13 +72,23 @@ class Settler {
       const Vec3d shoulder = kinematics_.origin[index(effector.limb_root)];
       const Vec3d hand = kinematics_.point(effector.link, effector.point);
       const Vec3d reach = hand - shoulder;
+      const int elbow = elbow_of(effector);
+      const Vec3d upper = kinematics_.origin[index(elbow)] - shoulder;
+      const bool raised = -upper.y < kRaised * norm(upper);
       const double aside = abs(reach.x);
-      if (aside <= kHanging * abs(reach.y) || aside <= abs(reach.z)) continue;
-      const double out = reach.x < 0.0 ? -kAside : kAside;
+      const bool sticks_out = aside > kHanging * abs(reach.y) && aside > abs(reach.z);
+      if (!raised && !sticks_out) continue;
+      const double out = shoulder.x < 0.0 ? -kAside : kAside;
       IkTarget<double> target;
       target.link = effector.link;
       target.point = effector.point;
       target.position = shoulder + normalized(Vec3d{out, -1.0, 0.1}) * norm(reach);
+      if (raised && !sticks_out) {
+        const double stretched = norm(upper) + norm(hand - kinematics_.origin[index(elbow)]);
+        target.position =
+            shoulder + normalized(Vec3d{out, -1.0, 0.1}) * (kAlmostStraight * stretched);
+        elbows_.push_back(body_.dof(elbow).joint);
+      }
       targets.push_back(target);
     }
     return targets;
@@ -96,7 +110,21 @@ class Settler {
     forward_kinematics<double>(body_, angles, kinematics_);
   }
 
-  [[nodiscard]] bool is_shoulder(int dof) const {
+  // The first freedom of an arm's elbow; its shoulder's where it has none.
+  [[nodiscard]] int elbow_of(const Effector& effector) const {
+    int elbow = effector.limb_root;
+    for (int d = effector.link; d != effector.limb_root && d != kBaseLink;
+         d = body_.dof(d).parent) {
+      if (body_.dof(d).joint.ends_with("elbow")) elbow = d;
+    }
+    return elbow;
+  }
+
+  // Shoulders hang an arm, and the elbows of those that were raised.
+  [[nodiscard]] bool moves_arm(int dof) const {
+    if (std::find(elbows_.begin(), elbows_.end(), body_.dof(dof).joint) != elbows_.end()) {
+      return true;
+    }
     const auto effectors = body_.effectors();
     return std::any_of(effectors.begin(), effectors.end(), [&](const Effector& effector) {
       return body_.dof(dof).joint == body_.dof(effector.limb_root).joint;
@@ -115,6 +143,7 @@ class Settler {
   IkWorkspace<double> workspace_;
   std::vector<double> weights_;  // (dofs) inverse ones: 0 where locked
   std::vector<IkTarget<double>> feet_;
+  std::vector<std::string> elbows_;  // joints that stretch
 };
 
 // Whether every angle of the aim is within its limits.

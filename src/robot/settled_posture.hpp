@@ -11,8 +11,9 @@ namespace shigusa {
 inline constexpr double kStandingKnee = radians(10.0);
 
 // The posture (dofs, rad) in which a robot begins to move: as it stands where every angle is 0,
-// both feet flat, but with its knees bent by kStandingKnee, arms that stick out sideways let hang,
-// and every joint within its limits. Steps that limits do not allow are left out: `doubts` tells.
+// both feet flat, but with its knees bent by kStandingKnee, arms that stick out sideways, ahead or
+// up let hang, and every joint within its limits. Steps that limits do not allow are left out:
+// `doubts` tells.
 [[nodiscard]] std::vector<double> settled_posture(const BodyModel& body,
                                                   std::vector<Message>& doubts);
 

@@ -9,21 +9,30 @@ namespace {
 
 // The deepest moment of one goal's limb during the motion of uniform weights.
 struct DeepestMoment {
-  double start_depth = 0.0;  // m, at the first frame
-  Penetration deepest;
+  Penetration deepest;  // deeper than as the body starts
   int frame = 0;
   bool arrives = false;  // the motion meets its goals
 };
 
+// A hand that goes around does not take the upper arm along.
+std::vector<CapsulePair> pairs_beyond_elbow(const BodyModel& body, const Effector& effector) {
+  std::vector<CapsulePair> pairs = allowed_as_at_start(body, limb_pairs(body, effector));
+  const std::string& first = body.dof(effector.limb_root).joint;
+  std::erase_if(pairs, [&](const CapsulePair& pair) {
+    return body.dof(body.capsules()[index(pair.limb)].link).joint == first;
+  });
+  return pairs;
+}
+
 DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
   const Effector& effector = problem.body->effector(problem.goals[goal].effector);
   const std::vector<double> uniform = inverse_weights(uniform_parameters(*problem.body));
+  const std::vector<CapsulePair> pairs = pairs_beyond_elbow(*problem.body, effector);
   DeepestMoment moment;
   int step = 0;
   Rollout<double> rollout(problem);
   const auto look = [&](const PlacedFrame<double>& frame) {
-    const Penetration now = limb_penetration(*problem.body, frame.kinematics, effector);
-    if (step == 0) moment.start_depth = now.depth;
+    const Penetration now = deepest_of(*problem.body, frame.kinematics, pairs);
     if (step == 0 || now.depth > moment.deepest.depth) {
       moment.deepest = now;
       moment.frame = step;
@@ -39,9 +48,8 @@ DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
 void add_detours(ReachProblem& problem) {
   for (std::size_t g = 0; g < problem.goals.size(); ++g) {
     const DeepestMoment moment = find_deepest(problem, g);
-    const double allowed = max(moment.start_depth, 0.0) + kDetourDepth;
     const bool inside = moment.frame > 0 && moment.frame < problem.steps;
-    if (moment.deepest.depth <= allowed || !inside) continue;
+    if (moment.deepest.depth <= kDetourDepth || !inside) continue;
     ReachProblem around = problem;
     EffectorPath& path = around.goals[g].path;
     path.detour = moment.deepest.outward * (moment.deepest.depth + kDetourClearance);

@@ -52,6 +52,28 @@ ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double sid
   return {hangs.flexion, hangs.abduction, rises.elevation, rises.protraction};
 }
 
+double head_share(const BodyModel& body) {
+  const auto left = body.find_dof("left_shoulder.flexion");
+  const auto right = body.find_dof("right_shoulder.flexion");
+  if (!left || !right) return 1.0;
+  const Kinematics<double> start = start_kinematics(body);
+  const Vec3d across = start.link_origin(*left) - start.link_origin(*right);
+  const Vec3d side = normalized(across);
+  double least = 1e9;
+  double most = -1e9;
+  for (const Capsule& capsule : body.capsules()) {
+    if (capsule.name != "head") continue;
+    for (const Vec3d& end : {capsule.from, capsule.to}) {
+      const double at = dot(start.point(capsule.link, end), side);
+      least = min(least, at - capsule.radius);
+      most = max(most, at + capsule.radius);
+    }
+  }
+  const double broader = (most - least) / max(norm(across), 1e-3);
+  const double squared = broader * broader;
+  return broader > 1.0 ? 1.0 / (squared * squared) : 1.0;
+}
+
 double scapula_share(const ReachProblem& problem, const ArmLinks& links) {
   const BodyModel& body = *problem.body;
   const Kinematics<double> standing = start_kinematics(body);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "body/anthropometry.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "motion/minimum_jerk.hpp"
+#include "rollout/arm_clearance.hpp"
 #include "rollout/reach_problem.hpp"
 
 namespace shigusa {
@@ -113,6 +115,10 @@ struct ArmLinks {
 };
 [[nodiscard]] ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double side);
 
+// Of what the gaze wants of a head, the share that it turns: a head broader than the shoulders
+// would come down on the arms that reach.
+[[nodiscard]] double head_share(const BodyModel& body);
+
 // The share of Shrug::elevation that an arm's clavicle has in a motion: kScapulaLowers where its
 // hand is to be lower, seen from the shoulder in the frame of the chest, than it starts; else 1.
 [[nodiscard]] double scapula_share(const ReachProblem& problem, const ArmLinks& links);
@@ -150,11 +156,11 @@ class PostureLaw {
   // goals are left to it. Else the reference holds by how much more than the law the back is to
   // bend (see bends_back()).
   void draw(int frame, const Kinematics<S>& now, std::span<const S> angles, bool guided,
-            std::span<S> reference) const {
+            std::span<S> reference) {
     if (!guided) bend_back(now, angles, reference);
     if (!guided) turn_trunk(frame, angles, reference);
     if (looks_) look(gaze_share(frame), now, angles, reference);
-    for (const Arm& arm : arms_) {
+    for (Arm& arm : arms_) {
       if (arm.free) hang(arm, now, angles, reference);
       if (arm.has_clavicle && (arm.free || !guided)) shrug(arm, now, angles, reference);
     }
@@ -186,6 +192,7 @@ class PostureLaw {
     T lean{};    // rad: flexion that the start wants
     T rhythm{};  // of the clavicle's elevation, see scapula_share
     Freedom flexion, abduction, elevation, protraction, elbow;
+    std::optional<ArmClearance<S>> clearance;
   };
 
   static Freedom freedom(const BodyModel& body, int d, double share = 1.0) {
@@ -202,14 +209,14 @@ class PostureLaw {
     looks_ = true;
     target_ = to_scalar<S>(*problem.gaze);
     chest_ = body.dof(*neck).parent;
-    const bool two = body.find_dof("head.flexion").has_value();
+    const double each = (body.find_dof("head.flexion") ? 0.5 : 1.0) * head_share(body);
     for (const char* joint : {"neck", "head"}) {
       const auto nod = body.find_dof(std::string(joint) + ".flexion");
       const auto turn = body.find_dof(std::string(joint) + ".rotation");
       if (!nod || !turn) continue;
       head_ = *nod;
-      nods_.push_back(freedom(body, *nod, two ? 0.5 : 1.0));
-      turns_.push_back(freedom(body, *turn, two ? 0.5 : 1.0));
+      nods_.push_back(freedom(body, *nod, each));
+      turns_.push_back(freedom(body, *turn, each));
     }
   }
 
@@ -264,6 +271,9 @@ class PostureLaw {
     arm.upper = *rotation;
     arm.flexion = freedom(body, *flexion);
     arm.abduction = freedom(body, *abduction);
+    if (const auto hand = body.find_effector(side + "hand"); hand && arm.free) {
+      arm.clearance.emplace(body, body.effector(*hand), *abduction);
+    }
     const auto elbow = dof("elbow.flexion");
     arm.has_elbow = elbow.has_value();
     if (elbow) {
@@ -281,7 +291,7 @@ class PostureLaw {
     arm.rhythm = static_cast<T>(
         arm.has_clavicle ? scapula_share(problem, {arm.parent, arm.chest, arm.upper}) : 1.0);
     begin_at_start(body, arm);
-    arms_.push_back(arm);
+    arms_.push_back(std::move(arm));
   }
 
   // Somebody who starts as a file has them may stoop or hold up an arm: the law goes on from there,
@@ -373,14 +383,24 @@ class PostureLaw {
     for (const Freedom& f : nods_) draw_to(f, nod * S(kHeadOfGaze), share, angles, reference);
   }
 
-  void hang(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
+  void hang(Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
             std::span<S> reference) const {
     const Hanging<S> wanted = hanging(now.link_rotation(arm.parent), S(arm.side));
     draw_to(arm.flexion, wanted.flexion, S(kLawShare), angles, reference);
     draw_to(arm.abduction, wanted.abduction, S(kLawShare), angles, reference);
+    keep_off(arm, now, angles, reference);
     if (!arm.has_elbow) return;
     const S lean = wanted.flexion - S(arm.lean);
     draw_to(arm.elbow, lean * S(kElbowBends), S(kLawShare), angles, reference);
+  }
+
+  // aside of trunk and legs, however the arm would hang
+  static void keep_off(Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
+                       std::span<S> reference) {
+    if (!arm.clearance) return;
+    const std::size_t d = arm.abduction.dof;
+    const S aside = min(arm.clearance->aside(now), S(arm.abduction.upper) - angles[d]);
+    reference[d] = max(reference[d], min(aside * S(kLawShare), S(kLawStep)));
   }
 
   void shrug(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,

@@ -14,7 +14,9 @@ import { drag, drawn as pictured, drop, dropAll, openStudio, openTab, settled, s
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
 const files = existsSync(folder) ? readdirSync(folder).sort() : [];
 /** Files that no character can be read from. */
-const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|BrainStem|Acrobot|\.tsv$/;
+const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|Acrobot|\.tsv$/;
+/** Whose right arm ends before the hand: no node can be drawn there. */
+const kHandless = /godot_platformer|BrainStem/;
 
 const { site, browser } = await visit();
 
@@ -36,7 +38,8 @@ test('each character that is a person is drawn and reaches', { skip: files.lengt
       await page.waitForFunction(() => window.shigusa.time === window.shigusa.document.result.summary.candidates[window.shigusa.chosen].duration_s);
       await pictured(page);
       const drawn = await page.evaluate(() => window.shigusa.drawn('right_hand'));
-      assert.ok(distance(drawn, hand) < 2e-3, `drawn at ${drawn}, not ${hand}`);
+      assert.equal(drawn === null, kHandless.test(file), file);
+      if (drawn) assert.ok(distance(drawn, hand) < 2e-3, `drawn at ${drawn}, not ${hand}`);
       if (process.env.SHIGUSA_SHOTS) {
         await page.waitForTimeout(1500);
         await page.screenshot({ path: join(process.env.SHIGUSA_SHOTS, `${file}.png`) });

@@ -9,6 +9,7 @@ namespace {
 
 using namespace testing_support;
 using testing::HasSubstr;
+using testing::Not;
 using Words = std::vector<std::string>;
 
 class CharacterFiles : public testing::Test {
@@ -44,6 +45,21 @@ TEST_F(CharacterFiles, AGltfCharacterLeavesAsGlbUnasked) {
   expect_promises_kept(stored);
   EXPECT_EQ(stored.candidate(1).at("files").size(), 5u);
   expect_glb_meets_goal(stored);
+}
+
+TEST_F(CharacterFiles, AStartThatNobodyCouldHoldIsNoGoalsFault) {
+  const std::string shared = SHIGUSA_SHARED_DIR;
+  if (shared.empty()) GTEST_SKIP() << "no recorded characters here";
+  const std::string walk = shared + "/characters/bvhtoolbox_walk01.bvh";
+  const ProgramRun asked = reach({"--frame", "0"}, walk);
+  EXPECT_EQ(asked.exit_code, 3);
+  EXPECT_THAT(asked.err, HasSubstr("frame 0, does not stand"));
+  EXPECT_THAT(asked.err, HasSubstr("unsteady: whatever the goal"));
+  EXPECT_THAT(asked.out, HasSubstr("the start itself is impossible"));
+  EXPECT_THAT(asked.out, Not(HasSubstr("candidate 1 is impossible")));
+  const ProgramRun found = reach({"--out", "rest"}, walk);
+  EXPECT_THAT(found.err, HasSubstr("starts from the rest pose"));
+  EXPECT_EQ(StoredRun(work_, "rest").summary().at("task").at("character").at("frame"), "rest");
 }
 
 std::set<std::string> formats_of(const StoredRun& run) {

@@ -192,7 +192,10 @@ TEST_F(Reach, WithoutFormatsWritesTheSummaryAlone) {
 
 TEST_F(Reach, GoalBelowTheFloorIsNoted) {
   const ProgramRun run = reach({"--goal", "right_hand=-0.2,-0.1,0.3"});
-  EXPECT_THAT(run.err, HasSubstr("goal of right_hand: note: 0.1 m below the floor"));
+  EXPECT_THAT(
+      run.err,
+      HasSubstr(
+          "goal: note: the goal of right_hand is 0.1 m below the floor: the hand goes through it"));
 }
 
 TEST_F(Reach, FilesHaveTheRateThatIsAskedFor) {

@@ -81,8 +81,8 @@ TEST_F(FbxCharacter, ResultKeepsThePersonAndTakesTheFileAgain) {
 
 TEST_F(FbxCharacter, OlderFilesAreToldHowToBecomeNewer) {
   CharacterSpec spec{.source = "old.fbx"};
-  const std::string old = "FBXHeaderExtension:  {\n\tFBXVersion: 6100\n}\n";
-  EXPECT_THAT(load_character(old, spec).error().to_string(), HasSubstr("FBX 2011 or later"));
+  const std::string old = "FBXHeaderExtension:  {\n\tFBXVersion: 5800\n}\n";
+  EXPECT_THAT(load_character(old, spec).error().to_string(), HasSubstr("FBX 7.4 (2014)"));
 }
 
 }  // namespace

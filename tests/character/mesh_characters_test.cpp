@@ -27,13 +27,6 @@ using testing::Not;
 constexpr double kNear = 0.003;  // m
 const std::string kMotion = "motion";
 
-int index_of(const json& gltf, const std::string& name) {
-  for (std::size_t i = 0; i < gltf["nodes"].size(); ++i) {
-    if (gltf["nodes"][i].value("name", "") == name) return static_cast<int>(i);
-  }
-  throw std::runtime_error("no node " + name);
-}
-
 // Shoes and shanks about the joints of a standing person: soles at `sole`, m in the person's own
 // world, whatever world the file is in.
 std::vector<MeshPoint> body_mesh(const json& gltf, double sole) {
@@ -184,6 +177,55 @@ TEST(MeshCharacter, AMirroredOneIsMeasuredAlike) {
   }
   EXPECT_NEAR(plain.landmarks->parts[BodyPart::left_shank]->radius,
               mirror.landmarks->parts[BodyPart::left_shank]->radius, 1e-5);
+}
+
+// The person's file with two fingers and a thumb on the left hand, three straight bones of 3 cm
+// each, and a mesh around them.
+std::string with_fingers() {
+  json gltf = person_gltf();
+  const ExportedGlb rest(glb(gltf.dump(), ""));
+  const int hand = index_of(gltf, "left_hand");
+  const Transformd at = rest.place(hand);
+  const Vec3d along =
+      normalized(at.translation - rest.place(index_of(gltf, "left_lower_arm")).translation);
+  const Vec3d ahead = normalized(Vec3d{0, 0, 1} - along * along.z);
+  const Vec3d across = cross(along, ahead);
+  std::vector<MeshPoint> points = body_mesh(gltf, 0.0);
+  const auto add_around = [&](const Vec3d& from, const Vec3d& way, double radius, int node) {
+    for (int i = 0; i < 60; ++i) {
+      const Vec3d out = ahead * std::cos(2.4 * i) + across * std::sin(2.4 * i);
+      points.push_back({from + way * (i / 60.0) + out * radius, node});
+    }
+  };
+  add_around(at.translation, along * 0.09, 0.03, hand);
+  const std::pair<std::string, Vec3d> roots[] = {{"Thumb", along * 0.02 + ahead * 0.04},
+                                                 {"Index", along * 0.09 + ahead * 0.02},
+                                                 {"Ring", along * 0.09 - ahead * 0.02}};
+  for (const auto& [finger, root] : roots) {
+    auto parent = static_cast<std::size_t>(hand);
+    for (int k = 0; k < 3; ++k) {
+      const Vec3d local = transpose(at.rotation) * (k == 0 ? root : along * 0.03);
+      const std::size_t node = gltf["nodes"].size();
+      gltf["nodes"].push_back({{"name", "LeftHand" + finger + std::to_string(k + 1)},
+                               {"translation", {local.x, local.y, local.z}}});
+      gltf["nodes"][parent]["children"].push_back(node);
+      const Vec3d from = at.translation + root + along * (0.03 * k);
+      add_around(from, along * 0.03, 0.008, static_cast<int>(node));
+      parent = node;
+    }
+  }
+  MeshFile file(gltf);
+  file.add_skinned(points);
+  return file.bytes();
+}
+
+TEST(MeshCharacter, HandsAreAsLongAsWithRelaxedFingers) {
+  const CharacterSpec spec = loaded(with_fingers());
+  ASSERT_FALSE(spec.rig->rig.fingers.empty());
+  const PartShape hand = spec.landmarks->parts[BodyPart::left_hand].value();
+  const double length = norm(hand.to) + hand.to_radius;
+  EXPECT_LT(length, 0.15);  // straight fingers end at 0.18 m
+  EXPECT_GT(length, 0.09);
 }
 
 TEST(MeshCharacter, AMeshThatIsNotReadIsADoubtAndThePersonAsBefore) {

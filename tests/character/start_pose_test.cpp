@@ -8,7 +8,7 @@
 #include "character/character_rig.hpp"
 #include "document/character_export.hpp"
 #include "io/gltf_write.hpp"
-#include "person/at_ease.hpp"
+#include "person/stance.hpp"
 #include "person/stick_figure.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

@@ -5,10 +5,12 @@
 
 #include <cmath>
 
+#include "core/index.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "simd/pack.hpp"
 #include "support/bodies.hpp"
 #include "support/motions.hpp"
+#include "support/penalty_by.hpp"
 
 namespace shigusa {
 namespace {
@@ -128,11 +130,19 @@ TEST(Collision, DistanceFromABoxIsSignedAndTurnsWithIt) {
   EXPECT_NEAR(distance({4, 0, 0}), 0.75, 1e-12);
 }
 
+PlacedCapsule<double> line(const Vec3d& from, const Vec3d& to) {
+  return {from, to, (from + to) * 0.5};
+}
+double distance_of(const PlacedCapsule<double>& a, const PlacedCapsule<double>& b) {
+  return norm(nearest_places(a, b).apart);
+}
+
 TEST(Collision, SegmentsWithoutLengthArePoints) {
-  EXPECT_NEAR(square_distance<double>({{0, 0, 0}, {0, 0, 0}}, {{3, 4, 0}, {3, 4, 0}}), 25.0, 1e-9);
-  EXPECT_NEAR(square_distance<double>({{0, 0, 0}, {0, 0, 0}}, {{-1, 2, 0}, {1, 2, 0}}), 4.0, 1e-9);
-  EXPECT_NEAR(square_distance<double>({{-1, 2, 0}, {1, 2, 0}}, {{0.5, 0, 0}, {0.5, 0, 0}}), 4.0,
-              1e-9);
+  const auto origin = line({}, {});
+  const auto above = line({-1, 2, 0}, {1, 2, 0});
+  EXPECT_NEAR(distance_of(origin, line({3, 4, 0}, {3, 4, 0})), 5.0, 1e-9);
+  EXPECT_NEAR(distance_of(origin, above), 2.0, 1e-9);
+  EXPECT_NEAR(distance_of(above, line({0.5, 0, 0}, {0.5, 0, 0})), 2.0, 1e-9);
 }
 
 // Against the pair of nearest points, which is tested by itself.
@@ -145,8 +155,55 @@ TEST(Collision, DistanceOfSegmentsIsThatOfTheirNearestPoints) {
     }
     if (i % 10 == 0) p[3] = p[2] + (p[1] - p[0]) * random.uniform(-2, 2);  // parallel
     const SegmentPair pair = nearest_points(p[0], p[1], p[2], p[3]);
-    const double square = square_distance<double>({p[0], p[1]}, {p[2], p[3]});
-    EXPECT_NEAR(std::sqrt(square), norm(pair.on_a - pair.on_b), 1e-6) << i;
+    EXPECT_NEAR(distance_of(line(p[0], p[1]), line(p[2], p[3])), norm(pair.on_a - pair.on_b), 1e-6)
+        << i;
+  }
+}
+
+TEST(Collision, TaperedCapsulesAreAsThickAsWhereTheyAreNearest) {
+  const Capsule limb{
+      .name = "limb", .from = {0, 0, 0}, .to = {1, 0, 0}, .radius = 0.1, .to_radius = 0.02};
+  for (const double along : {0.0, 0.25, 1.0}) {
+    const Capsule ball{.name = "ball",
+                       .from = {along, 0.2, 0},
+                       .to = {along, 0.2, 0},
+                       .radius = 0.05,
+                       .to_radius = 0.05};
+    const double expected = 0.1 - 0.08 * along + 0.05 - 0.2;
+    EXPECT_NEAR(depth_of(line(limb.from, limb.to), limb, line(ball.from, ball.to), ball), expected,
+                1e-9);
+    EXPECT_NEAR(capsule_depth(limb, ball), expected, 1e-9);
+  }
+}
+
+// A person whose parts yield by that much (m).
+BodyModel soft_person(double give) {
+  BodyDefinition body = human_body().definition();
+  for (Capsule& capsule : body.capsules) capsule.give = give;
+  return BodyModel(body);
+}
+
+TEST(Collision, SoftFleshYields) {
+  const BodyModel hard = soft_person(0.0);
+  const BodyModel soft = soft_person(0.008);
+  const Clip clip =
+      clip_of(hard, {posture(hard, {}), posture(hard, {{"left_hip.abduction", -20}})});
+  EXPECT_NEAR(deepest_collision(soft, clip).depth, deepest_collision(hard, clip).depth - 0.008,
+              1e-9);
+  const CollisionSettings settings{.full = 1.0};
+  Motion motion;
+  motion.clip = clip;
+  EXPECT_NEAR(penalty_by<Collision>(soft, motion, settings),
+              penalty_by<Collision>(hard, motion, settings) - 0.75 * 0.008, 1e-9);
+}
+
+TEST(Collision, UpperArmsThatAreGrownOnTheTrunkCollideWithNothing) {
+  const BodyModel body = human_body();
+  int grown = 0;
+  for (const Capsule& capsule : body.capsules()) grown += capsule.grown_on ? 1 : 0;
+  EXPECT_EQ(grown, 2);
+  for (const CapsulePair& pair : all_limb_pairs(body)) {
+    EXPECT_FALSE(body.capsules()[index(pair.limb)].grown_on);
   }
 }
 

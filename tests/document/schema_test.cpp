@@ -72,6 +72,9 @@ TEST(ResultSchema, TakesResultsOfSearchesAndEdits) {
   EXPECT_EQ(result_judge().judge(result_of(file_with(near))), "");
   EXPECT_EQ(result_judge().judge(result_of(file_with(near, "full_body"), true)), "");
   EXPECT_EQ(result_judge().judge(result_of(file_with({0, 5, 0}))), "") << "out of reach";
+  const Json noted = result_of(file_with({-0.2, -0.1, 0.3}));
+  EXPECT_EQ(noted.at("goal_note_messages").size(), 1U);
+  EXPECT_EQ(result_judge().judge(noted), "");
   TaskFile two_phases = file_with(near);
   two_phases.phases = 2;
   EXPECT_EQ(result_judge().judge(result_of(two_phases)), "");

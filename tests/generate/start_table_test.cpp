@@ -8,6 +8,7 @@
 #include <shigusa/human_body.hpp>
 #include <string>
 
+#include "body/anthropometry.hpp"
 #include "rollout/batch_rollout.hpp"
 #include "task/make_problem.hpp"
 
@@ -99,6 +100,26 @@ TEST(NearestStarts, OfATallerPersonAreThoseOfTheSamePlaceInStatures) {
   const Begun usual(human_body(), {{"right_hand", kTable}});
   const Begun tall(human_body({.stature = 1.741 * taller}), {{"right_hand", kTable * taller}});
   EXPECT_EQ(tall.starts(), usual.starts());
+}
+
+// Goals at the height of the table's shoulder or over it are as far as the own arm reaches.
+TEST(StartPlace, IsByTheOwnArm) {
+  using F = StatureFractions;
+  const BodyModel usual = human_body();
+  BodyDefinition long_armed = usual.definition();
+  const auto elbow = static_cast<std::size_t>(usual.find_dof("right_elbow.flexion").value());
+  const int hand = usual.find_effector("right_hand").value();
+  const Vec3d goal{-0.6, 1.6, 0.3};
+  const Vec3d before = start_place(usual, hand, goal).value();
+  const Vec3d shoulder = (goal * (1.0 / usual.stature()) - before) * usual.stature();
+  const double arm = (F::kUpperArm + F::kForearm + kGripFraction * F::kHand) * usual.stature();
+  long_armed.dofs[elbow].offset.y -= 0.3;
+  const BodyModel changed(long_armed);
+  const Vec3d after = start_place(changed, hand, goal).value();
+  EXPECT_LE(norm(after * ((arm + 0.3) / arm) - before), 1e-3);
+  // what is below the shoulder is as far down to the floor as it is for the table's bodies
+  const Vec3d low{-0.2, 0.5 * shoulder.y, 0.3};
+  EXPECT_NEAR(start_place(changed, hand, low)->y, -0.5 * F::kShoulderHeight, 1e-3);
 }
 
 TEST(NearestStarts, OfTwoHandsSetBothArms) {

@@ -2,10 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <shigusa/human_body.hpp>
 #include <shigusa/verdict.hpp>
 
-#include "layers/clip_dynamics.hpp"
+#include "dynamics/clip_dynamics.hpp"
 #include "motion/minimum_jerk.hpp"
+#include "person/landmark_points.hpp"
 #include "support/motions.hpp"
 
 namespace shigusa {
@@ -160,6 +162,15 @@ TEST(Verdict, NoTimeMakesWhatIsTooHeavyPossible) {
   const Judgement judgement = judge(body, motion, measure_motion(body, motion, {}));
   EXPECT_EQ(judgement.verdict, Verdict::impossible);
   EXPECT_FALSE(judgement.possible_in);
+}
+
+TEST(JudgeStart, OfWhoLeansBesideTheFeetIsImpossibleWhateverTheGoal) {
+  Landmarks leaning = standing_landmarks(1.7, kStandingToeOut);
+  EXPECT_EQ(judge_start(build_human(leaning, {.stature = 1.7})).verdict, Verdict::possible);
+  for_each_point(leaning, [](Vec3d& p) { p.z += p.y > 0.1 ? 0.3 * p.y : 0.0; });
+  const Judgement judgement = judge_start(build_human(leaning, {.stature = 1.7}));
+  EXPECT_EQ(judgement.verdict, Verdict::impossible);
+  for (const Reason& reason : judgement.reasons) EXPECT_FALSE(reason.time);
 }
 
 }  // namespace

@@ -371,6 +371,69 @@ TEST(BvhReader, EveryCutOfAFileIsRefusedOrRead) {
   }
 }
 
+struct Damaged {
+  const char* what;
+  std::string text;
+  int frames;
+  const char* doubt;  // none: ""
+};
+
+class DamagedBvh : public ::testing::TestWithParam<Damaged> {};
+
+TEST_P(DamagedBvh, GivesWhatItStillHasWhereFaultsAreTold) {
+  const auto file = parse_bvh_file(GetParam().text, "x.bvh", BvhFaults::told);
+  ASSERT_TRUE(file) << file.error().to_string();
+  EXPECT_EQ(file->motion.skeleton.nodes.size(), 3u);
+  EXPECT_EQ(file->motion.clip.frames, GetParam().frames);
+  EXPECT_EQ(file->motion.clip.local.size(), 3u * static_cast<unsigned>(GetParam().frames));
+  if (*GetParam().doubt == '\0') {
+    EXPECT_THAT(file->doubts, ::testing::IsEmpty());
+  } else {
+    EXPECT_THAT(file->doubts, ::testing::ElementsAre(HasSubstr(GetParam().doubt)));
+  }
+  EXPECT_TRUE(file->unread_frames.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Text, DamagedBvh,
+    ::testing::Values(Damaged{"Whole", kArm + kMotion, 2, ""}, Damaged{"NoMotion", kArm, 0, ""},
+                      Damaged{"BareMotion", kArm + "MOTION\n", 0, ""},
+                      Damaged{"ZeroFrames", kArm + "MOTION\nFrames: 0\nFrame Time: 0.1\n", 0, ""},
+                      Damaged{"ZeroFrameTime", kArm + replaced(kMotion, ".0083333", "0"), 2,
+                              "a frame time of 0 s: 0.0333 s is taken"},
+                      Damaged{"PromisedTooMuch",
+                              kArm + replaced(kMotion, "Frames: 2", "Frames: 200000"), 2,
+                              "ends after 2 of 200000 frames"},
+                      Damaged{"CutInAFrame", kArm + kMotion.substr(0, kMotion.size() - 10), 1,
+                              "ends after 1 of 2 frames"},
+                      Damaged{"CutInTheFirst", kArm + kMotion.substr(0, kMotion.size() - 30), 0,
+                              "ends after 0 of 2 frames"},
+                      Damaged{"OneFrameMore", kArm + kMotion + kValues, 2, ""},
+                      Damaged{"TwoFramesMore", kArm + kMotion + kValues + kValues, 2,
+                              "after the 2 frames that the file tells come 2 more"}),
+    [](const auto& test) { return std::string(test.param.what); });
+
+TEST(BvhReader, ValuesThatAreNoNumbersCostTheirFrameAlone) {
+  for (const char* none : {"nan", "-nan(ind)", "-1.#IND", "inf", "1e999"}) {
+    const std::string text =
+        replaced(kMotion, "90 0 0 0 90", std::string("90 0 ") + none + " 0 90");
+    const auto file = parse_bvh_file(kArm + text, "x.bvh", BvhFaults::told);
+    ASSERT_TRUE(file) << none << ": " << file.error().to_string();
+    EXPECT_EQ(file->unread_frames, std::vector<int>{1});
+    EXPECT_THAT(file->doubts, ::testing::ElementsAre(HasSubstr("1 of them, frame 1 first")));
+    expect_near(world_transforms(file->motion.skeleton, file->motion.clip, 0).back().translation,
+                {1, 3.5, 3}, 1e-15);
+  }
+}
+
+TEST(BvhReader, OtherFaultsAreRefusedWhereFaultsAreTold) {
+  for (const std::string& text :
+       {kArm + kMotion + "7\n", kArm + kMotion + "the end", kArm.substr(0, kArm.size() - 2),
+        kArm + replaced(kMotion, "90 0 0 0 90", "90 0 x 0 90"), std::string()}) {
+    EXPECT_FALSE(parse_bvh_file(text, "x.bvh", BvhFaults::told)) << text;
+  }
+}
+
 TEST(BvhReader, FramesWithoutChannelsAreRefused) {
   const auto motion = parse_bvh(replaced(one_joint("0", ""), "Frames: 1", "Frames: 9"), "x.bvh");
   ASSERT_FALSE(motion);

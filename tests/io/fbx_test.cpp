@@ -50,6 +50,21 @@ TEST(Fbx, BothFormsGiveTheSameSkeleton) {
   }
 }
 
+// As MotionBuilder, Maya and Blender wrote it before 2011, in decimetres with z up.
+TEST(Fbx, VersionSixGivesTheSameSkeleton) {
+  FbxFile file(standing_figure().transformed({{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}));
+  file.axes = {2, 1, 1, -1, 0, 1};
+  file.unit = 0.1;
+  file.pre_rotation = {30, -40, 50};
+  file.joint_scale = {2, 2, 2};
+  file.meshes = true;
+  for (const std::string& bytes : {file.text(6100), file.bytes(6100), file.bytes(6000)}) {
+    const GltfCharacter character = read(bytes);
+    expect_figure(character, standing_figure());
+    EXPECT_EQ(character.rest.skeleton.find("Body_mesh"), -1);
+  }
+}
+
 TEST(Fbx, UnitIsTheFiles) {
   for (const double unit : {0.01, 1.0, 0.0254, 0.001}) {
     FbxFile file(standing_figure());
@@ -80,6 +95,102 @@ TEST(Fbx, PlacesAreTheProductOfTheFilesParts) {
   file.root_scale = 100.0;
   for (const std::string& bytes : {file.text(), file.bytes()}) {
     expect_figure(read(bytes), standing_figure());
+  }
+}
+
+// Maya's segment scale compensation: what hangs on a joint stands farther, and is no larger.
+TEST(Fbx, ScaleThatAModelDoesNotInheritMovesItAlone) {
+  for (const Vec3d& scale : {Vec3d{0.01, 0.01, 0.01}, Vec3d{1.3, 1.3, 1.3}, Vec3d{0.5, 2, 1}}) {
+    FbxFile file(standing_figure());
+    file.rotation = {10, 70, -20};
+    file.root_scale = 100.0;
+    file.joint_scale = scale;
+    for (const std::string& bytes : {file.text(), file.bytes()}) {
+      expect_figure(read(bytes), standing_figure());
+    }
+  }
+}
+
+struct ScaledModel {
+  int parent;
+  int inherits;  // as the file numbers it
+  Vec3d at;
+  Vec3d turned_deg;
+  Vec3d scale;
+};
+
+std::string text_of(const std::vector<ScaledModel>& models) {
+  std::string objects;
+  std::string links;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const auto& [parent, inherits, at, turned, scale] = models[i];
+    const auto vector = [](const char* name, const Vec3d& v) {
+      return fmt::format("P: \"{}\", \"\", \"\", \"\",{},{},{}\n", name, v.x, v.y, v.z);
+    };
+    objects +=
+        fmt::format("Model: {}, \"Model::j{}\", \"LimbNode\" {{\nProperties70: {{\n", i + 1, i) +
+        fmt::format("P: \"InheritType\", \"enum\", \"\", \"\",{}\n", inherits) +
+        vector("Lcl Translation", at) + vector("Lcl Rotation", turned) +
+        vector("Lcl Scaling", scale) + "}\n}\n";
+    links += fmt::format("C: \"OO\",{},{}\n", i + 1, parent + 1);
+  }
+  return "FBXHeaderExtension: {\nFBXVersion: 7400\n}\nObjects: {\n" + objects +
+         "}\nConnections: {\n" + links + "}\n";
+}
+
+Mat3d diagonal(const Vec3d& v) { return {{v.x, 0, 0}, {0, v.y, 0}, {0, 0, v.z}}; }
+
+// The origins by the product of matrices that Autodesk's SDK shows, in metres.
+std::vector<Vec3d> origins_of(const std::vector<ScaledModel>& models) {
+  struct World {
+    Vec3d at{};
+    Mat3d turned{};
+    Mat3d scaled{};  // the SDK's global shear and scaling
+  };
+  std::vector<World> world;
+  std::vector<Vec3d> origins;
+  for (const auto& [parent, inherits, at, turned_deg, scale] : models) {
+    const World above = parent < 0 ? World{} : world[static_cast<std::size_t>(parent)];
+    const Mat3d own = rotation(Axis::z, radians(turned_deg.z)) *
+                      rotation(Axis::y, radians(turned_deg.y)) *
+                      rotation(Axis::x, radians(turned_deg.x));
+    const Vec3d& s = parent < 0 ? Vec3d{1, 1, 1} : models[static_cast<std::size_t>(parent)].scale;
+    const Mat3d without = above.scaled * diagonal({1 / s.x, 1 / s.y, 1 / s.z});
+    const Mat3d whole = inherits == 0   ? above.turned * own * above.scaled * diagonal(scale)
+                        : inherits == 1 ? above.turned * above.scaled * own * diagonal(scale)
+                                        : above.turned * own * without * diagonal(scale);
+    World here{above.at + above.turned * (above.scaled * at), above.turned * own, {}};
+    here.scaled = transpose(here.turned) * whole;
+    world.push_back(here);
+    origins.push_back(here.at * 0.01);
+  }
+  return origins;
+}
+
+TEST(Fbx, ScaleIsInheritedByAutodesksFormula) {
+  Random random(5);
+  const auto within = [&](double low, double high) {
+    return Vec3d{random.uniform(low, high), random.uniform(low, high), random.uniform(low, high)};
+  };
+  for (int trial = 0; trial < 60; ++trial) {
+    std::vector<ScaledModel> models;
+    for (int i = 0; i < 7; ++i) {
+      const int parent =
+          i == 0 ? -1 : static_cast<int>(random.below(static_cast<std::uint32_t>(i)));
+      models.push_back({parent, 2 * static_cast<int>(random.below(2)), within(-50, 50),
+                        within(-180, 180), within(0.5, 2)});
+      // whose scale differs from axis to axis, and is inherited before the turn, shears
+      const bool even = trial % 2 == 0;
+      if (even) models.back().scale = Vec3d{1, 1, 1} * models.back().scale.x;
+      if (even && random.below(2) == 0) models.back().inherits = 1;
+    }
+    const GltfCharacter character = read(text_of(models));
+    const std::vector<Vec3d> at = rest_origins(character.rest.skeleton);
+    const std::vector<Vec3d> expected = origins_of(models);
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      const int node = character.rest.skeleton.find(fmt::format("j{}", i));
+      EXPECT_LE(norm(at[static_cast<std::size_t>(node)] - expected[i]), 1e-9) << trial << ' ' << i;
+    }
   }
 }
 
@@ -124,9 +235,9 @@ TEST(Fbx, WhatIsNoFbxIsRefused) {
   EXPECT_EQ(error_of("{}"), "line 1 of f.fbx: no record: it begins with a name and a colon");
   EXPECT_EQ(error_of("Kaydara FBX Binary  "),
             "line 1 of f.fbx: no record: it begins with a name and a colon");
-  EXPECT_EQ(error_of("FBXHeaderExtension: {\nFBXVersion: 6100\n}\n"),
-            "f.fbx: FBX of version 6.1; versions from 7 on are read: export it as FBX 2011 or "
-            "later");
+  EXPECT_EQ(error_of("FBXHeaderExtension: {\nFBXVersion: 5800\n}\n"),
+            "f.fbx: FBX of version 5.8; versions from 6 on are read: save it as FBX 7.4 (2014), or "
+            "as GLB");
   EXPECT_EQ(error_of("FBXHeaderExtension: {\nFBXVersion: 7400\n}\n"),
             "f.fbx: no model: there is no skeleton in this file");
 }
@@ -199,7 +310,8 @@ TEST(Fbx, MutatedFilesAreReadOrRefused) {
   Random random(11);
   for (int trial = 0; trial < 2000; ++trial) {
     const FbxFile file(standing_figure());
-    std::string bytes = trial % 2 == 0 ? file.text() : file.bytes();
+    const std::uint32_t version = trial % 3 == 0 ? 6100 : 7400;
+    std::string bytes = trial % 2 == 0 ? file.text(version) : file.bytes(version);
     for (int k = 0; k < 4; ++k) {
       const auto at = random.below(static_cast<std::uint32_t>(bytes.size()));
       bytes[at] = static_cast<char>(random.below(256));

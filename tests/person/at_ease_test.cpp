@@ -3,9 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <shigusa/human_body.hpp>
 
 #include "body/anthropometry.hpp"
+#include "kinematics/penetration.hpp"
+#include "person/landmark_points.hpp"
+#include "person/moved_limbs.hpp"
+#include "person/segment_mass.hpp"
+#include "person/stance.hpp"
 
 namespace shigusa {
 namespace {
@@ -48,13 +54,13 @@ TEST(AtEase, StraightKneesBendForwardsOverFeetThatStay) {
   }
 }
 
-TEST(AtEase, TheTrunkComesDownAsOne) {
+TEST(AtEase, TheTrunkComesDownAndAheadAsOne) {
   const Landmarks before = t_pose();
   const Landmarks after = at_ease(before, 1.7);
   const Vec3d down = after.left_leg.hip - before.left_leg.hip;
   EXPECT_LT(down.y, 0.0);
   EXPECT_EQ(down.x, 0.0);
-  EXPECT_EQ(down.z, 0.0);
+  EXPECT_GT(down.z, 0.0);  // the mass stands over the heels before
   EXPECT_LE(norm(after.right_leg.hip - before.right_leg.hip - down), kRounding);
   EXPECT_LE(norm(after.right_arm.shoulder - before.right_arm.shoulder - down), kRounding);
   EXPECT_LE(norm(after.neck - before.neck - down), kRounding);
@@ -63,7 +69,12 @@ TEST(AtEase, TheTrunkComesDownAsOne) {
 
 TEST(AtEase, BentKneesStay) {
   Landmarks before = t_pose();
-  for (Landmarks::Leg* leg : {&before.left_leg, &before.right_leg}) leg->knee.z += 0.06;
+  // feet so far back that the mass is over their middle
+  for (Landmarks::Leg* leg : {&before.left_leg, &before.right_leg}) {
+    leg->knee.z += 0.04;
+    leg->ankle.z -= 0.02;
+    leg->toe.z -= 0.02;
+  }
   ASSERT_GT(knee_angle(before.left_leg), kKneesAtEase);
   const Landmarks after = at_ease(before, 1.7);
   EXPECT_EQ(after.left_leg.hip, before.left_leg.hip);
@@ -91,6 +102,71 @@ TEST(AtEase, MirroredPersonsStandMirrored) {
   const auto across = [](const Vec3d& p) { return Vec3d{-p.x, p.y, p.z}; };
   EXPECT_LE(norm(across(after.left_arm.fingertip) - after.right_arm.fingertip), 1e-9);
   EXPECT_LE(norm(across(after.left_leg.knee) - after.right_leg.knee), 1e-9);
+}
+
+// A person whose hips and all above them stand that far (m) behind their feet.
+Landmarks behind_the_feet(double back) {
+  Landmarks person = t_pose();
+  move_upper_body(person, {0, 0, -back});
+  for (const Side side : kBothSides) person.leg(side).hip.z -= back;
+  return person;
+}
+
+// 0 at the heels, 1 at the tips
+double mass_along_soles(const Landmarks& person) {
+  const SoleOutline sole = sole_outline(person.left_leg, 1.7);
+  return (centre_of_mass(person, 1.7).z - sole[1].z) / (sole[0].z - sole[1].z);
+}
+
+TEST(AtEase, WhoseMassIsOverTheHeelsLeansAhead) {
+  ASSERT_LT(mass_along_soles(behind_the_feet(0.06)), 0.2);
+  // hands that hang lie a little ahead of where they were
+  const double share = mass_along_soles(at_ease(behind_the_feet(0.06), 1.7));
+  EXPECT_GT(share, 0.375);
+  EXPECT_LT(share, 0.42);
+  const Landmarks ahead = at_ease(behind_the_feet(-0.09), 1.7);
+  EXPECT_GT(mass_along_soles(ahead), 0.5);
+  EXPECT_LT(mass_along_soles(ahead), 0.58);
+}
+
+TEST(AtEase, NobodyLeansByMoreThanATwentiethOfTheStature) {
+  const Landmarks before = behind_the_feet(0.3);
+  const Landmarks after = at_ease(before, 1.7);
+  EXPECT_NEAR(after.neck.z - before.neck.z, 0.05 * 1.7, kRounding);
+  EXPECT_EQ(after.left_leg.ankle, before.left_leg.ankle);
+}
+
+// A person in a T whose thighs have that radius (m).
+Landmarks with_thighs(double radius) {
+  Landmarks person = t_pose();
+  for (const BodyPart thigh : {BodyPart::left_thigh, BodyPart::right_thigh}) {
+    person.parts[thigh] = {{0, 0, 0}, {0, -0.3, 0}, radius};
+  }
+  return person;
+}
+
+double out_of_plumb(const Landmarks::Arm& arm) {
+  const Vec3d along = arm.wrist - arm.shoulder;
+  return degrees(std::atan2(along.x, -along.y));
+}
+
+TEST(AtEase, ArmsGoOutwardsUntilTheyClearTheBody) {
+  const double hanging = out_of_plumb(at_ease(t_pose(), 1.7).left_arm);
+  EXPECT_NEAR(hanging, 0.0, 0.1);
+  for (const double radius : {0.17, 0.18, 0.19, 0.2}) {
+    const Landmarks person = at_ease(with_thighs(radius), 1.7);
+    EXPECT_NEAR(out_of_plumb(person.right_arm), -out_of_plumb(person.left_arm), 1e-6);
+    const BodyModel body = build_human(person, {.extent = BodyExtent::human, .stature = 1.7});
+    const Effector& hand = body.effector(body.find_effector("left_hand").value());
+    const double depth = limb_penetration(body, start_kinematics(body), hand).depth;
+    EXPECT_LE(depth, -0.005 + 1e-6) << radius;
+    EXPECT_GE(depth, -0.02) << radius;  // a degree less would not do
+  }
+}
+
+TEST(AtEase, ArmsGoNoFartherThanFortyDegrees) {
+  const double out = out_of_plumb(at_ease(with_thighs(0.6), 1.7).left_arm);
+  EXPECT_NEAR(out, 40.0, 1.5);
 }
 
 void expect_same_lengths(const Landmarks& a, const Landmarks& b) {

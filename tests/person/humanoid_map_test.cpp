@@ -577,6 +577,52 @@ TEST(HumanoidMap, NeckAtThePlaceOfTheChestIsPassed) {
   EXPECT_EQ(names[2], "Head");
 }
 
+// Several hinges of one joint have its name, as MuJoCo's bodies have.
+TEST(HumanoidMap, OfJointsAtOnePointOneThatEndsASegmentIsTheBone) {
+  StickFigure figure = standing_figure();
+  StickFigure hinges;
+  for (const StickFigure::Point& point : figure.points) {
+    const std::string parent =
+        point.parent < 0 ? "" : figure.points[static_cast<std::size_t>(point.parent)].name;
+    const bool limb = point.name.starts_with("Left") || point.name.starts_with("Right");
+    if (limb) {
+      hinges.add(point.name + "_x", parent, point.at);
+      hinges.add(point.name, point.name + "_x", point.at);
+    } else {
+      hinges.add(point.name, parent, point.at);
+    }
+  }
+  // SOMA's names: the leg is the thigh
+  for (StickFigure::Point& point : hinges.points) {
+    if (const std::size_t at = point.name.find("UpLeg"); at != std::string::npos) {
+      point.name.erase(at, 2);
+    } else if (const std::size_t leg = point.name.find("Leg"); leg != std::string::npos) {
+      point.name.replace(leg, 3, "Shin");
+    }
+  }
+  const auto map = find(hinges);
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ((*map)[Bone::left_upper_leg], hinges.find("LeftLeg_x"));
+  EXPECT_EQ((*map)[Bone::left_lower_leg], hinges.find("LeftShin_x"));
+  EXPECT_EQ((*map)[Bone::left_foot], hinges.find("LeftFoot_x"));
+  EXPECT_EQ((*map)[Bone::right_hand], hinges.find("RightHand_x"));
+}
+
+// A robot's forearm turns at its elbow, by a joint that is called the wrist's.
+TEST(HumanoidMap, NamesYieldWhereASegmentHasHardlyAnyLength) {
+  StickFigure figure = standing_figure();
+  for (const char* side : {"Left", "Right"}) {
+    const std::string hand = side + std::string("Hand");
+    const Vec3d elbow = figure[side + std::string("ForeArm")].at;
+    const Vec3d out{side[0] == 'L' ? 0.02 : -0.02, 0, 0};
+    figure[hand].at = elbow + out;
+    figure.add(side + std::string("HandPitch"), hand, elbow + out * 12.0);
+  }
+  const auto map = find(figure);
+  ASSERT_TRUE(map) << map.error().to_string();
+  EXPECT_EQ((*map)[Bone::left_hand], figure.find("LeftHandPitch"));
+}
+
 TEST(HumanoidMap, NeckWithoutANameIsTheJointBelowTheHead) {
   StickFigure figure = standing_figure();
   figure["Neck"].name = "Bone";

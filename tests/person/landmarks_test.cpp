@@ -12,6 +12,7 @@
 
 #include "body/anthropometry.hpp"
 #include "person/find_humanoid.hpp"
+#include "person/human_frames.hpp"
 #include "person/measure_person.hpp"
 #include "person/stick_figure.hpp"
 
@@ -91,7 +92,7 @@ TEST(MeasurePerson, StandingFigureIsMeasuredAsItWasDrawn) {
 }
 
 RC_GTEST_PROP(MeasurePerson, AxesPlaceAndUnitOfTheFileDoNotMatter, ()) {
-  const double unit = *rc::gen::element(1.0, 0.01, 0.001, 0.0254, 0.0254 / 0.45);
+  const double unit = *rc::gen::element(1.0, 0.1, 0.01, 0.001, 0.0254, 0.0254 / 0.45);
   const double heading = *rc::gen::inRange(-180, 180);
   const Axis tilt = *rc::gen::element(Axis::x, Axis::z);
   const double tilt_angle = 90.0 * *rc::gen::inRange(0, 4);
@@ -134,10 +135,33 @@ TEST(MeasurePerson, GivenStatureMustBeAPersons) {
 }
 
 TEST(MeasurePerson, TwoPlausibleUnitsAreADoubt) {
-  // 33 units: 0.84 m in inches, 1.86 m in the CMU's unit
-  const MeasuredPerson person = measured(standing_figure().transformed(scale(33.0 / 1.7)));
-  EXPECT_NEAR(person.placement.unit, 0.0254 / 0.45, 1e-12);
-  EXPECT_THAT(person.doubts, Contains(HasSubstr("it could be inches, 0.84 m")));
+  // 21.6 units: 2.16 m in decimetres, 1.22 m in the CMU's unit
+  const MeasuredPerson person = measured(standing_figure().transformed(scale(21.6 / 1.7)));
+  EXPECT_NEAR(person.placement.unit, 0.1, 1e-12);
+  EXPECT_THAT(person.doubts, Contains(HasSubstr("CMU database's unit, 1.22 m")));
+}
+
+// 17 units would be 0.96 m in the CMU's unit, and 33 would be 0.84 m in inches.
+TEST(MeasurePerson, UnitsThatMakeDwarfsAreNoDoubtBesideOneOfUsualPeople) {
+  for (const double size : {17.0, 33.0}) {
+    EXPECT_THAT(measured(standing_figure().transformed(scale(size / 1.7))).doubts, IsEmpty());
+  }
+}
+
+TEST(MeasurePerson, DecimetresAreAUnit) {
+  EXPECT_NEAR(measured(standing_figure().transformed(scale(10.0))).stature, 1.7, 1e-9);
+}
+
+// 12 units are 1.2 m in decimetres, which an adult is not, and 0.7 m in the CMU's unit.
+TEST(MeasurePerson, BuildOfAChildSpeaksForARareUnit) {
+  StickFigure child = standing_figure();
+  const double hip = child["Hips"].at.y;
+  for (auto& point : child.points) {
+    if (point.at.y > hip) point.at.y += 0.3;
+  }
+  const double tall = measured(child).stature;
+  EXPECT_NEAR(measured(child.transformed(scale(12.0 / tall))).stature, 1.2, 1e-9);
+  EXPECT_EQ(measured(standing_figure().transformed(scale(12.0 / 1.7))).stature, 1.7);
 }
 
 TEST(MeasurePerson, UnusualStatureIsADoubt) {
@@ -146,9 +170,9 @@ TEST(MeasurePerson, UnusualStatureIsADoubt) {
   EXPECT_THAT(person.doubts, Contains(HasSubstr("a stature of 1.00 m is unusual")));
 }
 
-// A giant of 3.2 m, a toy, and sizes between inches and metres.
+// A giant of 3.2 m, a toy, and sizes between the units.
 TEST(MeasurePerson, FigureOfNoUnitIsTakenAsAPersonOfUsualStature) {
-  for (const double size : {0.3, 3.2, 8.5, 12.0, 400.0, 1e6}) {
+  for (const double size : {0.3, 3.2, 4.5, 7.5, 400.0, 1e6}) {
     const MeasuredPerson person = measured(standing_figure().transformed(scale(size / 1.7)));
     EXPECT_EQ(person.stature, 1.7) << size;
     EXPECT_NEAR(person.placement.unit * size, 1.7, 1e-9) << size;
@@ -214,6 +238,28 @@ TEST(MeasurePerson, MirroredFileIsMirroredBack) {
       measured(standing_figure().transformed({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}));
   EXPECT_LT(distance(person.landmarks, measured(standing_figure()).landmarks), 1e-12);
   EXPECT_THAT(person.doubts, Contains(HasSubstr("the person was mirrored")));
+}
+
+// A spine whose bones go to and fro, as MakeHuman's does from its root to its neck.
+TEST(MeasurePerson, ATrunkIsAsLongAsItStandsHoweverItsBonesWind) {
+  StickFigure figure = standing_figure();
+  figure["Hips"].at.z = 0.1;
+  figure["Spine"].at.z = -0.1;
+  EXPECT_NEAR(measured(figure).stature, 1.7, 1e-9);
+  // and in a stoop
+  StickFigure bent = figure;
+  const Vec3d hip = figure["LeftUpLeg"].at;
+  for (StickFigure::Point& point : bent.points) {
+    const Vec3d off = point.at - hip;
+    if (off.y > 0.01) {
+      point.at = hip + Vec3d{off.x, 0.8 * off.y - 0.6 * off.z, 0.6 * off.y + 0.8 * off.z};
+    }
+  }
+  const Skeleton skeleton = figure.skeleton();
+  const std::vector<Transformd> world = bent.world();
+  const auto stooped =
+      measure_person(skeleton, world, find_humanoid(skeleton, world).value()).value();
+  EXPECT_NEAR(stooped.stature, 1.7, 0.05);
 }
 
 TEST(MeasurePerson, FacingThatCannotBeToldIsAnError) {
@@ -328,7 +374,6 @@ TEST(Placement, TakesTheFilesPointsToTheLandmarks) {
 TEST(MeasurePerson, SegmentsWithoutLengthAreErrors) {
   for (const auto& [upper, lower, segment] :
        {std::tuple("RightUpLeg", "RightLeg", "right thigh"),
-        std::tuple("LeftLeg", "LeftFoot", "left shank"),
         std::tuple("LeftArm", "LeftForeArm", "left upper arm"),
         std::tuple("RightForeArm", "RightHand", "right forearm")}) {
     StickFigure figure = standing_figure();
@@ -345,6 +390,37 @@ TEST(MeasurePerson, UnequalSidesAreADoubt) {
   figure["LeftLeg"].at.y += 0.1;
   const MeasuredPerson person = measured(figure);
   EXPECT_THAT(person.doubts, Contains(HasSubstr("the left thigh is 0.317 m long, the right")));
+}
+
+// The shoulders of game characters often lie behind their hips.
+StickFigure leaning_back(double lean_deg) {
+  StickFigure figure = standing_figure();
+  const double hip = figure["Hips"].at.y;
+  const SinCos<double> lean = sin_cos(radians(lean_deg));
+  for (StickFigure::Point& point : figure.points) {
+    if (point.at.y > hip) point.at.z -= lean.sin / lean.cos * (point.at.y - hip);
+  }
+  return figure;
+}
+
+double lean_of_frame(const Landmarks& person) {
+  const Vec3d up = human_frames(person).trunk.cy;
+  return degrees(std::atan2(-up.z, up.y));
+}
+
+const MeasureSettings kAtRest{.stature = {}, .skin = {}, .at_rest = true};
+
+TEST(MeasurePerson, ATrunkAtRestIsUprightWhereverItsJointsLie) {
+  const Landmarks person = measured(leaning_back(8.0), kAtRest).landmarks;
+  EXPECT_NEAR(degrees(person.trunk_lean), 8.0, 1e-9);
+  EXPECT_NEAR(lean_of_frame(person), 0.0, 1e-9);
+  const Landmarks stooping = measured(leaning_back(-19.0), kAtRest).landmarks;
+  EXPECT_NEAR(lean_of_frame(stooping), 0.0, 1e-9);
+}
+
+TEST(MeasurePerson, ATrunkThatLeansFarOrInAMotionLeans) {
+  EXPECT_NEAR(lean_of_frame(measured(leaning_back(25.0), kAtRest).landmarks), 25.0, 1e-9);
+  EXPECT_NEAR(lean_of_frame(measured(leaning_back(8.0)).landmarks), 8.0, 1e-9);
 }
 
 struct RealPerson {

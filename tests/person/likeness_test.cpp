@@ -20,8 +20,9 @@ using testing::HasSubstr;
 std::string reason(const StickFigure& figure) {
   const Skeleton skeleton = figure.skeleton();
   const std::vector<Transformd> world = figure.world();
-  const HumanoidMap map = find_humanoid(skeleton, world).value();
-  return unlike_a_person(measure_person(skeleton, world, map).value().landmarks);
+  const Result<HumanoidMap> map = find_humanoid(skeleton, world);
+  if (!map) return map.error().message;
+  return unlike_a_person(measure_person(skeleton, world, *map).value().landmarks);
 }
 
 StickFigure drawn(const std::string& name) {
@@ -31,9 +32,13 @@ StickFigure drawn(const std::string& name) {
 }
 
 TEST(Likeness, FourLeggedAnimalsAreNoPeople) {
-  EXPECT_THAT(reason(drawn("fox")), HasSubstr("stands on four legs: the trunk lies level, as long "
-                                              "as 1.29 legs, and the limbs in front, 1.15"));
-  EXPECT_THAT(reason(drawn("horse")), HasSubstr("stands on four legs"));
+  EXPECT_THAT(reason(drawn("dog_without_names")),
+              HasSubstr("stands on four legs: the trunk lies level, as long as 1.27 legs"));
+  EXPECT_THAT(reason(drawn("wolf")), HasSubstr("stands on four legs: the trunk lies level, as long "
+                                               "as 1.29 legs, and the limbs in front, 1.15"));
+  for (const char* animal : {"fox", "horse", "fox_with_controls"}) {
+    EXPECT_THAT(reason(drawn(animal)), HasSubstr("stands on four legs")) << animal;
+  }
 }
 
 TEST(Likeness, InsectWithWingsForArmsIsNoPerson) {
@@ -79,6 +84,51 @@ TEST(Likeness, FiguresOfOddLengthsArePeople) {
     EXPECT_EQ(reason(figure), "") << odd.what;
   }
 }
+
+// Wings, a tail, hair to the floor and a skirt, named or not.
+TEST(Likeness, WingsTailsHairAndSkirtsAreAPersons) {
+  for (const bool named : {true, false}) {
+    StickFigure figure = standing_figure();
+    const auto add_row = [&](const std::string& name, const std::string& parent, Vec3d at,
+                             const Vec3d& step) {
+      std::string on = parent;
+      for (int i = 0; i < 4; ++i) {
+        const std::string next = name + std::to_string(i);
+        figure.add(next, on, at);
+        on = next;
+        at += step;
+      }
+    };
+    for (const auto& [side, x] : {std::pair("Left", 1.0), std::pair("Right", -1.0)}) {
+      const std::string s = side;
+      add_row(s + "Wing", "Spine", {0.1 * x, 1.35, -0.1}, {0.25 * x, 0.1, -0.05});
+      add_row(s + "Hair", "Head", {0.08 * x, 1.65, -0.05}, {0.05 * x, -0.5, -0.02});
+      for (int i = 0; i < 4; ++i) {
+        const double turn = 0.4 + 0.75 * i;
+        add_row(s + "Skirt" + std::to_string(i), "Hips",
+                {0.15 * x * std::sin(turn), 0.95, 0.15 * std::cos(turn)},
+                {0.03 * x * std::sin(turn), -0.28, 0.03 * std::cos(turn)});
+      }
+    }
+    add_row("Tail", "Hips", {0, 0.9, -0.1}, {0, -0.1, -0.2});
+    if (!named) {
+      for (StickFigure::Point& point : figure.points) {
+        const bool extra = point.name.find("Wing") != point.name.npos ||
+                           point.name.find("Hair") != point.name.npos ||
+                           point.name.find("Skirt") != point.name.npos;
+        if (extra) point.name = "Bone" + std::to_string(&point - figure.points.data());
+      }
+    }
+    EXPECT_EQ(reason(figure), "") << named;
+  }
+}
+
+class Animals : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(Animals, AreNoPeople) { EXPECT_NE(reason(read_convention(GetParam()).figure), ""); }
+
+INSTANTIATE_TEST_SUITE_P(Files, Animals, testing::ValuesIn(convention_files("tests/animals")),
+                         [](const auto& each) { return each.param.stem().string(); });
 
 class LikenessOf : public testing::TestWithParam<std::filesystem::path> {};
 

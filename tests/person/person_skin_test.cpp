@@ -5,6 +5,7 @@
 #include <person/stick_figure.hpp>
 #include <shigusa/human_body.hpp>
 
+#include "body/anthropometry.hpp"
 #include "body/skin.hpp"
 #include "person/find_humanoid.hpp"
 #include "person/measure_person.hpp"
@@ -159,6 +160,19 @@ TEST(PersonSkin, WhatIsFurtherFromTheFootThanTheLegIsLongIsNoSole) {
   }
 }
 
+TEST(PersonSkin, PegsBearTheBodyOnFeet) {
+  using F = StatureFractions;
+  const StickFigure figure = standing_figure();
+  const Shoe peg{.sole = 0.0, .front = 0.03, .back = 0.03, .half = 0.02};
+  const MeasuredPerson person = measured(figure, shoes(figure, peg));
+  const Landmarks::Leg& leg = person.landmarks.left_leg;
+  const SoleOutline& sole = *leg.sole;
+  EXPECT_NEAR(sole[0].z - sole[1].z, F::kFootLength * person.stature, 1e-6);
+  EXPECT_NEAR(sole[0].x - sole[3].x, F::kFootBreadth * person.stature, 1e-6);
+  EXPECT_NEAR(leg.ankle.z - sole[1].z, kHeelShare * F::kFootLength * person.stature, 1e-6);
+  EXPECT_NEAR(sole[0].y, 0.0, 1e-6);
+}
+
 TEST(PersonSkin, AFootWithoutMeshEndsWithItsShanks) {
   const StickFigure figure = standing_figure();
   Mesh mesh;
@@ -256,7 +270,9 @@ TEST(FittedParts, ARoundLimbHasItsRadius) {
   const MeasuredPerson person = measured(figure, mesh);
   EXPECT_NEAR(radius_of(person, BodyPart::left_forearm), 0.047, kRounding);
   EXPECT_NEAR(radius_of(person, BodyPart::left_thigh), 0.07, kRounding);
-  EXPECT_FALSE(person.landmarks.parts[BodyPart::right_thigh]);
+  // a limb without vertices is as the other side's
+  EXPECT_NEAR(radius_of(person, BodyPart::right_thigh), 0.07, kRounding);
+  EXPECT_FALSE(person.landmarks.parts[BodyPart::right_shank]);
 }
 
 TEST(FittedParts, ACalfBehindItsBoneIsRoundAboutItsOwnMiddle) {
@@ -270,15 +286,14 @@ TEST(FittedParts, ACalfBehindItsBoneIsRoundAboutItsOwnMiddle) {
   EXPECT_NEAR(person.landmarks.parts[BodyPart::left_shank]->from.z, -0.015, 0.003);
 }
 
-// A tapering limb is as thick as where it is thicker than in three quarters of it.
-TEST(FittedParts, ATaperingLimbIsNearItsThickEnd) {
+TEST(FittedParts, ATaperingLimbHasTheRadiiOfItsEnds) {
   const StickFigure figure = standing_figure();
   Mesh mesh;
   add_limb(
       figure, "LeftForeArm", "LeftHand", [](double s) { return 0.06 - 0.03 * s; }, mesh);
-  // without its ends 0.057 … 0.033, of which three quarters are below 0.051; the next ring is 2.5
-  // mm thinner
-  EXPECT_NEAR(radius_of(measured(figure, mesh), BodyPart::left_forearm), 0.051, 0.0025);
+  const MeasuredPerson person = measured(figure, mesh);
+  EXPECT_NEAR(radius_of(person, BodyPart::left_forearm), 0.057, 0.003);
+  EXPECT_NEAR(person.landmarks.parts[BodyPart::left_forearm]->to_radius, 0.033, 0.005);
 }
 
 // Vertices that stick out to one side are no flesh: a sleeve that hangs, a sword in the hand, a
@@ -328,6 +343,66 @@ TEST(FittedParts, MirroredSidesAreMirrored) {
   EXPECT_NEAR(left.radius, right.radius, kRounding);
   EXPECT_NEAR(left.from.x, -right.from.x, kRounding);
   EXPECT_NEAR(left.from.z, right.from.z, kRounding);
+}
+
+// Some vertices that stick out, of a watch or a spike.
+TEST(FittedParts, AFewOutliersMakeALimbNoThicker) {
+  const StickFigure figure = standing_figure();
+  Mesh mesh;
+  const auto forearm = [](double s) { return 0.05 - 0.02 * s; };
+  add_limb(figure, "LeftForeArm", "LeftHand", forearm, mesh);
+  const PartShape plain = measured(figure, mesh).landmarks.parts[BodyPart::left_forearm].value();
+  const auto count = mesh.size();
+  const Vec3d elbow = figure.points[static_cast<std::size_t>(figure.find("LeftForeArm"))].at;
+  for (std::size_t i = 0; i < count; i += 19) {
+    const Vec3d out = mesh[i].position - elbow;
+    mesh.push_back({elbow + Vec3d{out.x, 3.0 * out.y, 3.0 * out.z}, mesh[i].node});
+  }
+  const PartShape spiked = measured(figure, mesh).landmarks.parts[BodyPart::left_forearm].value();
+  EXPECT_NEAR(spiked.radius, plain.radius, 0.003);
+  EXPECT_NEAR(spiked.to_radius, plain.to_radius, 0.003);
+}
+
+// The shape of a left hand whose mesh is a flat tube of these sizes (m).
+PartShape fitted_hand(double length, double breadth, double thickness) {
+  const StickFigure figure = standing_figure();
+  const int hand = figure.find("LeftHand");
+  const Vec3d wrist = figure.points[static_cast<std::size_t>(hand)].at;
+  Mesh mesh;
+  for (int i = 0; i <= 30; ++i) {
+    for (int k = 0; k < 32; ++k) {
+      const SinCos<double> turn = sin_cos(2.0 * kPi * k / 32);
+      mesh.push_back(
+          {wrist + Vec3d{length * i / 30, 0.5 * thickness * turn.sin, 0.5 * breadth * turn.cos},
+           hand});
+    }
+  }
+  return measured(figure, mesh).landmarks.parts[BodyPart::left_hand].value();
+}
+
+TEST(FittedParts, AHandIsAsFlatAndAsLongAsItsMesh) {
+  const double length = StatureFractions::kHand * kStature;
+  const PartShape flat = fitted_hand(length, 0.09, 0.03);
+  EXPECT_NEAR(flat.radius, 0.015, 0.006);
+  EXPECT_NEAR(norm(flat.aside) + flat.radius, 0.045, 0.006);
+  EXPECT_NEAR(norm(flat.to) + flat.to_radius, length, 0.015);
+  EXPECT_EQ(fitted_hand(length, 0.05, 0.05).aside, Vec3d{});
+  const PartShape fist = fitted_hand(0.5 * length, 0.07, 0.07);
+  EXPECT_NEAR(norm(fist.to) + fist.to_radius, 0.5 * length, 0.015);
+}
+
+TEST(FittedParts, AnArmouredArmHasItsOwnThickness) {
+  const StickFigure figure = standing_figure();
+  Mesh mesh;
+  add_limb(
+      figure, "LeftForeArm", "LeftHand", [](double) { return 0.04; }, mesh);
+  Mesh armour;
+  add_limb(
+      figure, "RightForeArm", "RightHand", [](double) { return 0.08; }, armour);
+  for (std::size_t i = 0; i < armour.size(); i += 5) mesh.push_back(armour[i]);
+  const MeasuredPerson person = measured(figure, mesh);
+  EXPECT_NEAR(radius_of(person, BodyPart::right_forearm), 0.08, 0.005);
+  EXPECT_NEAR(radius_of(person, BodyPart::left_forearm), 0.04, 0.005);
 }
 
 // The head's ellipsoid lies within skull and jaw, but for what a capsule cannot follow.

@@ -22,7 +22,7 @@ async function load(path, plugins = []) {
 }
 
 // A scene in motion: `at(frame)` poses it, `node(i)` is the file's node of that index.
-class Playback {
+export class Playback {
   constructor(root, parser, clip, after = () => {}) {
     this.root = root;
     this.parser = parser;

@@ -271,6 +271,22 @@ TEST(PostureLaw, IsTheSameInLanes) {
   expect_same_in_lanes({-0.4, 1.3, -0.2});
 }
 
+TEST(PostureLaw, AHeadThatIsBroaderThanTheShouldersTurnsLess) {
+  BodyDefinition body = human_body().definition();
+  EXPECT_EQ(head_share(BodyModel(body)), 1.0);
+  for (Capsule& capsule : body.capsules) {
+    if (capsule.name == "head") capsule.radius = capsule.to_radius = 0.4;
+  }
+  const BodyModel big(body);
+  EXPECT_LT(head_share(big), 0.1);
+  const auto nod = [](const BodyModel& of) {
+    ReachProblem problem = lawful_reach(of, kAtTheFeet);
+    const Clip clip = roll_out(problem, uniform_parameters(of)).motion.clip;
+    return clip.frame(clip.frames - 1)[static_cast<std::size_t>(*of.find_dof("neck.flexion"))];
+  };
+  EXPECT_LT(abs(nod(big)), 0.2 * abs(nod(human_body())));
+}
+
 TEST(PostureLaw, BodiesWithoutANeckHaveNone) {
   const BodyModel body = full_body();
   EXPECT_TRUE(PostureLaw<double>(lawful_reach(body, kHigh)).empty());

@@ -186,10 +186,10 @@ inline ConventionCase read_convention(const std::filesystem::path& path) {
   return result;
 }
 
-inline std::vector<std::filesystem::path> convention_files() {
+inline std::vector<std::filesystem::path> convention_files(
+    const std::string& below = "tests/conventions") {
   std::vector<std::filesystem::path> files;
-  const std::filesystem::path folder =
-      std::filesystem::path(SHIGUSA_SOURCE_DIR) / "tests/conventions";
+  const std::filesystem::path folder = std::filesystem::path(SHIGUSA_SOURCE_DIR) / below;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".txt") files.push_back(entry.path());
   }

@@ -41,38 +41,71 @@ class FbxFile {
   Vec3d post_rotation{};
   bool root_link = true;  // the node above all joints hangs on the file's root
   std::string kind = "LimbNode";
-  bool meshes = false;          // with a node that is no joint
-  double root_scale = 1.0;      // of a node above all joints
+  bool meshes = false;      // with a node that is no joint
+  double root_scale = 1.0;  // of a node above all joints
+  // of each joint, which hands it on to no other (Maya's segment scale compensation)
+  Vec3d joint_scale{1, 1, 1};
   std::vector<FbxRecord> more;  // of Objects
   std::vector<std::array<std::int64_t, 2>> more_links;
 
   // Both forms of the same records.
-  [[nodiscard]] std::string text() const {
-    std::string out = "; FBX 7.4.0 project file\n";
-    for (const FbxRecord& record : records()) write_text(record, 0, out);
+  [[nodiscard]] std::string text(std::uint32_t version = 7400) const {
+    std::string out = "; FBX project file\n";
+    for (const FbxRecord& record : records(version)) write_text(record, 0, out);
     return out;
   }
   [[nodiscard]] std::string bytes(std::uint32_t version = 7400) const {
     std::string out("Kaydara FBX Binary  \0\x1a\0", 23);
     put(out, version);
     const std::size_t size = version < 7500 ? 4 : 8;  // of a head's numbers
-    for (const FbxRecord& record : records()) write_bytes(record, size, out);
+    for (const FbxRecord& record : records(version)) write_bytes(record, size, out);
     return out + std::string(3 * size + 1, '\0');
   }
 
-  [[nodiscard]] std::vector<FbxRecord> records() const {
-    return {{"FBXHeaderExtension",
-             {},
-             {{"FBXHeaderVersion", {std::int32_t{1003}}, {}},
-              {"FBXVersion", {std::int32_t{7400}}, {}}}},
-            settings(),
-            {"Objects", {}, objects()},
-            {"Connections", {}, links()}};
+  [[nodiscard]] std::vector<FbxRecord> records(std::uint32_t version = 7400) const {
+    std::vector<FbxRecord> all{{"FBXHeaderExtension",
+                                {},
+                                {{"FBXHeaderVersion", {std::int32_t{1003}}, {}},
+                                 {"FBXVersion", {static_cast<std::int32_t>(version)}, {}}}},
+                               settings(),
+                               {"Objects", {}, objects()},
+                               {"Connections", {}, links()}};
+    if (version < 7000) make_old(all);
+    return all;
   }
 
  private:
   static constexpr std::int64_t kFirst = 1000;
   static constexpr std::int64_t kRoot = 900;
+
+  // As version 6 has it: names in the place of ids, properties without a label, settings among the
+  // objects.
+  static void make_old(std::vector<FbxRecord>& all) {
+    std::map<std::int64_t, std::string> names{{0, "Model::Scene"}};
+    std::vector<FbxRecord>& objects = all[2].children;
+    for (FbxRecord& model : objects) {
+      names[std::get<std::int64_t>(model.values[0])] = std::get<std::string>(model.values[1]);
+      model.values.erase(model.values.begin());
+    }
+    objects.push_back(all[1]);
+    for (FbxRecord& object : objects) {
+      for (FbxRecord& list : object.children) {
+        if (list.name != "Properties70") continue;
+        list.name = "Properties60";
+        for (FbxRecord& property : list.children) {
+          property.name = "Property";
+          property.values.erase(property.values.begin() + 2);
+        }
+      }
+    }
+    for (FbxRecord& link : all[3].children) {
+      link.name = "Connect";
+      for (auto& value : link.values) {
+        if (const auto* id = std::get_if<std::int64_t>(&value)) value = std::string(names.at(*id));
+      }
+    }
+    all.erase(all.begin() + 1);
+  }
 
   static FbxRecord integer(const char* name, std::int32_t value) {
     return {"P", {name, "int", "Integer", "", value}, {}};
@@ -120,10 +153,21 @@ class FbxFile {
       const bool root = point.parent < 0;
       const Vec3d from = root ? Vec3d{} : figure_.points[static_cast<std::size_t>(point.parent)].at;
       // every joint has the same turn in the world: below the root the others turn no more
-      const Vec3d offset = (point.at - from) * (1.0 / (unit * root_scale));
+      const Vec3d offset = (point.at - from) * (1.0 / unit);
+      const Vec3d turned = transpose_times(own, offset);
+      const Vec3d& scale = joint_scale;
+      const bool scaled = scale != Vec3d{1, 1, 1};
+      const double above = scaled ? 1.0 : root_scale;
       std::vector<FbxRecord> properties{
-          vector("Lcl Translation", root ? offset : transpose_times(own, offset)),
+          vector("Lcl Translation",
+                 root ? offset * (1.0 / root_scale)
+                      : Vec3d{turned.x / scale.x, turned.y / scale.y, turned.z / scale.z} *
+                            (1.0 / above)),
           vector("Lcl Rotation", root ? rotation : Vec3d{})};
+      if (scaled) {
+        properties.push_back(vector("Lcl Scaling", scale));
+        properties.push_back({"P", {"InheritType", "enum", "", "", std::int32_t{2}}, {}});
+      }
       if (root) {
         properties.push_back({"P", {"RotationActive", "bool", "", "", std::int32_t{1}}, {}});
         properties.push_back(vector("PreRotation", pre_rotation));

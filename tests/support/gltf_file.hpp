@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <shigusa/bvh.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,14 @@ inline std::string glb(std::string json, const std::string& binary = "mesh") {
                              std::string("BIN\0", 4) + binary;
   return "glTF" + word_bytes(2) + word_bytes(static_cast<std::uint32_t>(chunks.size() + 12)) +
          chunks;
+}
+
+// The node of a glTF file that has the name.
+inline int index_of(const nlohmann::json& gltf, const std::string& name) {
+  for (std::size_t i = 0; i < gltf["nodes"].size(); ++i) {
+    if (gltf["nodes"][i].value("name", "") == name) return static_cast<int>(i);
+  }
+  throw std::runtime_error("no node " + name);
 }
 
 // person_bvh's first frame as glTF: one node for each, in the same order, turned as there. In

@@ -80,7 +80,8 @@ class MeshFile {
     nlohmann::json attributes{{"POSITION", add(positions, "VEC3", 5126)},
                               {"JOINTS_0", add(bound, "VEC4", 5123)},
                               {"WEIGHTS_0", add(weights, "VEC4", 5126)}};
-    json["meshes"].push_back({{"primitives", {{{"attributes", attributes}}}}});
+    // points: vertices without faces
+    json["meshes"].push_back({{"primitives", {{{"mode", 0}, {"attributes", attributes}}}}});
     json["nodes"].push_back(
         {{"name", "body mesh"}, {"mesh", json["meshes"].size() - 1}, {"skin", skin}});
   }

@@ -7,7 +7,12 @@ export type Quat = [number, number, number, number];
 export interface Part {
   from_m: Vec3;
   to_m: Vec3;
+  /** At from_m. */
   radius_m: number;
+  /** At to_m; radius_m when not given. */
+  to_radius_m?: number;
+  /** Of a flat part, two lines side by side: to either of them. */
+  aside_m?: Vec3;
 }
 
 /** A person as measured, in the start posture. */
@@ -39,6 +44,8 @@ export interface Landmarks {
   right_toes?: Vec3;
   left_grip?: Vec3;
   right_grip?: Vec3;
+  /** How far back the line from the hips to the shoulders leans of a trunk that is upright. */
+  trunk_lean_rad?: number;
   left_sole?: [Vec3, Vec3, Vec3, Vec3];
   right_sole?: [Vec3, Vec3, Vec3, Vec3];
   /** Of a character with a mesh: what of it nothing should pass through. Each part is a line with a thickness in
@@ -93,8 +100,9 @@ export interface CharacterSpec {
    * not given, by the presets paper and layers full. */
   extent?: 'half' | 'full' | 'human';
   /** Of a person from a file: the frame that is the start posture, from 0, of glTF of an animation; or rest, the
-   * file's rest pose, from which the person stands at ease. When not given, of an animation its first, else of
-   * glTF the rest pose and of BVH frame 0, at ease where that is a T- or an A-pose. */
+   * file's rest pose, from which the person stands at ease. When not given, of BVH and of an animation the first
+   * in which the person stands still on both feet, else the rest pose; of glTF without an animation the rest pose.
+   * Of BVH that begins with a T- or an A-pose that one, at ease. */
   frame?: number | 'rest';
   /** Of a glTF file: the name or the index of the animation that the frame is of, at 60 frames a second; the first
    * when not given. */

@@ -64,8 +64,9 @@ export interface CharacterDescription {
   nodes: NodeDescription[];
   node_unit_m: number;
   support_polygon: [number, number][];
-  /** The parts of the body that nothing should pass through, in the start posture: lines with a thickness. */
-  capsules: { name: string; from_m: Vec3; to_m: Vec3; radius_m: number }[];
+  /** The parts of the body that nothing should pass through, in the start posture: lines with a thickness, at their
+   *  first ends radius_m and at their second ones to_radius_m. A part may have two of one name. */
+  capsules: { name: string; from_m: Vec3; to_m: Vec3; radius_m: number; to_radius_m: number }[];
   placement?: { unit_m: number; origin: Vec3; left: Vec3; up: Vec3; ahead: Vec3 };
   /** Of a file that was read: the names of a glTF file's animations (one without a name: its index); the frames of the
    *  motion that the start posture is of, 0 where it is the rest pose; whether no unit makes a person of it, so that
@@ -138,6 +139,10 @@ export interface Summary {
   fewer?: string;
   /** The same to word otherwise. */
   fewer_message?: Message;
+  /** Goals of hands that may be an oversight, in English. */
+  goal_notes?: string[];
+  /** The same as a page words them. */
+  goal_note_messages?: Message[];
   [key: string]: unknown;
 }
 

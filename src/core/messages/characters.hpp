@@ -33,9 +33,36 @@ inline constexpr std::array kCharacters{
                 "taken in that one's place"},
     MessageText{"not_standing", "the nodes do not rest as who stands does{}"},
     MessageText{"standing_animation", "; frame 0 of the animation '{}' does: --animation"},
+    MessageText{"arms_spread",
+                "the file begins with arms spread out or held ahead: they hang at the start; with "
+                "--frame 0 they do not"},
+    MessageText{"frame_unread", "frame {} has values that are no numbers; give another frame"},
     MessageText{
-        "arms_spread",
-        "the file begins with arms spread out: they hang at the start; with --frame 0 they do not"},
+        "frame_lies",
+        "in frame {} the person lies, and motions of who lies are not known; give a frame of "
+        "one who stands or sits, or rest"},
+    MessageText{"frame_sits",
+                "who begins as in frame {} sits: give --seat {:.2f} for a seat of that height"},
+    MessageText{"frame_seat",
+                "in frame {} the person sits {:.2f} m high, not {:.2f} m: the frame is kept"},
+    MessageText{
+        "frame_no_seat",
+        "nobody sits in frame {}: the person is seated upright, with the hands on the thighs"},
+    MessageText{
+        "frame_no_stance",
+        "the start that was asked for, frame {}, does not stand: this body could not hold it "
+        "still; where no frame is given, one that stands is looked for"},
+    MessageText{"later_frame",
+                "the file does not begin with a person who stands still on both feet: the motion "
+                "starts from frame {}, the first one that does"},
+    MessageText{"no_stance",
+                "in no frame the person stands still on both feet: the motion starts from the rest "
+                "pose, at ease"},
+    MessageText{
+        "nothing_stands",
+        "in no frame the person stands still on both feet, nor in the rest pose: the motion "
+        "starts from frame {} as it is"},
+    MessageText{"no_motion", "the file has no motion: the rest pose is the start, at ease"},
     MessageText{"no_humanoid", "no humanoid robot: {}"},
     MessageText{"option_of_person",
                 "{} is of a person, and {} is a robot, which has its own: leave it out"},

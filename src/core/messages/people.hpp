@@ -48,8 +48,14 @@ inline constexpr std::array kPeople{
                 "the feet point backwards: the person was mirrored, so that left stays left"},
     MessageText{"foot_guessed",
                 "nothing follows {}: the {} foot is taken as level, of average length"},
+    MessageText{"foot_guessed_at_heel",
+                "only a heel follows {}: the {} foot is taken as level, of average length"},
     MessageText{"hand_guessed",
                 "nothing follows {}: the {} hand is taken as straight, of average length"},
+    MessageText{
+        "limb_ends_at",
+        "nothing follows joint '{}': the {} is put where a person's would be before the end "
+        "of its mesh"},
     MessageText{"head_guessed",
                 "the head has no tip: the top of the head is placed by average proportions"},
     MessageText{"stature_range", "a stature of {:g} m; {} to {} m are allowed"},
@@ -74,7 +80,20 @@ inline constexpr std::array kPeople{
     MessageText{"broad",
                 "shoulders or hips are {:.2f} times as broad as trunk and legs are long; up to {} "
                 "is taken"},
-    MessageText{"long_trunk", "the trunk is {:.2f} times as long as the legs; up to {} is taken"},
+    MessageText{"odd_trunk", "the trunk is {:.2f} times as long as the legs; {} to {} is taken"},
+    MessageText{"animals_limb", "{} is called as an animal's limb"},
+    MessageText{"fingers_for_limbs", "{} is called a finger, so it is a hand alone"},
+    MessageText{"arms_on_head", "its arms would hang on {}"},
+    MessageText{"more_legs", "it has more legs than two, one of which begins at {}"},
+    MessageText{"more_arms", "it has more arms than two, one of which begins at {}"},
+    MessageText{"legs_to_the_floor",
+                "{} more limbs reach the floor beside its legs, one of which begins at {}"},
+    MessageText{"four_limbs_down",
+                "its four limbs point one way, the trunk does not lead up from them, and no names "
+                "tell legs from arms"},
+    MessageText{"four_legs_and_tail",
+                "it stands on four legs: the trunk lies level, all limbs reach down alike, and it "
+                "has a tail, {}"},
     MessageText{"odd_arms", "the arms are {:.2f} times as long as the legs; {} to {} is taken"},
     MessageText{"foot_lifted",
                 "the {}foot is lifted at the start: it carries nothing and keeps its angles"},

@@ -49,6 +49,8 @@ inline constexpr std::array kRobots{
         "the feet have no shapes to tell their soles: they are as long and broad as a person's"},
     MessageText{"foot_in_air", "one foot is in the air where all angles are 0: it carries nothing"},
     MessageText{"arm_ends", "link '{}' ends its arm: the hand is taken to be {:.2f} m on, {}"},
+    MessageText{"limb_ends", "nothing follows link '{}': the limb is taken to end {:.2f} m on, {}"},
+    MessageText{"as_a_persons_would", "where a person's would"},
     MessageText{"twice_its_centre", "twice as far as its centre of mass"},
     MessageText{"where_shapes_end", "where its shapes end"},
     MessageText{"ankles_added",

@@ -34,6 +34,14 @@ inline constexpr std::array kTasks{
     MessageText{"no_gaze_lead", "the preset {} turns no head to what is looked at"},
     MessageText{"no_weights",
                 "criteria weights must be finite, 0 or more, and not all 0; scales above 0"},
+    MessageText{"goal_below_floor",
+                "the goal of {} is {} m below the floor: the hand goes through it"},
+    MessageText{
+        "goal_in_floor",
+        "the goal of {} is {} m above the floor, and the hand {} mm thick on either side: it "
+        "goes into the floor"},
+    MessageText{"goal_in_part",
+                "the goal of {} is in the body's own {}, where that is at the start"},
     MessageText{"no_goal", "no goal: give at least one effector's position"},
     MessageText{"hands_alone",
                 "layers bring hands to positions, and those of a whole human by the preset human "

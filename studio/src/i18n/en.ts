@@ -81,7 +81,7 @@ export const en = {
   moves: 'Moves at {joints} joints, in {ways} ways.',
   stature: 'Stature', mass: 'Mass', sex: 'Sex (for strength)', heels: 'Let the heels lift', seated: 'Sits on a seat', seat: 'Seat height',
   statureGuessed: 'The file does not tell how tall this person is: {stature} is a guess.', badRange: '{what} is {low} to {high} {unit}, not “{value}”.',
-  startPosture: 'Starts', startAuto: 'as the file begins', startRest: 'at rest', startFrame: 'from a frame', frame: 'Frame',
+  startPosture: 'Starts', startAuto: 'where the person stands', startRest: 'at rest', startFrame: 'from a frame', frame: 'Frame',
   openFile: 'Open a file …', understood: 'This character',
   doubts: 'Guessed', boneMap: 'Bones', bone: 'Bone', node: 'Node of the file', nothing: '—', apply: 'Apply',
   opening: 'Reading {name} …', dropHere: 'Drop a character’s file ({formats}) or a result',

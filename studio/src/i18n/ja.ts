@@ -72,7 +72,7 @@ export const ja: Record<Key, string> = {
   moves: '関節 {joints} か所が、合わせて {ways} 方向に動きます。',
   stature: '身長', mass: '体重', sex: '性別（筋力）', seated: '座っている', seat: '座面の高さ', heels: 'かかとを上げてよい',
   statureGuessed: 'ファイルから身長が分からないため、{stature} と推測しています。', badRange: '{what}は {low}～{high} {unit} です（入力: {value}）。',
-  startPosture: '開始姿勢', startAuto: 'ファイルの始めのまま', startRest: '静止姿勢', startFrame: 'フレームを選ぶ', frame: 'フレーム',
+  startPosture: '開始姿勢', startAuto: '最初に立つところ', startRest: '静止姿勢', startFrame: 'フレームを選ぶ', frame: 'フレーム',
   openFile: 'ファイルを開く…', understood: '読み取った内容',
   doubts: '推測した点', boneMap: 'ボーン', bone: 'ボーン', node: 'ファイルのノード', nothing: '—', apply: '適用',
   opening: '{name} を読んでいます…', dropHere: 'キャラクターのファイル（{formats}）または結果をドロップしてください',

@@ -3,7 +3,7 @@
 
 const kWords: Readonly<Record<string, string>> = {
   left: '左', right: '右', 'left ': '左', 'right ': '右', thigh: '大腿', shank: '下腿', 'upper arm': '上腕', forearm: '前腕', arm: '腕', leg: '脚',
-  metres: 'メートル', centimetres: 'センチメートル', millimetres: 'ミリメートル', inches: 'インチ', 'nothing follows': '何も続きません',
+  metres: 'メートル', decimetres: 'デシメートル', 'its heel': 'かかと', head: '頭', centimetres: 'センチメートル', millimetres: 'ミリメートル', inches: 'インチ', 'nothing follows': '何も続きません',
   effector: '動かす部位', key: 'キー', word: '語', bone: 'ボーン', format: '形式', axis: '軸', direction: '向き', contact: '立つ足', hand: '手', place: '場所',
   parameter: '値', 'posture parameter': '姿勢の値', value: '値', weight: '重み', task: 'タスク', missing: 'なし', nothing: '何もありません',
   'a comment': 'コメント', 'a CDATA section': 'CDATA 区間', 'the name of a file beside this one': 'このファイルと同じ場所にあるファイルの名前',

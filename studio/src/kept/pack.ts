@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Turns the document on the table into a work, and a work into the document again.
-import type { Character, CharacterSpec, Generated, Message, Summary } from '../../../bindings/wasm/src/types';
+import type { Character, CharacterSpec, Generated, Summary } from '../../../bindings/wasm/src/types';
 import { isBuiltIn } from '../state/formats';
 import type { Document, Edit } from '../state/model';
 import { checkedDocumentOf } from '../state/of_task';
@@ -47,6 +47,7 @@ export function workNow(studio: Studio, document: Document): Work | null {
     task: taskOf(studio.facts, document),
     ...(summary && { found: storedMotions(summary) }),
     ...(summary?.fewer_message !== undefined && { fewer: summary.fewer_message }),
+    ...(summary?.goal_note_messages !== undefined && { notes: summary.goal_note_messages }),
     ...(state.search && { searching: true }),
     chosen: document.chosen,
     compared: document.compared,
@@ -66,7 +67,7 @@ export async function openWork(studio: Studio, work: Work, files: readonly File[
   if (!own && !isMeasured(work)) return studio.store.set({ wanted: { work, character: null } });
   const character = own ?? (await studio.open(work.found!.task.character as CharacterSpec));
   const asked = await askedFor(studio, character, work);
-  const result = work.found ? await restored(studio, character, work.found, work.fewer) : null;
+  const result = work.found ? await restored(studio, character, work.found, work) : null;
   const edits: Record<number, Edit> = {};
   if (result) {
     for (const [index, edit] of Object.entries(work.edits)) edits[Number(index)] = await editOf(studio, character, edit, result, Number(index));
@@ -86,9 +87,12 @@ async function askedFor(studio: Studio, character: Character, { task, found }: W
   return checkedDocumentOf(studio, character, task).catch(() => checkedDocumentOf(studio, character, found.task));
 }
 
-async function restored(studio: Studio, character: Character, motions: StoredMotions, fewer?: Message): Promise<Generated> {
+async function restored(studio: Studio, character: Character, motions: StoredMotions, told: Pick<Work, 'fewer' | 'notes'> = {}): Promise<Generated> {
   const generated = await studio.restore(character, motions as unknown as Summary);
-  return fewer === undefined ? generated : { ...generated, summary: { ...generated.summary, fewer_message: fewer } };
+  const { fewer, notes } = told;
+  return { ...generated, summary: {
+    ...generated.summary, ...(fewer !== undefined && { fewer_message: fewer }), ...(notes !== undefined && { goal_note_messages: [...notes] }),
+  } };
 }
 
 async function editOf(studio: Studio, character: Character, { assignments, base }: StoredEdit, found: Generated, index: number): Promise<Edit> {

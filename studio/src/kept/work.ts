@@ -47,6 +47,7 @@ export interface Work {
   readonly task: Task; // as it is asked for now
   readonly found?: StoredMotions;
   readonly fewer?: Message; // why there are fewer motions than asked for
+  readonly notes?: readonly Message[]; // on its goals
   readonly searching?: boolean; // the task was being searched
   readonly chosen: number; // index of what was found
   readonly compared: number | null;
@@ -124,8 +125,9 @@ export function readWork(value: unknown): Work {
   need(Array.isArray(fieldsOf(work['task'], 'task')['goals']), 'task.goals', 'a list [ … ]');
   const found = work['found'] === undefined ? undefined : readMotions(work['found'], 'found');
   const count = found?.candidates.length ?? 0;
-  const { fewer, searching, chosen, compared } = work;
+  const { fewer, notes, searching, chosen, compared } = work;
   need(fewer === undefined || isMessage(fewer), 'fewer', 'a message');
+  need(notes === undefined || (Array.isArray(notes) && notes.every((note) => isMessage(note))), 'notes', 'messages');
   need(searching === undefined || typeof searching === 'boolean', 'searching', 'true or false');
   const isIndex = (index: unknown): boolean => Number.isInteger(index) && isNumber(index, 0, Math.max(count - 1, 0));
   need(isIndex(chosen), 'chosen', 'of a motion that was found');

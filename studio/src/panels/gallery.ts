@@ -60,8 +60,9 @@ export class Gallery implements Panel {
     const best = Math.min(...order.map((index) => scoreOf(candidateAt(document, index)!, document.weights)));
     order.forEach((index, place) => this.updateCard(document, index, place, highest, best));
     const why = result.summary.status !== 'unreachable' ? result.summary.fewer_message : undefined;
-    this.fewer.hidden = why === undefined;
-    this.fewer.textContent = why === undefined ? '' : engineText(why);
+    const notes = [...(result.summary.goal_note_messages ?? []), ...(why === undefined ? [] : [why])];
+    this.fewer.hidden = notes.length === 0;
+    this.fewer.textContent = notes.map(engineText).join(' ');
     const elements = order.map((index) => this.cards.get(index)!.element);
     // only where the order has changed, so that the focus stays
     if (elements.some((element, i) => this.list.children[i] !== element)) fill(this.list, ...elements);

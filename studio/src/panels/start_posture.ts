@@ -13,7 +13,7 @@ const kRate = 60; // Hz, of a glTF file's frames
 /** What can be chosen, each with what it makes of the spec. */
 type Choice = readonly [text: string, asked: Pick<CharacterSpec, 'animation' | 'frame'>];
 
-/** Of glTF the rest pose and each animation; of BVH as the file begins, at rest, or a frame. */
+/** Of glTF the rest pose and each animation; of BVH where the person first stands, at rest, or a frame. */
 function choicesOf(animations: readonly string[]): Choice[] {
   if (animations.length === 0) return [[t('startAuto'), {}], [t('startRest'), { frame: 'rest' }], [t('startFrame'), { frame: 0 }]];
   const isOnly = (name: string): boolean => animations.filter((other) => other === name).length === 1;

@@ -25,6 +25,8 @@ export const robots: Readonly<Record<string, string>> = {
   soles_guessed: '足裏の形が分からないため、人と同じ長さと幅としました。',
   foot_in_air: 'すべての角度が 0 の姿勢で片足が浮いているため、その足に荷重はかかりません。',
   arm_ends: '腕がリンク「{0}」で終わるため、手はその {1} m 先（{2}）としました。',
+  limb_ends: 'リンク「{0}」の先がないため、手足はその {1} m 先（{2}）で終わるとしました。',
+  as_a_persons_would: '人の体の割合の位置',
   twice_its_centre: '重心までの 2 倍の距離',
   where_shapes_end: '形状の端',
   ankles_added: '脚に足首がないため、膝と同じ軸の関節（「{0}」など）を加えました。',

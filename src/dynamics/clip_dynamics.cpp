@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "layers/clip_dynamics.hpp"
+#include "dynamics/clip_dynamics.hpp"
 
 #include <utility>
 
@@ -41,6 +41,14 @@ Motion ClipDynamics::completed(Clip clip, std::vector<RestingHand> resting) {
   motion.clip = std::move(clip);
   motion.resting = std::move(resting);
   return motion;
+}
+
+Motion held_start(const BodyModel& body) {
+  Clip clip;
+  clip.dofs = body.dof_count();
+  clip.frames = 1;
+  clip.angles.assign(body.start().begin(), body.start().end());
+  return ClipDynamics(body).completed(std::move(clip));
 }
 
 }  // namespace shigusa

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "layers/clip_dynamics.hpp"
+#include "dynamics/clip_dynamics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +48,23 @@ TEST_F(LowReach, InAnotherDurationWhatMovingTakesGoesByTheSquareOfTheTime) {
     most = max(most, abs(moving));
   }
   EXPECT_GT(most, 1.0);
+}
+
+// Of a body that stands on both feet and does not move, the floor bears the weight alone.
+TEST(HeldStart, HasTheTorquesOfAMotionThatDoesNotMove) {
+  const BodyModel body = full_body();
+  Clip still;
+  still.dofs = body.dof_count();
+  still.frames = 3;
+  for (int k = 0; k < still.frames; ++k) {
+    still.angles.insert(still.angles.end(), body.start().begin(), body.start().end());
+  }
+  const Motion whole = ClipDynamics(body).completed(still);
+  const Motion held = held_start(body);
+  ASSERT_EQ(held.torques.size(), static_cast<std::size_t>(body.dof_count()));
+  for (std::size_t d = 0; d < held.torques.size(); ++d) {
+    EXPECT_EQ(held.torques[d], whole.torques[held.torques.size() + d]);
+  }
 }
 
 }  // namespace

@@ -24,4 +24,7 @@ class ClipDynamics {
   std::vector<double> accelerations_;
 };
 
+// The body's start posture, held still: one frame.
+[[nodiscard]] Motion held_start(const BodyModel& body);
+
 }  // namespace shigusa

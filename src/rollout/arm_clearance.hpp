@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/index.hpp"
+#include "kinematics/penetration.hpp"
+
+namespace shigusa {
+
+// How near (m) an arm that hangs comes to trunk and legs before it goes aside.
+inline constexpr double kArmKeepsOff = 0.01;
+// Abduction takes an arm out of the way where it moves it off by this (m/rad) at the least.
+inline constexpr double kArmGoesAside = 0.05;
+
+// The room that an arm without a goal has beside the body: by how far it must be abducted at the
+// least to keep off it. A pair that is nearer as the body starts may stay as near.
+template <class S>
+class ArmClearance {
+ public:
+  // `abduction`: the shoulder's freedom of that.
+  ArmClearance(const BodyModel& body, const Effector& hand, int abduction) : abduction_(abduction) {
+    const Kinematics<double> start = start_kinematics(body);
+    for (const CapsulePair& pair : limb_pairs(body, hand)) {
+      const Capsule& limb = body.capsules()[index(pair.limb)];
+      const Capsule& part = body.capsules()[index(pair.part)];
+      // which no arm that hangs comes near
+      if (part.name == "neck" || part.name == "head" || part.name == "jaw") continue;
+      const double depth = deepest_of(body, start, {&pair, 1}).depth;
+      pairs_.push_back({add(limb), add(part),
+                        static_cast<T>(limb.radius + part.radius - max(depth, -kArmKeepsOff)),
+                        static_cast<T>(taper_of(limb)), static_cast<T>(taper_of(part))});
+    }
+    placed_.resize(capsules_.size());
+  }
+
+  // rad, of the placement `now`; less than 0: by so much it may be lowered.
+  [[nodiscard]] S aside(const Kinematics<S>& now) {
+    for (std::size_t c = 0; c < capsules_.size(); ++c) {
+      place_capsule(capsules_[c].link, capsules_[c].from, capsules_[c].to, now, placed_[c]);
+    }
+    S most(-kFar);
+    for (const Pair& pair : pairs_) {
+      const PlacedCapsule<S>& limb = placed_[pair.limb];
+      const PlacedCapsule<S>& part = placed_[pair.part];
+      const NearestPlaces<S> nearest = nearest_places(limb, part);
+      const S distance = sqrt(max(dot(nearest.apart, nearest.apart), S(kPoint)));
+      const Vec3<S> at = limb.from + (limb.to - limb.from) * nearest.along_a;
+      const S off = dot(nearest.apart, position_column(now, abduction_, at)) / distance;
+      const S in = S(pair.radii) + nearest.along_a * S(pair.taper_limb) +
+                   nearest.along_b * S(pair.taper_part) - distance;
+      const auto helps = off > S(kArmGoesAside);
+      most = max(most, select(helps, in / max(off, S(kArmGoesAside)), S(-kFar)));
+    }
+    return most;
+  }
+
+ private:
+  using T = Element<S>;
+  static constexpr double kFar = 1.0;      // rad, where no pair is in the way
+  static constexpr double kPoint = 1e-12;  // m²
+  struct Line {
+    int link = 0;
+    Vec3<T> from{};  // m, link frame
+    Vec3<T> to{};
+  };
+  struct Pair {
+    std::size_t limb = 0;  // in `capsules_`
+    std::size_t part = 0;
+    T radii{};  // m, at their first ends, less what they may be in each other
+    T taper_limb{};
+    T taper_part{};
+  };
+
+  std::size_t add(const Capsule& capsule) {
+    const Line line{capsule.link, to_scalar<T>(capsule.from), to_scalar<T>(capsule.to)};
+    const auto known = std::find_if(capsules_.begin(), capsules_.end(), [&](const Line& other) {
+      return other.link == line.link && other.from == line.from && other.to == line.to;
+    });
+    if (known != capsules_.end()) return static_cast<std::size_t>(known - capsules_.begin());
+    capsules_.push_back(line);
+    return capsules_.size() - 1;
+  }
+
+  int abduction_;
+  std::vector<Line> capsules_;
+  std::vector<Pair> pairs_;
+  std::vector<PlacedCapsule<S>> placed_;
+};
+
+}  // namespace shigusa

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <shigusa/task.hpp>
+#include <string_view>
+
+#include "body/capsules.hpp"
+#include "core/say.hpp"
+#include "kinematics/forward_kinematics.hpp"
+
+namespace shigusa {
+namespace {
+
+// A place this deep (m) in a part is in it, and not at its skin.
+constexpr double kInside = 0.01;
+
+// Parts that a goal may be in by oversight: they stand out of the body, and big heads into the way.
+constexpr std::string_view kParts[] = {"head", "jaw", "left_foot", "right_foot"};
+
+// The part that a place is in, "" where it is in none.
+std::string part_at(const BodyModel& body, const Kinematics<double>& start, const Vec3d& place) {
+  const Capsule point{.name = {}, .from = place, .to = place, .radius = 0.0};
+  for (Capsule capsule : body.capsules()) {
+    if (std::find(std::begin(kParts), std::end(kParts), capsule.name) == std::end(kParts)) continue;
+    capsule.from = start.point(capsule.link, capsule.from);
+    capsule.to = start.point(capsule.link, capsule.to);
+    if (capsule_depth(point, capsule) > kInside)
+      return capsule.name == "jaw" ? "head" : capsule.name;
+  }
+  return {};
+}
+
+// Half the least thickness (m) of a hand.
+double thickness_of(const BodyModel& body, const Effector& hand) {
+  double least = 0.0;
+  for (const Capsule& capsule : body.capsules()) {
+    if (capsule.link == hand.link) least = max(least, min(capsule.radius, capsule.to_radius));
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<Message> goal_notes(const Task& task) {
+  const BodyModel& body = task.body;
+  const Kinematics<double> start = start_kinematics(body);
+  std::vector<Message> notes;
+  for (const Goal& goal : task.goals) {
+    const auto index = body.find_effector(goal.effector);
+    if (!index || body.effector(*index).part.limb != LimbKind::arm) continue;
+    const double height = goal.position.y;
+    const double thick = thickness_of(body, body.effector(*index));
+    if (height < 0.0) {
+      notes.push_back(say("goal_below_floor", goal.effector, Metres{-height}));
+    } else if (height < thick) {
+      notes.push_back(say("goal_in_floor", goal.effector, Metres{height},
+                          Millimetres{std::round(1e3 * thick)}));
+    }
+    const std::string part = part_at(body, start, goal.position);
+    if (!part.empty()) notes.push_back(say("goal_in_part", goal.effector, part));
+  }
+  return notes;
+}
+
+}  // namespace shigusa

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "rollout/arm_clearance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "rollout/rollout.hpp"
+#include "simd/pack.hpp"
+#include "support/problems.hpp"
+
+namespace shigusa {
+namespace {
+
+using namespace testing_support;
+
+// The human whose parts of that name end at another radius (m).
+BodyModel with_part(const std::string& name, double radius, double to_radius) {
+  BodyDefinition body = human_body().definition();
+  for (Capsule& capsule : body.capsules) {
+    if (capsule.name != name) continue;
+    capsule.radius = radius;
+    capsule.to_radius = to_radius;
+  }
+  return BodyModel(body);
+}
+
+Clip reached(const BodyModel& body, const Vec3d& goal) {
+  ReachProblem problem = reach_with(body, "right_hand", goal);
+  problem.hold_limits = problem.posture_law = true;
+  problem.gaze = goal;
+  return roll_out(problem, uniform_parameters(body)).motion.clip;
+}
+
+const Effector& left_hand(const BodyModel& body) {
+  return body.effector(body.find_effector("left_hand").value());
+}
+
+// The most (m) by which the left arm is deeper in the body than as it starts, at any frame.
+double deepest_left(const BodyModel& body, const Clip& clip) {
+  const auto pairs = allowed_as_at_start(body, limb_pairs(body, left_hand(body)));
+  double most = -1.0;
+  for (int f = 0; f < clip.frames; ++f) {
+    most = std::max(most, deepest_of(body, placed(body, clip.frame(f)), pairs).depth);
+  }
+  return most;
+}
+
+TEST(ArmClearance, AFreeArmGoesAsideOfThighsAndTrunk) {
+  const BodyModel body = human_body();
+  // it would be 13 cm in
+  EXPECT_LT(deepest_left(body, reached(body, {-0.6, 0.2, -0.1})), 0.0);
+}
+
+TEST(ArmClearance, AnArmThatIsClearMovesAsIfNothingWereThere) {
+  const BodyModel body = human_body();
+  BodyDefinition bare = body.definition();
+  bare.capsules.clear();
+  const Vec3d goal{-0.3, 1.3, 0.4};
+  const Clip clip = reached(body, goal);
+  ASSERT_LT(deepest_left(body, clip), -kArmKeepsOff);
+  EXPECT_EQ(clip.angles, reached(BodyModel(bare), goal).angles);
+}
+
+// The body with its left arm abducted by an angle (rad) from where it starts.
+Kinematics<double> abducted(const BodyModel& body, double angle) {
+  std::vector<double> angles(body.start().begin(), body.start().end());
+  angles[static_cast<std::size_t>(body.find_dof("left_shoulder.abduction").value())] += angle;
+  return placed(body, angles);
+}
+
+// The least angle (rad) that the arm has to go aside from there.
+double aside(const BodyModel& body, double angle) {
+  const int abduction = body.find_dof("left_shoulder.abduction").value();
+  return ArmClearance<double>(body, left_hand(body), abduction).aside(abducted(body, angle));
+}
+
+TEST(ArmClearance, WhatIsNearAsTheBodyStartsMayStayAsNear) {
+  // some 4 cm within each other
+  const BodyModel body = with_part("left_thigh", 0.2, 0.2);
+  EXPECT_NEAR(aside(body, 0.0), 0.0, 1e-9);
+  EXPECT_LT(aside(body, 0.1), -0.05);
+}
+
+TEST(ArmClearance, TellsHowFarTheArmMustGoAside) {
+  // beside a cone
+  const BodyModel body = with_part("left_thigh", 0.02, 0.16);
+  const auto depth_at = [&](double angle) {
+    return limb_penetration(body, abducted(body, angle), left_hand(body)).depth;
+  };
+  ASSERT_LT(depth_at(0.0), -kArmKeepsOff);
+  double angle = -0.3;
+  EXPECT_GT(depth_at(angle), 0.0);
+  for (int step = 0; step < 8; ++step) angle += aside(body, angle);
+  EXPECT_NEAR(depth_at(angle), -kArmKeepsOff, 1e-4);
+}
+
+TEST(ArmClearance, EachLaneIsAsItIsAlone) {
+  using Lane = Pack<float, 1>;
+  using Lanes = Pack<float, 4>;
+  const BodyModel body = human_body();
+  const int abduction = body.find_dof("left_shoulder.abduction").value();
+  ArmClearance<Lanes> together(body, left_hand(body), abduction);
+  ArmClearance<Lane> alone(body, left_hand(body), abduction);
+  Kinematics<Lanes> lanes(body);
+  Kinematics<Lane> one(body);
+  Random random(1);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<Lanes> angles;
+    for (int d = 0; d < body.dof_count(); ++d) {
+      const Dof& dof = body.dof(d);
+      Lanes& angle = angles.emplace_back();
+      for (int lane = 0; lane < 4; ++lane) {
+        angle.set(lane, static_cast<float>(random.uniform(dof.lower, dof.upper)));
+      }
+    }
+    forward_kinematics<Lanes>(body, angles, lanes);
+    const Lanes found = together.aside(lanes);
+    for (int lane = 0; lane < 4; ++lane) {
+      std::vector<Lane> own;
+      for (const Lanes& angle : angles) own.emplace_back(angle[lane]);
+      forward_kinematics<Lane>(body, own, one);
+      EXPECT_EQ(found[lane], alone.aside(one)[0]) << round << ' ' << lane;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shigusa
