@@ -149,9 +149,8 @@ inline constexpr FieldTable kFields<CharacterSpec>{
             "Of a person from a file: the frame that is the start posture, from 0, of glTF of an "
             "animation; or rest, the file's rest pose, from which the person stands at ease. When "
             "not given, of BVH and of an animation the first in which the person stands still on "
-            "both feet, else the rest pose; of glTF without an animation the rest pose. Of BVH "
-            "that "
-            "begins with a T- or an A-pose that one, at ease.",
+            "both feet, else the rest pose; of glTF without an animation the rest pose; of BVH "
+            "that begins with a T- or an A-pose that one, at ease.",
             {.high = kFrameMax, .word = {kRestPose, "rest"}, .of = may_be_a_persons_file}},
         Field{"animation",
               &CharacterSpec::animation,

@@ -43,7 +43,8 @@ BodyDefinition checked(BodyDefinition body) {
     SHG_CHECK(effector.limb_root >= 0 && effector.limb_root < count, effector.name);
   }
   for (const Capsule& capsule : body.capsules) {
-    SHG_CHECK(is_link(capsule.link) && capsule.radius > 0.0, capsule.name);
+    SHG_CHECK(is_link(capsule.link) && capsule.radius > 0.0 && capsule.to_radius > 0.0,
+              capsule.name);
   }
   for (const Foot& foot : body.feet) {
     SHG_CHECK(is_link(foot.link), foot.name);

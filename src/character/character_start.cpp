@@ -55,7 +55,7 @@ FilePose pose_at(const CharacterFile& file, int frame) {
   return {{local, local + file.skeleton.nodes.size()}, file.posed};
 }
 
-// Fits the shapes of hands whose fingers are laid in a relaxed grip.
+// Fits the shapes of hands that have one anew, with the fingers laid in a relaxed grip.
 void fit_hands(const CharacterFile& file, const std::vector<Transformd>& world,
                const HumanoidMap& map, std::span<const SkinVertex> skin, MeasuredPerson& person) {
   const std::vector<FingerBone> fingers =
@@ -64,7 +64,8 @@ void fit_hands(const CharacterFile& file, const std::vector<Transformd>& world,
   const std::vector<SkinVertex> hands = relaxed_hands(file.skeleton, world, map, fingers, skin);
   const PartShapes fitted = fitted_hands(file.skeleton, world, hands, map, person);
   for (const BodyPart hand : {BodyPart::left_hand, BodyPart::right_hand}) {
-    if (fitted[hand]) person.landmarks.parts[hand] = fitted[hand];
+    std::optional<PartShape>& shape = person.landmarks.parts[hand];
+    if (shape && fitted[hand]) shape = fitted[hand];
   }
 }
 

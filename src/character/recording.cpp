@@ -8,9 +8,9 @@
 #include "math/axes.hpp"
 #include "person/at_ease.hpp"
 #include "person/landmark_points.hpp"
-#include "person/person_measurer.hpp"
 #include "person/segment_mass.hpp"
 #include "person/stance.hpp"
+#include "person/trunk_and_legs.hpp"
 
 namespace shigusa {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "character_file.hpp"
-#include "person/person_measurer.hpp"
+#include "person/measure_person.hpp"
 
 namespace shigusa {
 

@@ -156,12 +156,15 @@ double miss_of(const Candidate& candidate) {
 
 ReachStatus status_of(bool met, std::span<const Candidate> candidates) {
   if (!met) return ReachStatus::unreachable;
-  const bool none =
-      std::all_of(candidates.begin(), candidates.end(), [](const Candidate& candidate) {
-        return candidate.judgement.verdict == Verdict::impossible;
-      });
-  return none ? ReachStatus::unsteady : ReachStatus::reached;
+  const bool some = std::any_of(candidates.begin(), candidates.end(), could_be_made);
+  return some ? ReachStatus::reached : ReachStatus::unsteady;
 }
+
+bool could_be_made(const Candidate& candidate) {
+  return candidate.judgement.verdict != Verdict::impossible;
+}
+
+int shown_least(const Task& task) { return std::min(kShownLeast, task.candidates); }
 
 bool collides(const Candidate& candidate) {
   return candidate.measures.collides.depth > kCollisionDepth;
@@ -169,8 +172,7 @@ bool collides(const Candidate& candidate) {
 
 bool RanksBefore::operator()(const Candidate& a, const Candidate& b) const {
   const auto key = [this](const Candidate& c) {
-    return std::tuple(c.judgement.verdict == Verdict::impossible, asks_free && collides(c),
-                      ranking(c.score));
+    return std::tuple(!could_be_made(c), asks_free && collides(c), ranking(c.score));
   };
   return key(a) < key(b);
 }

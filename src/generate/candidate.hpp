@@ -18,6 +18,13 @@ namespace shigusa {
 // The status of a search, by whether its candidates meet their goals (`met`) and are possible.
 [[nodiscard]] ReachStatus status_of(bool met, std::span<const Candidate> candidates);
 
+// Whether somebody could make a candidate, and be it by straining.
+[[nodiscard]] bool could_be_made(const Candidate& candidate);
+
+// The number of motions that people see whatever they score: kShownLeast, or as many as are asked
+// for.
+[[nodiscard]] int shown_least(const Task& task);
+
 // Whether a candidate passes through the body, an obstacle or the floor by what counts.
 [[nodiscard]] bool collides(const Candidate& candidate);
 

@@ -65,10 +65,6 @@ struct Replayed {
   bool copy = false;
 };
 
-bool could_be_made(const Candidate& candidate) {
-  return candidate.judgement.verdict != Verdict::impossible;
-}
-
 class Delivery {
  public:
   Delivery(const Task& task, Planner& planner, std::size_t approach, const Selection& selection,
@@ -137,7 +133,7 @@ class Delivery {
           static_cast<int>(std::count_if(all().begin(), all().end(), [this](const Candidate& c) {
             return is_free(c) && could_be_made(c);
           }));
-      if (shown >= std::min(kShownLeast, task_.candidates) || tries >= kWorseTries) return;
+      if (shown >= shown_least(task_) || tries >= kWorseTries) return;
       if (spare.score <= selection_.picked.front().score + kCandidateSpread) continue;
       if (has_like(spare, kDistinctEnd)) continue;
       ++tries;
@@ -260,14 +256,14 @@ class Delivery {
 
 // Where a motion passes through nothing, those that do are left out, but for what people would see
 // too few without; else those that are deeper in than the least.
-void drop_collisions(std::size_t shown, GenerateResult& generation) {
+void drop_collisions(int shown, GenerateResult& generation) {
   std::vector<Candidate>& all = generation.candidates;
   if (all.empty()) return;
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& c : all) least = min(least, c.measures.collides.depth);
   const bool some_free = least <= kCollisionDepth;
   const double most = some_free ? kCollisionDepth : least + kCollisionDepth;
-  std::size_t kept = 0;  // the best first
+  int kept = 0;  // the best first
   generation.collided = static_cast<int>(std::erase_if(all, [&](const Candidate& c) {
     if (c.measures.collides.depth <= most || (some_free && could_be_made(c) && kept < shown)) {
       ++kept;
@@ -289,7 +285,7 @@ void keep_within_limits(GenerateResult& generation) {
 // the only one of its style.
 void keep_most(std::size_t most, std::vector<Candidate>& all) {
   while (all.size() > most) {
-    if (all.back().judgement.verdict == Verdict::impossible) {
+    if (!could_be_made(all.back())) {
       all.pop_back();
       continue;
     }
@@ -313,9 +309,8 @@ bool minds_jolts(const Task& task) {
 void drop_jolts(GenerateResult& generation) {
   std::vector<Candidate>& all = generation.candidates;
   const auto jolts = [](const Candidate& c) { return c.measures.sudden.jolts(); };
-  const bool some = std::any_of(all.begin(), all.end(), [&](const Candidate& c) {
-    return !jolts(c) && c.judgement.verdict != Verdict::impossible;
-  });
+  const bool some = std::any_of(all.begin(), all.end(),
+                                [&](const Candidate& c) { return !jolts(c) && could_be_made(c); });
   if (some) generation.jolting += static_cast<int>(std::erase_if(all, jolts));
 }
 
@@ -332,10 +327,8 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
   // on an earlier approach than they were searched on, motions may have other scores
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_of(task));
   if (traits_of(task.preset).natural) {
-    traits_of(task.preset).layers
-        ? keep_within_limits(generation)
-        : drop_collisions(static_cast<std::size_t>(std::min(kShownLeast, task.candidates)),
-                          generation);
+    traits_of(task.preset).layers ? keep_within_limits(generation)
+                                  : drop_collisions(shown_least(task), generation);
     if (minds_jolts(task)) drop_jolts(generation);
   }
   selection.similar = count_similar(selection, generation.candidates, delivery.taken());

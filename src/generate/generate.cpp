@@ -309,16 +309,15 @@ void try_gentler(const PreparedTask& task, GenerateResult& found) {
 // how little the first scores.
 std::tuple<bool, int, double> choice_of(const Task& task, const GenerateResult& generation) {
   const auto could =
-      std::count_if(generation.candidates.begin(), generation.candidates.end(),
-                    [](const Candidate& c) { return c.judgement.verdict != Verdict::impossible; });
+      std::count_if(generation.candidates.begin(), generation.candidates.end(), could_be_made);
   const bool first = generation.candidates.front().judgement.verdict == Verdict::possible;
-  return {first, std::min({static_cast<int>(could), kShownLeast, task.candidates}),
+  return {first, std::min(static_cast<int>(could), shown_least(task)),
           -generation.candidates.front().score.total};
 }
 
 bool lacks_choice(const Task& task, const GenerateResult& generation) {
   const auto [first, could, score] = choice_of(task, generation);
-  return !first || could < std::min(kShownLeast, task.candidates);
+  return !first || could < shown_least(task);
 }
 
 // Where nothing that was found is possible, or there is no choice, this many times as many motions

@@ -116,9 +116,11 @@ std::optional<Vec3d> start_place(const BodyModel& body, int effector, const Vec3
   if (hand.part.limb != LimbKind::arm || !hand.part.side) return std::nullopt;
   const Kinematics<double> start = start_kinematics(body);
   const Vec3d shoulder = start.origin[index(hand.limb_root)];
-  const double arm = kTableArm / arm_length(body, hand, start);
-  Vec3d place = (goal - shoulder) * arm;
-  if (place.y < 0.0) place.y = (goal.y / shoulder.y - 1.0) * kTableShoulder;
+  const double arm = arm_length(body, hand, start);
+  if (arm <= 0.0) return std::nullopt;
+  Vec3d place = (goal - shoulder) * (kTableArm / arm);
+  // down to the floor it is as far as the shoulder is high, of who has that below the arm
+  if (place.y < 0.0 && shoulder.y > arm) place.y = (goal.y / shoulder.y - 1.0) * kTableShoulder;
   if (hand.part.side == Side::left) place.x = -place.x;
   return place;
 }

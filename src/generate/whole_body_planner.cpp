@@ -95,14 +95,21 @@ class WholeBodyPlanner : public Planner {
   WholeBodyPlanner(const Task& task, ReachProblem problem)
       : task_(task),
         plan_(whole_body_plan(task.body, task.supports)),
-        problem_(std::move(problem)),
-        reach_(closest_reach(problem_)),
-        usual_approaches_(usual_approaches(task_, problem_, reach_)),
-        approaches_(usual_approaches_) {}
+        problem_(std::move(problem)) {
+    ClosestReach reach = closest_reach(problem_);
+    in_reach_ = reach.reached();
+    if (!in_reach_ && traits_of(task.preset).natural) {
+      // people stop before a hand is in their own body
+      problem_ = clear_goals(problem_, reach);
+      reach = closest_reach(problem_);
+    }
+    usual_approaches_ = usual_approaches(task_, problem_, reach);
+    approaches_ = usual_approaches_;
+  }
 
   [[nodiscard]] std::span<const Layer> plan() const override { return plan_; }
   [[nodiscard]] double duration() const override { return problem_.duration; }
-  [[nodiscard]] bool in_reach() const override { return reach_.reached(); }
+  [[nodiscard]] bool in_reach() const override { return in_reach_; }
   [[nodiscard]] Result<void> check_search() const override { return check_values(task_, problem_); }
   [[nodiscard]] std::size_t approaches() const override { return approaches_.size(); }
 
@@ -168,7 +175,7 @@ class WholeBodyPlanner : public Planner {
   const Task& task_;
   Plan plan_;
   ReachProblem problem_;
-  ClosestReach reach_;
+  bool in_reach_ = false;
   std::vector<ReachProblem> usual_approaches_;
   std::vector<ReachProblem> approaches_;
   std::optional<ParameterSpace> space_;  // of the last search

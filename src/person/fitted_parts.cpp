@@ -17,6 +17,7 @@ using Bone = HumanoidBone;
 
 constexpr double kBehind = 0.5;         // share of vertices behind the trunk, where capes hang
 constexpr double kOutermost = 0.02;     // … of a head those left out at each side
+constexpr double kLopsided = 0.33;      // aside by this share of half its breadth, it is no head
 constexpr double kThickestTrunk = 0.9;  // a trunk's radius, as a share of hips to shoulders
 constexpr double kThicker = 1.3;        // a limb that has a shape of its own, than the other
 
@@ -47,7 +48,8 @@ class PartFitter {
     fit_limbs(BodyPart::left_forearm, arm_bones, 1);
     fit_hands();
     fit_trunk();
-    if (map_[Bone::head] >= 0) fit_head();
+    // a mesh that has no body's head, such as arrows at all bones, shows no body
+    if (map_[Bone::head] >= 0 && !fit_head()) return {};
     if (map_[Bone::neck] >= 0) fit_neck();
     return shapes_;
   }
@@ -212,10 +214,11 @@ class PartFitter {
     shapes_[part] = shape;
   }
 
-  void fit_head() {
+  // False where the head's vertices are those of no head.
+  bool fit_head() {
     const std::vector<Vec3d> points =
         flesh({Bone::head}, true, part_frame(BodyPart::head, person_, frames_));
-    if (points.size() < kFewestVertices) return;
+    if (points.size() < kFewestVertices) return true;
     const auto at = [&](int axis, double share) {
       std::vector<double> values;
       for (const Vec3d& p : points) values.push_back(p[axis]);
@@ -230,7 +233,8 @@ class PartFitter {
     const double top = dot(frames_.trunk.cy, person_.head_top - head_joint(person_));
     const double low = min(at(1, kOutermost), top);
     const double radius = min(min(half(0), half(2)), 0.5 * (top - low));
-    if (!(radius >= kThinnest)) return;
+    if (abs(middle(0)) > kLopsided * half(0)) return false;
+    if (!(radius >= kThinnest)) return true;
     const Vec3d centre{middle(0), top - radius, middle(2)};
     // along the longer of breadth and depth, two side by side where it is flat
     const Vec3d broad{max(half(0) - radius, 0.0), 0.0, 0.0};
@@ -245,6 +249,7 @@ class PartFitter {
     Vec3d down = face;
     down.y = min(low + chin, face.y);
     shapes_[BodyPart::jaw] = {face, down, chin};
+    return true;
   }
 
   void fit_neck() {

@@ -7,6 +7,7 @@
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "math/axes.hpp"
+#include "trunk_and_legs.hpp"
 
 namespace shigusa {
 namespace {
@@ -20,19 +21,6 @@ std::string axis_name(const Vec3d& axis) {
 }
 
 }  // namespace
-
-Vec3d TrunkAndLegs::common_axis() const {
-  constexpr double kAlong = 0.8;
-  const Vec3d axis = nearest_axis(legs);
-  const bool both = dot(axis, normalized(legs)) > kAlong && dot(axis, normalized(trunk)) > kAlong;
-  return both ? axis : Vec3d{};
-}
-
-Vec3d TrunkAndLegs::common_line() const {
-  constexpr double kStraight = 0.98;  // cosine of 11°
-  const Vec3d up = normalized(normalized(trunk) + normalized(legs));
-  return dot(normalized(trunk), normalized(legs)) > kStraight ? up : Vec3d{};
-}
 
 PersonMeasurer::PersonMeasurer(const Skeleton& skeleton, const std::vector<Transformd>& world,
                                const HumanoidMap& map, std::span<const SkinVertex> skin)
@@ -106,16 +94,6 @@ Vec3d PersonMeasurer::find_up() {
   }
   doubt("does_not_stand", axis_name(nearest_axis(rise)));
   return nearest_axis(rise);
-}
-
-TrunkAndLegs TrunkAndLegs::at_rest(const Skeleton& skeleton, const HumanoidMap& map) {
-  const std::vector<Vec3d> rest = rest_origins(skeleton);
-  const auto mid = [&](Bone a, Bone b) {
-    return (rest[index(map[a])] + rest[index(map[b])]) * 0.5;
-  };
-  const Vec3d hips = mid(Bone::left_upper_leg, Bone::right_upper_leg);
-  return {mid(Bone::left_upper_arm, Bone::right_upper_arm) - hips,
-          hips - mid(Bone::left_foot, Bone::right_foot)};
 }
 
 Result<void> PersonMeasurer::find_left() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/index.hpp"
 #include "person_measurer.hpp"
+#include "trunk_and_legs.hpp"
 
 namespace shigusa {
 namespace {

@@ -65,8 +65,8 @@ double head_share(const BodyModel& body) {
     if (capsule.name != "head") continue;
     for (const Vec3d& end : {capsule.from, capsule.to}) {
       const double at = dot(start.point(capsule.link, end), side);
-      least = min(least, at - capsule.radius);
-      most = max(most, at + capsule.radius);
+      least = min(least, at - thickest(capsule));
+      most = max(most, at + thickest(capsule));
     }
   }
   const double broader = (most - least) / max(norm(across), 1e-3);

@@ -8,6 +8,8 @@
 #include <shigusa/random.hpp>
 
 #include "dynamics/centre_of_mass.hpp"
+#include "kinematics/penetration.hpp"
+#include "rollout/detour.hpp"
 #include "rollout/limit_guard.hpp"
 #include "tiptoe.hpp"
 
@@ -280,6 +282,33 @@ ClosestReach closest_reach(const ReachProblem& problem, const ReachabilitySettin
   const bool as_near =
       best.reached() ? poised.reached() : poised.distance < best.distance + kNearEqual;
   return as_near ? poised : best;
+}
+
+ReachProblem clear_goals(const ReachProblem& problem, const ClosestReach& reach) {
+  const BodyModel& body = *problem.body;
+  std::vector<CapsulePair> pairs;
+  for (const ReachGoal& goal : problem.goals) {
+    const std::vector<CapsulePair> limb = limb_pairs(body, body.effector(goal.effector));
+    pairs.insert(pairs.end(), limb.begin(), limb.end());
+  }
+  pairs = allowed_as_at_start(body, std::move(pairs));
+  for (CapsulePair& pair : pairs) pair.allowed += give_of(body, pair);
+  const auto clear = [&](const std::vector<double>& angles) {
+    Kinematics<double> kinematics(body);
+    forward_kinematics<double>(body, angles, kinematics);
+    return deepest_of(body, kinematics, pairs).depth <= kDetourDepth;
+  };
+  if (clear(reach.angles)) return problem;
+  ReachProblem nearer = problem;
+  for (int tenths = 9; tenths > 0; --tenths) {
+    for (std::size_t g = 0; g < problem.goals.size(); ++g) {
+      const EffectorPath& path = problem.goals[g].path;
+      nearer.goals[g].path.goal = path.start + (path.goal - path.start) * (0.1 * tenths);
+      nearer.goals[g].tolerance = {};
+    }
+    if (clear(closest_reach(nearer).angles)) return nearer;
+  }
+  return problem;
 }
 
 }  // namespace shigusa

@@ -37,4 +37,10 @@ struct ClosestReach {
 [[nodiscard]] ClosestReach closest_reach(const ReachProblem& problem,
                                          const ReachabilitySettings& settings = {});
 
+// The problem with goals on the lines from where the effectors start to its own, of which the
+// nearest posture, `reach`, has a limb in the rest of the body, deeper than flesh yields, than at
+// the start and than kDetourDepth: as far along, by tenths, as that limb is clear. The same problem
+// where the posture is clear, or none is.
+[[nodiscard]] ReachProblem clear_goals(const ReachProblem& problem, const ClosestReach& reach);
+
 }  // namespace shigusa

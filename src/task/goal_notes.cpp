@@ -7,6 +7,7 @@
 #include "body/capsules.hpp"
 #include "core/say.hpp"
 #include "kinematics/forward_kinematics.hpp"
+#include "task_supports.hpp"
 
 namespace shigusa {
 namespace {
@@ -30,15 +31,6 @@ std::string part_at(const BodyModel& body, const Kinematics<double>& start, cons
   return {};
 }
 
-// Half the least thickness (m) of a hand.
-double thickness_of(const BodyModel& body, const Effector& hand) {
-  double least = 0.0;
-  for (const Capsule& capsule : body.capsules()) {
-    if (capsule.link == hand.link) least = max(least, min(capsule.radius, capsule.to_radius));
-  }
-  return least;
-}
-
 }  // namespace
 
 std::vector<Message> goal_notes(const Task& task) {
@@ -49,12 +41,12 @@ std::vector<Message> goal_notes(const Task& task) {
     const auto index = body.find_effector(goal.effector);
     if (!index || body.effector(*index).part.limb != LimbKind::arm) continue;
     const double height = goal.position.y;
-    const double thick = thickness_of(body, body.effector(*index));
+    const double half = half_thickness(body, body.effector(*index));
     if (height < 0.0) {
       notes.push_back(say("goal_below_floor", goal.effector, Metres{-height}));
-    } else if (height < thick) {
-      notes.push_back(say("goal_in_floor", goal.effector, Metres{height},
-                          Millimetres{std::round(1e3 * thick)}));
+    } else if (height < half) {
+      notes.push_back(
+          say("goal_in_floor", goal.effector, Metres{height}, Millimetres{std::round(1e3 * half)}));
     }
     const std::string part = part_at(body, start, goal.position);
     if (!part.empty()) notes.push_back(say("goal_in_part", goal.effector, part));

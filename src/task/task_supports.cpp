@@ -7,6 +7,7 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
+#include "body/capsules.hpp"
 #include "core/say.hpp"
 #include "rollout/reachability.hpp"
 #include "rollout/rollout.hpp"
@@ -51,15 +52,6 @@ Result<void> check_free(const Task& task, const Support& support, int hand) {
   return {};
 }
 
-// Half the thickness (m) of what the hand's point is in.
-double half_thickness(const BodyModel& body, const Effector& hand) {
-  double radius = 0.0;
-  for (const Capsule& capsule : body.capsules()) {
-    if (capsule.link == hand.link) radius = capsule.radius;
-  }
-  return radius;
-}
-
 const Capsule* thigh_of(const BodyModel& body, const Effector& hand) {
   if (body.robot() || !hand.part.side) return nullptr;
   const std::string name = *hand.part.side == Side::left ? "left_thigh" : "right_thigh";
@@ -76,7 +68,8 @@ void put_on_thigh(const Capsule& thigh, double thickness, HandSupport& support) 
   const Vec3d ahead{0, 0, 1};
   support.carrier = thigh.link;
   support.normal = normalized(ahead - along * dot(along, ahead));
-  support.place = thigh.from + line * kAlongThigh + support.normal * (thigh.radius + thickness);
+  const double radius = thigh.radius + kAlongThigh * taper_of(thigh);
+  support.place = thigh.from + line * kAlongThigh + support.normal * (radius + thickness);
 }
 
 const Obstacle* obstacle_named(const Task& task, const std::string& name) {
@@ -186,6 +179,14 @@ void settle_arrival(ReachProblem& problem) {
 }
 
 }  // namespace
+
+double half_thickness(const BodyModel& body, const Effector& hand) {
+  double half = 0.0;
+  for (const Capsule& capsule : body.capsules()) {
+    if (capsule.link == hand.link) half = max(half, min(capsule.radius, capsule.to_radius));
+  }
+  return half;
+}
 
 Result<void> check_supports(const Request& request) {
   if (request.supports.empty()) return {};

@@ -9,6 +9,9 @@
 
 namespace shigusa {
 
+// Half the thickness (m) of a hand, at its thin end.
+[[nodiscard]] double half_thickness(const BodyModel& body, const Effector& hand);
+
 // Fails on supports that the request's preset or generator does not know.
 [[nodiscard]] Result<void> check_supports(const Request& request);
 

@@ -44,10 +44,6 @@ const std::vector<Found>& found() {
   return all;
 }
 
-bool could_be_made(const Candidate& candidate) {
-  return candidate.judgement.verdict != Verdict::impossible;
-}
-
 // Of a candidate that scores much worse than the first, and is not the best of a style.
 bool is_worse(const GenerateResult& result, const Candidate& candidate) {
   const auto style = [](const Candidate& c) { return style_of(c.final_posture.stoop_squat_index); };

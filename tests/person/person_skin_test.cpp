@@ -419,5 +419,20 @@ TEST(FittedParts, SkullAndJawCoverTheHead) {
   EXPECT_NEAR(skull.to.z + skull.radius, 0.01 + 0.098, 0.01);
 }
 
+// Arrows of axes at all bones, say.
+TEST(FittedParts, AMeshWithAHeadBesideItsBoneShowsNoBody) {
+  const StickFigure figure = without_head_tip();
+  const Vec3d head = figure.points[static_cast<std::size_t>(figure.find("Head"))].at;
+  for (const double aside : {0.01, 0.05}) {
+    Mesh mesh = shoes(figure, {});
+    add_limb(
+        figure, "LeftForeArm", "LeftHand", [](double) { return 0.04; }, mesh);
+    add_ball(figure.find("Head"), head + Vec3d{aside, 0.05, 0.01}, {0.076, 0.115, 0.098}, mesh);
+    const PartShapes& parts = measured(figure, mesh).landmarks.parts;
+    EXPECT_EQ(parts[BodyPart::head].has_value(), aside < 0.02);
+    EXPECT_EQ(parts[BodyPart::left_forearm].has_value(), aside < 0.02);
+  }
+}
+
 }  // namespace
 }  // namespace shigusa

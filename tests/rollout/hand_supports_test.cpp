@@ -61,6 +61,20 @@ TEST_F(OnTheThigh, AHandArrivesAndStays) {
   }
 }
 
+// The place, 0.65 along it, of a thigh whose knee is thicker by 0.1 m.
+TEST_F(OnTheThigh, AHandRestsOnTheSkinOfAThighThatTapers) {
+  BodyDefinition body = task.body.definition();
+  for (Capsule& capsule : body.capsules) {
+    if (capsule.name == "left_thigh") capsule.to_radius += 0.1;
+  }
+  Task tapered(BodyModel{body});
+  tapered.goals = task.goals;
+  tapered.supports = task.supports;
+  const HandSupport& support = problem.supports[0];
+  const Vec3d out = make_problem(tapered).value().supports[0].place - support.place;
+  EXPECT_NEAR(dot(out, support.normal), 0.065, 1e-9);
+}
+
 TEST_F(OnTheThigh, AHandMovesWithoutAJolt) {
   const Clip clip = roll_out(problem, bent(0.1)).motion.clip;
   std::vector<double> way;

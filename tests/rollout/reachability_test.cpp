@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/penetration.hpp"
+#include "rollout/detour.hpp"
 #include "support/problems.hpp"
 #include "support/reach_bounds.hpp"
 
@@ -127,6 +129,52 @@ TEST(ClosestReach, AtTheStartIsTheStartPosture) {
   const ClosestReach reach = closest(full(), here);
   EXPECT_TRUE(std::equal(reach.angles.begin(), reach.angles.end(), full().start().begin()));
   EXPECT_EQ(reach.distance, 0.0);
+}
+
+// The full body with a head as broad as its shoulders.
+BodyModel with_big_head() {
+  BodyDefinition body = full().definition();
+  for (Capsule& capsule : body.capsules) {
+    if (capsule.name == "head") capsule.radius = capsule.to_radius = 0.25;
+  }
+  return BodyModel{body};
+}
+
+double depth_at(const BodyModel& body, const std::vector<double>& angles) {
+  const Effector& hand = body.effector(body.find_effector("right_hand").value());
+  Kinematics<double> kinematics(body);
+  forward_kinematics<double>(body, angles, kinematics);
+  return deepest_of(body, kinematics, allowed_as_at_start(body, limb_pairs(body, hand))).depth;
+}
+
+TEST(ClearGoals, AreBeforeTheBody) {
+  const BodyModel body = with_big_head();
+  Random random(97);
+  int drawn_back = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const ReachProblem problem = reach_with(body, "right_hand", random_point(random));
+    const ClosestReach reach = closest_reach(problem);
+    if (reach.reached() || depth_at(body, reach.angles) < 0.02) continue;
+    const ReachProblem clear = clear_goals(problem, reach);
+    const EffectorPath& path = problem.goals[0].path;
+    if (clear.goals[0].path.goal == path.goal) continue;
+    ++drawn_back;
+    ASSERT_LE(depth_at(body, closest_reach(clear).angles), kDetourDepth);
+    const Vec3d way = path.goal - path.start;
+    const double share = dot(clear.goals[0].path.goal - path.start, way) / dot(way, way);
+    ASSERT_NEAR(norm(path.start + way * share - clear.goals[0].path.goal), 0.0, 1e-12);
+    ASSERT_GT(share, 0.05);
+    ASSERT_LT(share, 0.95);
+  }
+  EXPECT_GE(drawn_back, 5);
+}
+
+TEST(ClearGoals, AreTheSameWhereThePostureIsClear) {
+  for (const Vec3d& goal : {Vec3d{-0.2, 1.2, 0.4}, Vec3d{-1.5, 1.0, 1.0}}) {
+    const ReachProblem problem = reach_with(full(), "right_hand", goal);
+    const ReachProblem clear = clear_goals(problem, closest_reach(problem));
+    EXPECT_EQ(clear.goals[0].path.goal, goal);
+  }
 }
 
 }  // namespace

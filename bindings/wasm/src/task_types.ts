@@ -101,8 +101,8 @@ export interface CharacterSpec {
   extent?: 'half' | 'full' | 'human';
   /** Of a person from a file: the frame that is the start posture, from 0, of glTF of an animation; or rest, the
    * file's rest pose, from which the person stands at ease. When not given, of BVH and of an animation the first
-   * in which the person stands still on both feet, else the rest pose; of glTF without an animation the rest pose.
-   * Of BVH that begins with a T- or an A-pose that one, at ease. */
+   * in which the person stands still on both feet, else the rest pose; of glTF without an animation the rest pose;
+   * of BVH that begins with a T- or an A-pose that one, at ease. */
   frame?: number | 'rest';
   /** Of a glTF file: the name or the index of the animation that the frame is of, at 60 frames a second; the first
    * when not given. */
