@@ -135,6 +135,12 @@ void add_rare_file_options(CLI::App& c, FileOptions& o) {
             .full = "Leaves out the way of the hips along the floor in BVH, GLB and VRMA: for "
                     "games that move the character themselves.",
             .rare = true});
+  describe(c.add_flag("--only-this-clip", o.only_this_clip),
+           {.group = heading(OptionGroup::output),
+            .brief = "GLB without the animations that the file has",
+            .full = "Leaves the animations that the character's file has out of GLB; else they "
+                    "come after the new one.",
+            .rare = true});
 }
 
 }  // namespace
@@ -239,6 +245,7 @@ Result<ExportSettings> export_settings(const FileOptions& options, const Charact
   usual.rate = options.fps.value_or(usual.rate);
   usual.clip = options.clip;
   usual.in_place = options.in_place;
+  usual.only_this_clip = options.only_this_clip;
   if (options.joint_names) {
     SHG_TRY_ASSIGN(usual.names, placed("--joint-names",
                                        value_of<JointNames>(*options.joint_names, "joint names")));

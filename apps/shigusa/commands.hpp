@@ -48,6 +48,7 @@ struct FileOptions {
   std::string clip;
   std::optional<std::string> joint_names;
   bool in_place = false;
+  bool only_this_clip = false;
 };
 
 // The headings of commands in `shigusa --help`.

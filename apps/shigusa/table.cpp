@@ -287,12 +287,13 @@ std::string score_table(const BodyModel& body, const ClipScore& scored) {
 
 Result<int> deliver(const FinishedRun& run, const Delivery& delivery) {
   const auto& [folder, settings, json] = delivery;
-  SHG_TRY_ASSIGN(const std::string summary, write_result(folder, run, settings));
+  SHG_TRY_ASSIGN(const WrittenResult written, write_result(folder, run, settings));
+  for (const Message& each : written.notes) note("files", each.text);
   const Judgement start = fault_of_start(run);
   note_run(run, start);
   const GenerateResult& generation = run.generation;
   if (json) {
-    print_out("{}", summary);
+    print_out("{}", written.summary);
   } else {
     print_out("{}{}", headline(run), candidate_table(run.task.body, generation.candidates, start));
     const auto& formats = settings.formats;

@@ -77,7 +77,8 @@ struct BvhFormat {
   double unit = 0.01;  ///< m per unit written: centimetres, what animation tools expect of BVH
   /// Channels of the nodes as another file has them; empty: as described below. A node keeps its
   /// own where they can tell its motion: three different rotations, and three positions if it
-  /// moves. One that lacks positions keeps the order of its rotations.
+  /// moves; one that does not loses them. One that lacks positions keeps the order of its
+  /// rotations.
   BvhChannels channels{};
 };
 
@@ -86,8 +87,9 @@ struct BvhFormat {
 /// frame without jumps of 360°, through gimbal lock too. Numbers are written so that reading them
 /// back moves no origin of a human body by more than 1e-6 m.
 ///
-/// A root's OFFSET is written as 0, since tools differ in whether its channels count from there.
-/// Nodes come depth first, children in their order. Names keep their spaces; braces and control
+/// The OFFSET of a root and of a node that moves is written as 0, since tools differ in whether
+/// position channels count from there (three.js) or from the parent (Blender).
+/// Nodes come depth first, children in their order. Blanks within names, braces and control
 /// characters become '_', and names are made unique as parse_bvh does. Needs at least one frame.
 [[nodiscard]] std::string format_bvh(const SkeletonMotion& motion, const BvhFormat& format = {});
 

@@ -49,25 +49,34 @@ struct ExportSettings {
   std::string clip{};                  ///< as FileSettings::animation; empty: by the rank
   JointNames names = JointNames::own;  ///< as FileSettings::names
   bool in_place = false;               ///< as FileSettings::in_place
+  bool only_this_clip = false;         ///< as FileSettings::only_this_clip
+};
+
+/// A result that was written.
+struct WrittenResult {
+  std::string summary;         ///< the text of summary.json
+  std::vector<Message> notes;  ///< as ResultFiles::notes
 };
 
 /// Writes each candidate in each format ("candidate-1.bvh", …) and the result as summary.json into
 /// the folder, which must be there. Whatever ends the program, and however many write at once, the
 /// folder has no summary or one whose files are whole and its own: an older result there is
 /// replaced as one, with its files of ranks or formats that this one has not. Other files stay.
-/// Returns the text of summary.json.
+/// Returns the text of summary.json and the notes in it.
 ///
 /// A character whose file is at hand (CharacterSpec::rig) leaves on its own skeleton, in the world
 /// that goals are given in: BVH has the file's nodes, of a BVH also its channels and unit; GLB is
-/// the file with animations added ("shigusa candidate 1", …); VRMA is for any VRM character.
+/// the file with animations added ("shigusa candidate 1", …), before its own; VRMA is for any VRM
+/// character.
 ///
 /// BVH, GLB and VRMA are at the rate that is asked for: frame k is the motion at k / rate, and the
 /// last one, the first that is not before its end, is exactly its last. They are read back before
-/// they are written; where their nodes are not with the motion, this fails and writes nothing. CSV
-/// and figures have the frames of the motion itself.
-[[nodiscard]] Result<std::string> write_result(const std::filesystem::path& folder,
-                                               const FinishedRun& run,
-                                               const ExportSettings& settings);
+/// they are written: a file whose nodes are off the motion by more than 1 mm or 0.1° is left out,
+/// with a note, and one that is off by less, and by more than its digits explain, has a note. Fails
+/// where all files are left out. CSV and figures have the frames of the motion itself.
+[[nodiscard]] Result<WrittenResult> write_result(const std::filesystem::path& folder,
+                                                 const FinishedRun& run,
+                                                 const ExportSettings& settings);
 
 /// How one motion is written.
 struct FileSettings {
@@ -77,6 +86,8 @@ struct FileSettings {
   /// The hips keep their place along the floor in BVH, GLB and VRMA: games that move the character
   /// themselves want what it travels left out. Feet that stand slide then.
   bool in_place = false;
+  /// The animations that a character's file has are left out of its GLB.
+  bool only_this_clip = false;
 };
 
 /// A candidate's motion at a rate (Hz), as files of it have it: planted feet stay and the goals'
@@ -88,8 +99,8 @@ struct FileSettings {
 [[nodiscard]] std::vector<LocalTransform> node_motion(const CharacterSpec& character,
                                                       const Task& task, const Clip& clip);
 
-/// Parses {"fps": 24, "clip": "Reach", "joint_names": "mixamo", "in_place": true}; what is missing
-/// is as in `usual`.
+/// Parses {"fps": 24, "clip": "Reach", "joint_names": "mixamo", "in_place": true, "only_this_clip":
+/// true}; what is missing is as in `usual`.
 [[nodiscard]] Result<FileSettings> parse_file_settings(std::string_view text, std::string_view name,
                                                        FileSettings usual = {});
 

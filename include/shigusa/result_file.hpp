@@ -53,6 +53,7 @@ struct ReadBack {
   double effector = 0.0;  ///< m, of goals' nodes
   double feet = 0.0;      ///< m, of planted feet's nodes
   double turn = 0.0;      ///< rad, of planted feet, and of effectors whose goal says how they turn
+  Message off{};  ///< what is off by more than the format's digits explain; empty: nothing is
 };
 
 /// The task's file with the duration that its motions have, where they were slowed down.
@@ -72,6 +73,7 @@ struct ResultFiles {
   double rate = kUsualRate;                  ///< Hz, of BVH, GLB and VRMA
   std::vector<CandidateFiles> candidates{};  ///< one for each, or none where nothing is written
   std::string character{};  ///< the character's file, from the result's folder; empty: not known
+  std::vector<Message> notes{};  ///< files that could not be written, and those a little off
 };
 
 /// The result as JSON text, the object of summary.json; docs/result.schema.json is its schema. The

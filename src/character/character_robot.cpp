@@ -30,7 +30,9 @@ Result<ReadRobot> read_robot(Robot robot, const CharacterSpec& spec) {
   for (const Robot::Link& link : robot.links) links.push_back(link.name);
   SHG_TRY_ASSIGN(const HumanoidMap asked, requested_bones(spec.map, links, name));
   Result<HumanoidMap> map = find_humanoid(robot, asked);
-  const std::vector<int> lacking = map ? forearms_for_hands(robot, *map) : open_ends(robot);
+  const bool named = asked[HumanoidBone::left_hand] >= 0 || asked[HumanoidBone::right_hand] >= 0;
+  std::vector<int> lacking = map ? forearms_for_hands(robot, *map) : open_ends(robot);
+  if (map && named) lacking.clear();
   if (!lacking.empty()) {
     Robot ended = with_ends(robot, lacking);
     if (Result<HumanoidMap> longer = find_humanoid(ended, asked)) {

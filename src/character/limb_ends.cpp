@@ -90,7 +90,7 @@ std::optional<LongerSkeleton> lengthened(const GltfCharacter& file,
   const auto ends = mesh_ends(skeleton, world, skin);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (!ends[i]) continue;
-    skeleton.nodes.push_back({fmt::format("{} end", skeleton.nodes[i].name), static_cast<int>(i),
+    skeleton.nodes.push_back({fmt::format("{}_end", skeleton.nodes[i].name), static_cast<int>(i),
                               *ends[i] - world[i].translation});
     longer.world.push_back({Mat3d{}, *ends[i]});
     longer.joint.push_back(static_cast<int>(i));
@@ -152,8 +152,9 @@ std::optional<EndedFile> with_limb_ends(const std::string& bytes, const std::str
     ended.doubts.push_back(say("limb_ends_at", rest.skeleton.nodes[index(joint)].name, node->name));
     added.push_back(std::move(*node));
   }
+  if (added.empty()) return {};
   Result<std::string> longer_bytes = add_nodes(bytes, name, added);
-  if (added.empty() || !longer_bytes) return {};
+  if (!longer_bytes) return {};
   ended.bytes = std::move(*longer_bytes);
   return ended;
 }

@@ -171,7 +171,7 @@ Vec3d Recording::find_up() const {
   const Vec3d rests = TrunkAndLegs::at_rest(skeleton_, map_).common_axis();
   if (y_is_up_ && rests == Vec3d{0, 1, 0}) return rests;
   int frames = 0;
-  for (int frame = 0; frame < clip_.frames; frame += std::max(1, clip_.frames / kFramesForUp)) {
+  for (int frame = 0; frame < clip_.frames; frame += 1 + (clip_.frames - 1) / kFramesForUp) {
     if (!reads(frame)) continue;
     ++frames;
     const Landmarks person = in_file(frame);

@@ -48,10 +48,8 @@ class StartChooser {
 
   [[nodiscard]] Result<PersonStart> asked(int frame) const {
     SHG_TRY_ASSIGN(PersonStart found, poses_.in_frame(frame));
+    SHG_TRY(check_up(frame));
     const Landmarks seen = recording_.at(frame);
-    if (lies(seen, stature())) {
-      return fail(ErrorCode::invalid_argument, say("frame_lies", frame), spec_.source);
-    }
     const std::optional<double> seat = seat_below(seen, stature());
     std::vector<Message>& doubts = found.start.doubts;
     found.sits = spec_.seat && seat;
@@ -75,7 +73,10 @@ class StartChooser {
     Result<PersonStart> start = stand ? poses_.in_frame(*stand) : poses_.at_rest();
     const bool stands = stand || (start && stands_at_rest(start->person.landmarks, stature()));
     const int otherwise = stands ? first : first_stand(false).value_or(first);
-    if (!stands) start = poses_.in_frame(otherwise);
+    if (!stands) {
+      SHG_TRY(check_up(otherwise));
+      start = poses_.in_frame(otherwise);
+    }
     if (!start) return start;
     std::vector<Message>& doubts = start->start.doubts;
     if (!spec_.seat) {
@@ -93,6 +94,12 @@ class StartChooser {
   static constexpr double kSameSeat = 0.08;
 
   [[nodiscard]] double stature() const { return known_.person.stature; }
+
+  // Fails where the person lies.
+  [[nodiscard]] Result<void> check_up(int frame) const {
+    if (!lies(recording_.at(frame), stature())) return {};
+    return fail(ErrorCode::invalid_argument, say("frame_lies", frame), spec_.source);
+  }
 
   [[nodiscard]] std::optional<int> first_stand(bool still) const {
     return recording_.first_stand(still, [&](const Landmarks& person) {

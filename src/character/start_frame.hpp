@@ -22,8 +22,8 @@ struct FilePoses {
 // as it is, of one who stands or, with a seat, sits: a person who lies in it is refused, and of one
 // who could not hold still is told. Where none is asked for, the first frame in which the person
 // stands still on both feet; else the rest pose; where that does not stand either, the first in
-// which they stand and move, or `frame`. Of another start than frame 0 is told. `known`: the
-// person, measured in any of the poses.
+// which they stand and move, or `frame`. Without a seat another start than frame 0 is told.
+// `known`: the person, measured in any of the poses.
 [[nodiscard]] Result<PersonStart> choose_start(const CharacterFile& file, const CharacterSpec& spec,
                                                const PersonStart& known, int frame,
                                                const FilePoses& poses);

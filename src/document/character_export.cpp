@@ -10,6 +10,7 @@
 #include <shigusa/motion.hpp>
 
 #include "character/character_rig.hpp"
+#include "core/say.hpp"
 #include "in_place.hpp"
 #include "io/gltf_write.hpp"
 #include "person/measure_person.hpp"
@@ -85,8 +86,8 @@ class VrmSkeleton {
         above = character.skeleton.nodes[static_cast<std::size_t>(above)].parent;
       }
       const int parent = above < 0 ? -1 : ours[static_cast<std::size_t>(above)];
-      // a node that hangs on no bone but the hips' would be a second root
-      if (parent < 0 && !bones.empty()) continue;
+      // a VRM animation has one root
+      if (parent < 0 && !bones.empty()) beside = character.skeleton.nodes[i].name;
       ours[i] = static_cast<int>(bones.size());
       const Vec3d offset = above < 0 ? at[i] : at[i] - at[static_cast<std::size_t>(above)];
       bones.push_back({name, parent, facing_ahead(offset)});
@@ -112,6 +113,7 @@ class VrmSkeleton {
     for (Vec3d* v : {&p.left, &p.up, &p.ahead, &p.origin}) *v = facing_ahead(*v);
   }
 
+  std::string beside;  // a bone that hangs on none but is not the first; empty: none
   std::vector<VrmAnimation::Bone> bones;
   std::vector<GltfPlace> rest;  // (bones)
   Rig rig;                      // of these bones, as they are posed
@@ -177,7 +179,7 @@ std::string free_animation(const CharacterSpec& character, const std::string& pl
 RigMotion CharacterExporter::motion_of(const BodyModel& body, const Clip& clip,
                                        const Rig& rig) const {
   RigMotion motion = rig_motion(body, clip, rig, hands_);
-  if (in_place_) stay_in_place(rig, motion);
+  if (settings_.in_place) stay_in_place(rig, motion);
   return motion;
 }
 
@@ -204,12 +206,17 @@ GltfAnimation CharacterExporter::animation(const BodyModel& body, const Clip& cl
 }
 
 Result<std::string> CharacterExporter::glb(std::span<const GltfAnimation> animations) const {
-  return add_animations(*character_.bytes, character_.file.filename().string(), animations);
+  const OwnAnimations own =
+      settings_.only_this_clip ? OwnAnimations::left_out : OwnAnimations::kept;
+  return add_animations(*character_.bytes, character_.file.filename().string(), animations, own);
 }
 
 Result<std::string> CharacterExporter::vrma(const BodyModel& body, const Clip& clip,
                                             const std::string& name) const {
   VrmSkeleton skeleton(character_, hands_.fingers);
+  if (!skeleton.beside.empty()) {
+    return fail(ErrorCode::unsupported, say("vrma_one_root", skeleton.beside), "the format vrma");
+  }
   const RigMotion motion = motion_of(body, clip, skeleton.rig);
   GltfAnimation animation = animation_of(skeleton.rig, skeleton.rest, motion, name);
   // bones keep their lengths: of VRM's the hips alone move in their parent

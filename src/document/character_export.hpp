@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/character.hpp>
+#include <shigusa/export.hpp>
 #include <shigusa/motion.hpp>
 #include <shigusa/task.hpp>
 #include <span>
@@ -15,10 +16,9 @@ namespace shigusa {
 // Motions of a body on its character's own skeleton. Borrows the rig.
 class CharacterExporter {
  public:
-  // `in_place`: as FileSettings has it.
   explicit CharacterExporter(const CharacterRig& character, const HandPlay& hands = {},
-                             bool in_place = false)
-      : character_(character), hands_(hands), in_place_(in_place) {}
+                             const FileSettings& settings = {})
+      : character_(character), hands_(hands), settings_(settings) {}
 
   // With the nodes of the file; of a BVH also with its channels and in its unit, else in
   // centimetres.
@@ -29,7 +29,7 @@ class CharacterExporter {
   [[nodiscard]] GltfAnimation animation(const BodyModel& body, const Clip& clip,
                                         const std::string& name) const;
 
-  // The character's glTF file with animations added.
+  // The character's glTF file with animations added before its own, or in their place.
   [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const;
 
   // A VRM animation: the character's bones of VRM but for eyes and jaw, which stay, and fingers
@@ -42,7 +42,7 @@ class CharacterExporter {
 
   const CharacterRig& character_;
   HandPlay hands_;
-  bool in_place_;
+  FileSettings settings_;
 };
 
 // The play of hands that a task asks for: those that have goals open and close.

@@ -126,6 +126,7 @@ Result<FileSettings> parse_file_settings(std::string_view text, std::string_view
   reader.text("clip", settings.animation);
   reader.word("joint_names", settings.names);
   reader.truth("in_place", settings.in_place);
+  reader.truth("only_this_clip", settings.only_this_clip);
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   return settings;
 }

@@ -21,6 +21,10 @@ namespace {
 // Nodes that a motion leaves by less than this have no track of their own (see rig_motion).
 constexpr double kStill = 1e-6;  // m
 
+// Beyond these a file is wrong; less than that nobody sees.
+constexpr double kSeenLength = 1e-3;  // m
+constexpr double kSeenTurn = radians(0.1);
+
 // Three angles of six decimals of a degree; lengths of 1e-8 m.
 constexpr ReadBackDigits kBvhDigits{3.0 * 0.5e-6 * kPi / 180.0, kStill + 1e-8, 0.0};
 // Floats: of a unit quaternion four numbers are rounded by 2⁻²⁵ each, and turned about is twice
@@ -260,7 +264,9 @@ Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,
       most = max(most, off);
       const Allowance allowed = allowance(file, places, node);
       if (off > allowed.length) {
-        return wrong_by(file, mark, frame, say("off_the_motion", 1e3 * off, 1e3 * allowed.length));
+        const Message how = say("off_the_motion", 1e3 * off, 1e3 * allowed.length);
+        if (off > kSeenLength) return wrong_by(file, mark, frame, how);
+        back.off = say("off_a_little", mark.name, how, frame);
       }
       if (!mark.turns) continue;
       const auto turns =
@@ -271,8 +277,9 @@ Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,
       const double turned = norm(rotation_vector(of_file * transpose(of_body)));
       back.turn = max(back.turn, turned);
       if (turned > allowed.turn) {
-        return wrong_by(file, mark, frame,
-                        say("turned_against", degrees(turned), degrees(allowed.turn)));
+        const Message how = say("turned_against", degrees(turned), degrees(allowed.turn));
+        if (turned > kSeenTurn) return wrong_by(file, mark, frame, how);
+        back.off = say("off_a_little", mark.name, how, frame);
       }
     }
   }

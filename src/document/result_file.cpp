@@ -281,6 +281,7 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
     json["goal_notes"] = texts_to_json(notes);
     for (const Message& note : notes) json["goal_note_messages"].push_back(message_to_json(note));
   }
+  if (!files.notes.empty()) json["file_notes"] = texts_to_json(files.notes);
   json["search_detail"] = search_to_json(plan, generation);
   json["doubts"] = texts_to_json(task.body.doubts());
   json["task"] = task_to_json(played_task(file, generation));

@@ -26,7 +26,7 @@ std::string from_folder(const fs::path& character, const fs::path& folder) {
 }
 
 FileSettings file_settings(const ExportSettings& settings) {
-  return {settings.rate, settings.clip, settings.names, settings.in_place};
+  return {settings.rate, settings.clip, settings.names, settings.in_place, settings.only_this_clip};
 }
 
 // Makes the files of one format, those of some candidates side by side: as many at once as threads,
@@ -63,13 +63,36 @@ class FilesMade {
   std::vector<Result<MadeFile>> made_;
 };
 
+// Takes a file that was made; false, with a note, where the motion cannot leave so.
+template <class Made>
+Result<bool> take(Result<Made> file, Made& made, ResultFiles& files) {
+  if (file) {
+    made = std::move(*file);
+    return true;
+  }
+  if (file.error().code != ErrorCode::unsupported) return tl::unexpected(file.error());
+  Message why = file.error().to_message();
+  // of all candidates it is mostly the same
+  const bool told = !files.notes.empty() && files.notes.back().text == why.text;
+  if (!told) files.notes.push_back(std::move(why));
+  return false;
+}
+
+void note_off(const std::string& name, const std::optional<ReadBack>& back, ResultFiles& files) {
+  if (!back || back->off.empty()) return;
+  files.notes.push_back(Error{ErrorCode::unsupported, back->off, name}.to_message());
+}
+
 // Adds the files of one format to the folder, and notes them in `files`.
 Result<void> add_files(const FinishedRun& run, FileFormat format, const ExportSettings& settings,
                        ResultFolder& folder, ResultFiles& files) {
   FilesMade all(run, format, settings);
   for (std::size_t i = 0; i < run.generation.candidates.size(); ++i) {
-    SHG_TRY_ASSIGN(const MadeFile made, all.file(i));
+    MadeFile made;
+    SHG_TRY_ASSIGN(const bool leaves, take(all.file(i), made, files));
+    if (!leaves) continue;
     const std::string name = candidate_file(i + 1, format);
+    note_off(name, made.back, files);
     SHG_TRY_ASSIGN(std::string sha256, folder.add(name, made.bytes));
     files.candidates[i][std::string(word_of(format))] = {name, std::move(sha256), made.back};
   }
@@ -78,12 +101,16 @@ Result<void> add_files(const FinishedRun& run, FileFormat format, const ExportSe
 
 Result<void> add_one_glb(const FinishedRun& run, const ExportSettings& settings,
                          ResultFolder& folder, ResultFiles& files) {
-  SHG_TRY_ASSIGN(const MadeGlb made,
-                 make_one_glb(run.file.character, run.task, run.generation.candidates,
-                              file_settings(settings)));
+  MadeGlb made;
+  SHG_TRY_ASSIGN(const bool leaves,
+                 take(make_one_glb(run.file.character, run.task, run.generation.candidates,
+                                   file_settings(settings)),
+                      made, files));
+  if (!leaves) return {};
   SHG_TRY_ASSIGN(const std::string sha256, folder.add(kOneFile, made.bytes));
   for (std::size_t i = 0; i < made.back.size(); ++i) {
     files.candidates[i][std::string(word_of(FileFormat::glb))] = {kOneFile, sha256, made.back[i]};
+    note_off(kOneFile, made.back[i], files);
   }
   return {};
 }
@@ -105,23 +132,30 @@ Result<void> prepare_folder(const fs::path& folder) {
   return ResultFolder().open(folder);
 }
 
-Result<std::string> write_result(const fs::path& folder, const FinishedRun& run,
-                                 const ExportSettings& settings) {
+Result<WrittenResult> write_result(const fs::path& folder, const FinishedRun& run,
+                                   const ExportSettings& settings) {
   SHG_TRY(check_formats(run.file.character, settings.formats));
   ResultFolder out;
   SHG_TRY(out.open(folder));
   const std::size_t count = run.generation.candidates.size();
-  ResultFiles files{settings.rate, std::vector<CandidateFiles>(count),
-                    from_folder(settings.character, folder)};
+  ResultFiles files{settings.rate,
+                    std::vector<CandidateFiles>(count),
+                    from_folder(settings.character, folder),
+                    {}};
   for (const FileFormat format : settings.formats) {
     if (count > 0 && files.candidates[0].contains(std::string(word_of(format)))) continue;
     const bool one = settings.one_file && format == FileFormat::glb;
     SHG_TRY(one ? add_one_glb(run, settings, out, files)
                 : add_files(run, format, settings, out, files));
   }
+  const auto has_none = [](const CandidateFiles& each) { return each.empty(); };
+  if (!files.notes.empty() &&
+      std::all_of(files.candidates.begin(), files.candidates.end(), has_none)) {
+    return tl::unexpected(Error{ErrorCode::unsupported, files.notes.front(), {}});
+  }
   std::string summary = format_result(run, files);
   SHG_TRY(out.publish(summary));
-  return summary;
+  return WrittenResult{std::move(summary), std::move(files.notes)};
 }
 
 Result<StoredResult> read_result(const fs::path& path, int candidate) {

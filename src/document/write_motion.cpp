@@ -39,8 +39,7 @@ Result<MadeFile> checked_file(const WriteRequest& request, Make&& make, Check&& 
 }
 
 CharacterExporter exporter_of(const WriteRequest& request) {
-  return CharacterExporter(*request.character.rig, hand_play(request.task),
-                           request.settings.in_place);
+  return CharacterExporter(*request.character.rig, hand_play(request.task), request.settings);
 }
 
 }  // namespace
@@ -93,7 +92,7 @@ Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
                              const FileSettings& settings) {
   SHG_TRY(check_formats(character, {FileFormat::glb}));
   SHG_TRY(check_file_settings(character, FileFormat::glb, settings));
-  const CharacterExporter exporter(*character.rig, hand_play(task), settings.in_place);
+  const CharacterExporter exporter(*character.rig, hand_play(task), settings);
   std::vector<GltfAnimation> animations;
   std::vector<Clip> clips;
   for (std::size_t i = 0; i < candidates.size(); ++i) {

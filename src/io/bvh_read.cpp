@@ -340,6 +340,7 @@ class BvhReader {
       if (frame_values(frame, local.data() + index(frame) * nodes)) continue;
       if (!cut_ || !lenient_) return false;
       motion_.clip.frames = frame;
+      if (!unread_.empty() && unread_.back() == frame) unread_.pop_back();
     }
     local.resize(index(motion_.clip.frames) * nodes);
     if (!unread_.empty()) doubts_.push_back(say("bvh_unread", unread_.size(), unread_.front()));
@@ -355,7 +356,10 @@ class BvhReader {
     const std::size_t columns = channels_.size();
     fail_here(say("found_after", shown_token(token), value_count(), motion_.clip.frames));
     std::size_t extra = 0;
-    while (!token.empty() && parse_number(token) && (lenient_ || extra <= columns)) {
+    const auto is_value = [&] {
+      return parse_number(token) || (lenient_ && tells_no_number(token));
+    };
+    while (!token.empty() && is_value() && (lenient_ || extra <= columns)) {
       ++extra;
       token = cursor_.token();
     }

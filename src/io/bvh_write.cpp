@@ -74,6 +74,16 @@ Vec3d euler_angles(const Quatd& rotation, const Order& order, const Vec3d& befor
   return best;
 }
 
+// A name without blanks within: of those three.js takes the first word alone, and Blender joins
+// the words so.
+std::string one_word(std::string name) {
+  const std::size_t last = name.find_last_not_of(' ');
+  for (std::size_t i = name.find_first_not_of(' '); i < last && i < name.size(); ++i) {
+    if (name[i] == ' ') name[i] = '_';
+  }
+  return name;
+}
+
 class BvhWriter {
  public:
   BvhWriter(const SkeletonMotion& motion, const BvhFormat& format)
@@ -150,12 +160,19 @@ class BvhWriter {
       const std::vector<BvhChannel> own = i < given.size() ? given[i] : std::vector<BvhChannel>{};
       const std::optional<Order> order = order_of(own);
       rotations_[i] = order.value_or(kZxy);
-      if ((order || !turns[i]) && (places_all(own) || !moves_[i]) && i < given.size()) {
+      const bool tells_turns = (order || !turns[i]) && i < given.size();
+      if (tells_turns && moves_[i] && places_all(own)) {
         channels_[i] = own;
         continue;
       }
       for (int axis = 0; axis < 3 && moves_[i]; ++axis) {
         channels_[i].push_back({false, static_cast<Axis>(axis)});
+      }
+      if (tells_turns && !moves_[i]) {
+        for (const BvhChannel& channel : own) {
+          if (channel.rotates) channels_[i].push_back(channel);
+        }
+        continue;
       }
       for (const int axis : rotations_[i]) channels_[i].push_back({true, static_cast<Axis>(axis)});
     }
@@ -186,10 +203,10 @@ class BvhWriter {
     if (is_end(i) && !root) {
       append("End Site\n");
     } else {
-      append("{} {}\n", root ? "ROOT" : "JOINT", names_.take(node(i).name));
+      append("{} {}\n", root ? "ROOT" : "JOINT", names_.take(one_word(node(i).name)));
     }
     append("{0:\t>{1}}{{\n{0:\t>{2}}OFFSET", "", depth, depth + 1);
-    write_lengths(root ? Vec3d{} : node(i).offset);
+    write_lengths(moves_[i] ? Vec3d{} : node(i).offset);
     append("\n");
     if (is_end(i) && !root) return;
     append("{:\t>{}}CHANNELS {}", "", depth + 1, channels_[i].size());

@@ -37,7 +37,10 @@ class SkeletonFilter {
       return is_wanted;
     }
     // of extras a member alone is wanted
-    if (event == Event::array_start && path_[level] == "extras") return false;
+    if (event == Event::array_start && path_[1] == "nodes" && path_[level] == "extras") {
+      dropped_ = depth;
+      return false;
+    }
     if (event == Event::object_start || event == Event::array_start) {
       // nlohmann looks through all of a list when one of its members ends
       if (++members_[level] > kGltfMaxNodes) {
@@ -52,15 +55,18 @@ class SkeletonFilter {
  private:
   [[nodiscard]] bool wanted(int depth) const {
     constexpr std::array<std::string_view, 4> kTop{"asset", "nodes", "skins", "extensions"};
-    constexpr std::array<std::string_view, 10> kNode{"name",        "children", "mesh",  "skin",
-                                                     "translation", "rotation", "scale", "matrix",
-                                                     "extras",      kAddedNode};
+    constexpr std::array<std::string_view, 9> kNode{
+        "name", "children", "mesh", "skin", "translation", "rotation", "scale", "matrix", "extras"};
     constexpr std::array<std::string_view, 2> kSkin{"joints", "inverseBindMatrices"};
     constexpr std::array<std::string_view, 2> kVrm{"VRM", "VRMC_vrm"};
+    constexpr int kNodeDepth = 3;  // of a node's members, in the list of the root's
     const std::string& key = path_[index(depth)];
     if (depth == 1) return contains(kTop, key);
     if (path_[1] == "asset") return depth > 2 || key == "version";
-    if (path_[1] == "nodes") return contains(kNode, key);
+    if (path_[1] == "nodes") {
+      return depth == kNodeDepth ? contains(kNode, key)
+                                 : path_[kNodeDepth] == "extras" && key == kAddedNode;
+    }
     if (path_[1] == "skins") return contains(kSkin, key);
     if (depth == 2) return contains(kVrm, key);
     if (depth == 3) return key == "humanoid";

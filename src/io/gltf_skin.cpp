@@ -229,7 +229,7 @@ class SkinReader {
 
   // The faces of a part whose vertices were added in the order of each_drawn, from `first` on.
   void keep_triangles(const Part& part, std::size_t first) {
-    if (!part.triangles || stride_ > 1) return;
+    if (!part.triangles || stride_ > 1 || part.positions.count() > kSkinMaxVertices) return;
     const std::size_t steps = part.indices ? part.indices->count() : part.positions.count();
     if (triangles_.size() + steps / 3 > kSkinMaxFaces) return;
     constexpr auto kUnseen = static_cast<std::size_t>(-1);

@@ -9,19 +9,15 @@
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "glb.hpp"
+#include "gltf_animation_layout.hpp"
 #include "gltf_json.hpp"
+#include "gltf_keyed.hpp"
 #include "json_splice.hpp"
 
 namespace shigusa {
 namespace {
 
 using Value = JsonSplice::Value;
-
-constexpr int kFloat = 5126;  // glTF's componentType
-
-void append_float(std::string& bytes, double value) {
-  append_word(bytes, __builtin_bit_cast(std::uint32_t, static_cast<float>(value)));
-}
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kLetters =
@@ -39,93 +35,6 @@ std::string base64(std::string_view bytes) {
   }
   return text;
 }
-
-// Lays out the numbers of animations, each in a buffer view of its own, and their JSON entries.
-class Layout {
- public:
-  Layout(std::size_t accessor, std::size_t view, std::size_t buffer, std::size_t offset)
-      : accessor_(accessor), view_(view), buffer_(buffer), offset_(offset) {}
-
-  void add(const GltfAnimation& animation) {
-    SHG_CHECK(animation.frames >= 1 && !animation.tracks.empty(), "an animation has tracks");
-    view_begin_ = data.size();
-    channels_.clear();
-    samplers_.clear();
-    sampler_ = 0;
-    add_times(animation);
-    for (const GltfTrack& track : animation.tracks) {
-      if (!track.rotations.empty()) add_rotations(track);
-      if (!track.translations.empty()) add_vectors(track.node, "translation", track.translations);
-      if (!track.scales.empty()) add_vectors(track.node, "scale", track.scales);
-    }
-    item(views, fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{}}})", buffer_,
-                            offset_ + view_begin_, data.size() - view_begin_));
-    ++view_;
-    item(animations, fmt::format(R"({{"name":{},"channels":[{}],"samplers":[{}]}})",
-                                 json_quoted(animation.name), channels_, samplers_));
-  }
-
-  std::string accessors;
-  std::string views;
-  std::string animations;
-  std::string data;
-
- private:
-  static void item(std::string& list, const std::string& text) {
-    if (!list.empty()) list += ',';
-    list += text;
-  }
-
-  // Begins where data ends now; `more` members.
-  std::size_t add_accessor(std::size_t count, const char* type, const std::string& more = {}) {
-    item(accessors,
-         fmt::format(
-             R"({{"bufferView":{},"byteOffset":{},"componentType":{},"count":{},"type":"{}"{}}})",
-             view_, data.size() - view_begin_, kFloat, count, type, more));
-    return accessor_++;
-  }
-
-  void add_times(const GltfAnimation& animation) {
-    // the ends are stated as they stand in the data: as floats
-    const double last = static_cast<float>((animation.frames - 1) * animation.frame_time);
-    times_ = add_accessor(static_cast<std::size_t>(animation.frames), "SCALAR",
-                          fmt::format(R"(,"min":[0],"max":[{}])", last));
-    for (int f = 0; f < animation.frames; ++f) append_float(data, f * animation.frame_time);
-  }
-
-  void add_channel(int node, const char* path, std::size_t output) {
-    item(channels_, fmt::format(R"({{"sampler":{},"target":{{"node":{},"path":"{}"}}}})",
-                                sampler_++, node, path));
-    item(samplers_,
-         fmt::format(R"({{"input":{},"interpolation":"LINEAR","output":{}}})", times_, output));
-  }
-
-  void add_rotations(const GltfTrack& track) {
-    add_channel(track.node, "rotation", add_accessor(track.rotations.size(), "VEC4"));
-    Quatd before = track.rest.rotation;
-    for (const Quatd& rotation : track.rotations) {
-      const Quatd q = before = nearer(rotation, before);
-      for (const double value : {q.x, q.y, q.z, q.w}) append_float(data, value);
-    }
-  }
-
-  void add_vectors(int node, const char* path, const std::vector<Vec3d>& vectors) {
-    add_channel(node, path, add_accessor(vectors.size(), "VEC3"));
-    for (const Vec3d& p : vectors) {
-      for (const double value : {p.x, p.y, p.z}) append_float(data, value);
-    }
-  }
-
-  std::size_t accessor_;
-  std::size_t view_;
-  std::size_t buffer_;
-  std::size_t offset_;  // of the data in its buffer
-  std::size_t view_begin_ = 0;
-  std::size_t times_ = 0;  // accessor
-  std::size_t sampler_ = 0;
-  std::string channels_;
-  std::string samplers_;
-};
 
 // Adds to one file. Each step returns an error or goes on.
 class AnimationAdder {
@@ -152,21 +61,27 @@ class AnimationAdder {
     return json_.member(buffers_[0], "byteLength") ? Result<void>{} : wrong(say("no_byte_length"));
   }
 
-  Result<std::string> add(std::span<const GltfAnimation> animations) {
+  Result<std::string> add(std::span<const GltfAnimation> animations, OwnAnimations own) {
     SHG_TRY(check());
     const bool chunk = in_chunk();
     std::string binary(chunk ? parts_.binary.value_or("") : "");
     binary.resize((binary.size() + 3) / 4 * 4);
-    Layout layout(json_.count(json_.member(root_, "accessors")),
-                  json_.count(json_.member(root_, "bufferViews")), chunk ? 0 : buffers_.size(),
-                  binary.size());
+    GltfAnimationLayout layout(json_.count(json_.member(root_, "accessors")),
+                               json_.count(json_.member(root_, "bufferViews")),
+                               chunk ? 0 : buffers_.size(), binary.size());
+    const bool kept = own == OwnAnimations::kept;
+    const std::vector<GltfKeyed> held = kept ? keyed_properties(json_) : std::vector<GltfKeyed>{};
     for (const GltfAnimation& animation : animations) {
-      layout.add(animation);
+      layout.add(animation, held);
       free_matrices(animation);
     }
     json_.append("accessors", layout.accessors);
     json_.append("bufferViews", layout.views);
-    json_.append("animations", layout.animations);
+    if (kept) {
+      json_.prepend("animations", layout.animations);
+    } else {
+      json_.assign("animations", layout.animations);
+    }
     if (!chunk) {
       json_.append(
           "buffers",
@@ -264,10 +179,10 @@ Result<void> check_animations_fit(std::string_view bytes, std::string_view name)
 }
 
 Result<std::string> add_animations(std::string_view bytes, std::string_view name,
-                                   std::span<const GltfAnimation> animations) {
+                                   std::span<const GltfAnimation> animations, OwnAnimations own) {
   SHG_TRY(read_gltf_json(bytes, name));
   SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
-  return AnimationAdder(parts, name).add(animations);
+  return AnimationAdder(parts, name).add(animations, own);
 }
 
 Result<std::string> format_vrm_animation(const VrmAnimation& motion) {

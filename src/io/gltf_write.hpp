@@ -27,16 +27,23 @@ struct GltfAnimation {
   std::vector<GltfTrack> tracks;  // one for each node
 };
 
-// The file with animations added, as GLB; `bytes` are of a .glb, .vrm or .gltf file that parse_gltf
-// reads. All else stays as it is, byte for byte: the JSON text but for the entries added, the
-// binary chunk, to which the animations' numbers are appended, and further chunks. Of a node that
-// moves a matrix becomes translation, rotation and scale, as glTF asks. Rotations go on without a
-// jump from q to -q; tracks are interpolated linearly.
+// The fate of the animations that a file has.
+enum class OwnAnimations { kept, left_out };
+
+// The file with animations added before its own, as GLB; `bytes` are of a .glb, .vrm or .gltf file
+// that parse_gltf reads. All else stays as it is, byte for byte: the JSON text but for the entries
+// added, the binary chunk, to which the animations' numbers are appended, and further chunks. Of a
+// node that moves a matrix becomes translation, rotation and scale, as glTF asks. Rotations go on
+// without a jump from q to -q; tracks are interpolated linearly.
+//
+// A property that the file's own animations have keys of and an added one has not, is held at rest
+// by two keys: players leave it as the animation before had it.
 //
 // Fails where the file is none that parse_gltf reads, and where it refers to other files, which
 // would be lost: `name` stands for the file in messages.
 [[nodiscard]] Result<std::string> add_animations(std::string_view bytes, std::string_view name,
-                                                 std::span<const GltfAnimation> animations);
+                                                 std::span<const GltfAnimation> animations,
+                                                 OwnAnimations own = OwnAnimations::kept);
 
 // Whether add_animations can take a file that parse_gltf has read: an error tells what it cannot
 // keep.

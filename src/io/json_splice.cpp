@@ -114,14 +114,28 @@ void JsonSplice::replace(std::size_t begin, std::size_t end, std::string text) {
   changes_.push_back({begin, end, std::move(text)});
 }
 
-void JsonSplice::append(std::string_view key, const std::string& items) {
+JsonSplice::Value JsonSplice::list_or_make(std::string_view key, const std::string& items) {
   const Value list = member(root(), key);
   if (!list) {
     const std::size_t close = root().end - 1;
-    return replace(close, close, ",\"" + std::string(key) + "\":[" + items + "]");
+    replace(close, close, ",\"" + std::string(key) + "\":[" + items + "]");
   }
-  const bool empty = count(list) == 0;
-  replace(list.end - 1, list.end - 1, (empty ? "" : ",") + items);
+  return list;
+}
+
+void JsonSplice::append(std::string_view key, const std::string& items) {
+  const Value list = list_or_make(key, items);
+  if (list) replace(list.end - 1, list.end - 1, (count(list) == 0 ? "" : ",") + items);
+}
+
+void JsonSplice::prepend(std::string_view key, const std::string& items) {
+  const Value list = list_or_make(key, items);
+  if (list) replace(list.begin + 1, list.begin + 1, items + (count(list) == 0 ? "" : ","));
+}
+
+void JsonSplice::assign(std::string_view key, const std::string& items) {
+  const Value list = list_or_make(key, items);
+  if (list) replace(list.begin, list.end, "[" + items + "]");
 }
 
 std::string JsonSplice::finish() const {

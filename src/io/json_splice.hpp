@@ -40,6 +40,9 @@ class JsonSplice {
   // Adds to the list that is the root's member of that name, and makes it where there is none.
   // `items`: elements, with commas between them.
   void append(std::string_view key, const std::string& items);
+  void prepend(std::string_view key, const std::string& items);
+  // Puts them in the place of that list's.
+  void assign(std::string_view key, const std::string& items);
 
   // The text with all changes, which must not overlap.
   [[nodiscard]] std::string finish() const;
@@ -49,6 +52,8 @@ class JsonSplice {
   // Behind the colon or comma that comes next.
   [[nodiscard]] std::size_t after_mark(std::size_t at) const;
   [[nodiscard]] std::size_t end_of_value(std::size_t at) const;
+  // Where the list of that name is; makes it of the items where there is none.
+  Value list_or_make(std::string_view key, const std::string& items);
   template <class Action>
   void each(const Value& list, Action&& action) const;
 

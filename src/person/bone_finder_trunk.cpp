@@ -225,6 +225,8 @@ void BoneFinder::find_shoulder(Bone shoulder, Bone upper_arm) {
     map_[shoulder] = given;
     return;
   }
+  // a VRM animation could not move it
+  if (given < 0 && given_[upper_arm] == arm && any_given_) return;
   if (flat_) find_collar_beside(shoulder, arm);
   if (!strictly_below(arm, chest_)) return;
   const int fork = tree_.common_ancestor(map_[Bone::left_upper_arm], map_[Bone::right_upper_arm]);

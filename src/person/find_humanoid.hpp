@@ -30,7 +30,7 @@ namespace shigusa {
 // `given`: what the file itself tells of its bones (VRM). It goes before names where it makes
 // sense: a limb with all its joints, each below the one before, hips above the legs, a neck and a
 // head above the arms, toes below the foot. Bones that it leaves out or contradicts are found as
-// above; for a limb or the hips that is a doubt.
+// above, but for a shoulder that it leaves out; for a limb or the hips that is a doubt.
 //
 // `asked`: what a person says of some bones. It goes before all else; names and shape find the
 // rest, but of the spine only what is asked is taken where any of it is. Fails where such a node

@@ -51,9 +51,9 @@ int hand_beyond(const Robot& robot, const std::vector<Transformd>& places, int e
   for (bool goes_on = true; goes_on;) {
     std::vector<int> next;
     for (const Robot::Joint& joint : robot.joints) {
-      const bool sensor =
-          read_bone_name(robot.links[index(joint.child)].name).part == BonePart::ornament;
-      if (joint.parent == links.back() && joint.turns && !sensor) next.push_back(joint.child);
+      if (joint.parent != links.back() || !joint.turns) continue;
+      const std::string& name = robot.links[index(joint.child)].name;
+      if (read_bone_name(name).part != BonePart::ornament) next.push_back(joint.child);
     }
     goes_on = next.size() == 1 && !is_digit(robot.links[index(next[0])].name);
     if (goes_on) links.push_back(next[0]);

@@ -30,7 +30,8 @@ struct LinkEnd {
 };
 
 // Its shapes' end, where that is beyond its centre of mass; else twice the distance of that; else,
-// of a link without either, as far along the segment before it as a person's would be.
+// of a link without either, as far along the segment before it as a person's forearm along the
+// upper arm; a shank would be a quarter longer.
 LinkEnd end_of(const Robot& robot, int link) {
   constexpr double kShortest = 0.02;  // m
   constexpr double kAside = 0.2;      // of their reach, the shapes' middle from the joint

@@ -60,10 +60,11 @@ bool is_called_sole(const std::string& link) {
 }
 
 // The lowest corner of a box of the link's mass and inertia about its centre of mass; nothing of
-// one that is no foot's, which is flat.
+// one that is no foot's, which is flat, nor of one without inertia.
 std::optional<double> bottom_of_box(const Robot::Link& link, const Transformd& place) {
   constexpr double kFlattest = 0.6;  // of its length
   const Mat3d& i = link.inertia;
+  if (!(min(min(i.cx.x, i.cy.y), i.cz.z) > 0.0)) return {};
   const double sum = i.cx.x + i.cy.y + i.cz.z;
   const auto half = [&](double own) { return sqrt(max(1.5 * (sum - 2.0 * own) / link.mass, 0.0)); };
   const Vec3d box{half(i.cx.x), half(i.cy.y), half(i.cz.z)};

@@ -122,7 +122,7 @@ TEST_F(CharacterFiles, ABvhLeavesOnItsOwnNodesByTheOtherHandToo) {
   EXPECT_EQ(stored.candidate(1).at("reached").at(0).at("effector"), "left_hand");
   EXPECT_EQ(to_vec(stored.candidate(1).at("reached").at(0).at("goal_m")).x, 0.2);
   const std::string bvh = stored.get("candidate-1.bvh");
-  EXPECT_THAT(bvh, HasSubstr("JOINT Bip01 R Hand\n"));
+  EXPECT_THAT(bvh, HasSubstr("JOINT Bip01_R_Hand\n"));
   EXPECT_THAT(bvh, HasSubstr("CHANNELS 3 Yrotation Xrotation Zrotation"));
 }
 

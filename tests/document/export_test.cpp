@@ -62,7 +62,7 @@ class WriteResult : public testing::Test {
  protected:
   WriteResult() { file_.goals = {{"right_hand", {-0.2, 1.1, 0.4}}}; }
 
-  Result<std::string> write(const std::string& formats = "bvh,csv", std::size_t candidates = 1) {
+  Result<WrittenResult> write(const std::string& formats = "bvh,csv", std::size_t candidates = 1) {
     const Task task = make_task(file_, {}).value();
     GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
     generation.candidates.resize(candidates, generation.candidates[0]);
@@ -99,7 +99,7 @@ TEST_F(WriteResult, GoesIntoAFolderThatIsALink) {
 }
 
 TEST_F(WriteResult, WhatIsNoFileIsRefusedAndTheOlderResultStays) {
-  const std::string before = write("csv").value();
+  const std::string before = write("csv").value().summary;
   ASSERT_EQ(mkfifo((work_ / "candidate-1.bvh").c_str(), 0600), 0);
   EXPECT_THAT(write().error().to_string(), HasSubstr("a pipe stands in the place"));
   EXPECT_EQ(work_.get("summary.json"), before);
@@ -142,7 +142,7 @@ TEST_F(WriteResult, AFileThatIsNotTheOneDescribedIsFoundAndOneThatIsMissingIsNot
 }
 
 TEST_F(WriteResult, DigestsAreThoseOfTheFiles) {
-  const auto stored = parse_result(write().value(), "summary.json").value();
+  const auto stored = parse_result(write().value().summary, "summary.json").value();
   EXPECT_EQ(stored.files.at(0).at("csv").sha256, sha256(work_.get("candidate-1.csv")));
   // FIPS 180-4's example
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");

@@ -75,7 +75,7 @@ TEST(ReadBack, ChannelsInAnotherOrderAreFound) {
                     HasSubstr("leave the format out")));
 }
 
-TEST(ReadBack, AHandThatIsATenthOfAMillimetreOffIsFound) {
+TEST(ReadBack, AHandThatIsATenthOfAMillimetreOffIsToldAndTwoAreRefused) {
   const Moved moved = of_bvh();
   BvhFile file = parse_bvh_file(moved.file(FileFormat::bvh), "x.bvh").value();
   const int hand = file.motion.skeleton.find("right_hand");
@@ -87,10 +87,15 @@ TEST(ReadBack, AHandThatIsATenthOfAMillimetreOffIsFound) {
   }
   for (SkeletonNode& node : file.motion.skeleton.nodes) node.offset = node.offset * 0.01;
   const std::string same = format_bvh(file.motion, {.channels = file.channels});
-  EXPECT_TRUE(moved.check().bvh(same));
-  file.motion.clip.local[frame * nodes + static_cast<std::size_t>(hand)].translation.y += 1e-4;
-  EXPECT_THAT(moved.check().bvh(format_bvh(file.motion)).error().message,
+  EXPECT_TRUE(moved.check().bvh(same).value().off.empty());
+  double& height =
+      file.motion.clip.local[frame * nodes + static_cast<std::size_t>(hand)].translation.y;
+  height += 1e-4;
+  EXPECT_THAT(moved.check().bvh(format_bvh(file.motion)).value().off,
               HasSubstr("right_hand is 0.1"));
+  height += 2e-3;
+  EXPECT_THAT(moved.check().bvh(format_bvh(file.motion)).error().message,
+              HasSubstr("right_hand is 2.1"));
 }
 
 TEST(ReadBack, AFootThatTiltsIsFound) {
@@ -103,8 +108,11 @@ TEST(ReadBack, AFootThatTiltsIsFound) {
   LocalTransform& last =
       motion.clip.local[motion.clip.local.size() - nodes + static_cast<std::size_t>(foot)];
   last.rotation = last.rotation * axis_rotation(Axis::x, radians(0.01));
-  EXPECT_THAT(moved.check().bvh(format_bvh(motion)).error().message,
+  EXPECT_THAT(moved.check().bvh(format_bvh(motion)).value().off,
               HasSubstr("left_foot is turned by 0.01"));
+  last.rotation = last.rotation * axis_rotation(Axis::x, radians(0.2));
+  EXPECT_THAT(moved.check().bvh(format_bvh(motion)).error().message,
+              HasSubstr("left_foot is turned by 0.21"));
 }
 
 TEST(ReadBack, AFileOfAnotherRateOrOtherNodesIsFound) {

@@ -44,7 +44,7 @@ struct Written {
     return task;
   }
 
-  [[nodiscard]] Result<std::string> write(const fs::path& folder) const {
+  [[nodiscard]] Result<WrittenResult> write(const fs::path& folder) const {
     return write_result(folder, {file, task, generation}, settings);
   }
 
@@ -111,12 +111,12 @@ class ResultFaults : public testing::Test {
 
   // Meets the fault at every call of a run in turn, and the next run has no fault.
   void expect_whole_after(Fault fault, bool older) {
-    const std::string wanted = newer_.write(folder_).value();
+    const std::string wanted = newer_.write(folder_).value().summary;
     const std::set<std::string> names_wanted = names();
     int call = 1;
     for (int code = 0;; ++call) {
       for (const std::string& name : names()) fs::remove_all(folder_ / name);
-      const std::string before = older ? older_.write(folder_).value() : std::string();
+      const std::string before = older ? older_.write(folder_).value().summary : std::string();
       const bool met = write_with(newer_, fault, call, code);
       const std::string after = whole();
       EXPECT_TRUE(after.empty() || after == before || after == wanted) << call;
@@ -124,7 +124,7 @@ class ResultFaults : public testing::Test {
         EXPECT_EQ(code, 1) << "told, at call " << call;
         for (const std::string& name : names()) EXPECT_FALSE(name.starts_with(".shigusa")) << name;
       }
-      EXPECT_EQ(newer_.write(folder_).value(), wanted) << call;
+      EXPECT_EQ(newer_.write(folder_).value().summary, wanted) << call;
       EXPECT_EQ(whole(), wanted) << call;
       EXPECT_EQ(names(), names_wanted) << call;
       if (!met) break;
@@ -155,7 +155,7 @@ TEST_F(ResultFaults, AFullDiskAtAnyCallOverAnOlderResult) {
 
 // The files are made beside the older ones: until all are on the disk nothing of these is touched.
 TEST_F(ResultFaults, AFullDiskLeavesTheOlderResultWhole) {
-  const std::string before = older_.write(folder_).value();
+  const std::string before = older_.write(folder_).value().summary;
   const std::set<std::string> names_before = names();
   int code = 0;
   for (int call = 1; call <= 3 * 5; ++call) {
@@ -167,8 +167,8 @@ TEST_F(ResultFaults, AFullDiskLeavesTheOlderResultWhole) {
 
 TEST_F(ResultFaults, ProgramsThatWriteAtOnceTakeTurns) {
   constexpr int kTimes = 20;
-  const std::string one = older_.write(folder_).value();
-  const std::string other = newer_.write(folder_).value();
+  const std::string one = older_.write(folder_).value().summary;
+  const std::string other = newer_.write(folder_).value().summary;
   std::vector<pid_t> children;
   for (const Written* run : {&older_, &newer_, &older_}) {
     children.push_back(fork());

@@ -274,6 +274,18 @@ TEST(Gltf, MeshesInTheTextCostNothing) {
   EXPECT_EQ(c.rest.skeleton.nodes.size(), 1u);
 }
 
+TEST(Gltf, ExtrasOfNodesCostNothing) {
+  for (const char* each : {"[]", "{}", "{\"name\": []}"}) {
+    std::string list = each;
+    for (int i = 0; i < 6000; ++i) list += std::string(",") + each;
+    for (const std::string& extras : {"[" + list + "]", R"({"children": [)" + list + "]}"}) {
+      const GltfCharacter c = read(
+          R"({"asset": {"version": "2.0"}, "nodes": [{"name": "a", "extras": )" + extras + "}]}");
+      EXPECT_EQ(c.rest.skeleton.nodes.size(), 1u);
+    }
+  }
+}
+
 struct Malformed {
   const char* name;
   std::string bytes;

@@ -52,7 +52,7 @@ TEST(AddAnimations, KeepsAllElseByteForByte) {
     ASSERT_NE(begin, text.npos) << from;
     text.erase(begin, text.find(until, begin) - begin);
   };
-  cut(R"(,{"name":"new")", "],\n  \"accessors\"");
+  cut(R"({"name":"new")", R"({"name":"old")");
   cut(R"(,{"bufferView":1)", "],\n  \"bufferViews\"");
   cut(R"(,{"buffer":0,"byteOffset":20)", "], \"buffers\"");
   const std::size_t length = text.find(R"("byteLength" : )") + 15;
@@ -72,7 +72,7 @@ TEST(AddAnimations, WritesWhatMovesAndWhen) {
     EXPECT_LE(norm(end.rotation.cy - Vec3d{0, 0, 1}), 1e-6);
     EXPECT_EQ(end.translation, (Vec3d{0, 2, 3}));
   }
-  const auto& animation = file.json().at("animations").at(1);
+  const auto& animation = file.json().at("animations").at(0);
   const auto& times =
       file.json().at("accessors").at(animation.at("samplers").at(0).at("input").get<std::size_t>());
   EXPECT_EQ(times.at("min").at(0), 0);
@@ -81,9 +81,50 @@ TEST(AddAnimations, WritesWhatMovesAndWhen) {
     EXPECT_EQ(sampler.at("interpolation"), "LINEAR");
 }
 
+// A property that others have keys of and the new one has not gets two, of where it is at rest.
+TEST(AddAnimations, HoldsWhatTheFilesOwnHaveKeysOf) {
+  nlohmann::json file = nlohmann::json::parse(kOdd);
+  file["meshes"] = {{{"primitives", {{{"targets", {1, 2}}}}}, {"weights", {0.25, 0.5}}}};
+  file["nodes"][1]["scale"] = {2, 3, 4};
+  const auto key = [&](int node, const char* path) {
+    file["animations"][0]["channels"].push_back(
+        {{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}});
+  };
+  key(1, "scale");
+  key(1, "rotation");
+  key(0, "weights");
+  key(7, "scale");
+  const ExportedGlb out(added(glb(file.dump(), std::string(20, 'x')), {turning()}).value());
+  const auto& animation = out.json().at("animations").at(0);
+  ASSERT_EQ(animation.at("channels").size(), 4u);
+  const auto output = [&](std::size_t channel) {
+    const std::size_t sampler = animation.at("channels").at(channel).at("sampler");
+    return animation.at("samplers").at(sampler).at("output").get<std::size_t>();
+  };
+  EXPECT_EQ(animation.at("channels").at(2).at("target").at("path"), "scale");
+  EXPECT_EQ(out.json().at("accessors").at(output(2)).at("count"), 2);
+  for (const int at : {0, 1}) {
+    EXPECT_THAT(out.element(output(2), at), testing::ElementsAre(2, 3, 4));
+  }
+  EXPECT_EQ(animation.at("channels").at(3).at("target").at("path"), "weights");
+  EXPECT_EQ(out.json().at("accessors").at(output(3)).at("count"), 4);
+  EXPECT_EQ(out.element(output(3), 2)[0], 0.25);
+  EXPECT_EQ(out.element(output(3), 3)[0], 0.5);
+}
+
+TEST(AddAnimations, OwnOnesMayBeLeftOut) {
+  const std::string bytes = glb(kOdd, std::string(20, 'x'));
+  const GltfAnimation animation = turning();
+  const ExportedGlb out(
+      add_animations(bytes, "file.glb", {&animation, 1}, OwnAnimations::left_out).value());
+  ASSERT_EQ(out.json().at("animations").size(), 1u);
+  EXPECT_EQ(out.json().at("animations").at(0).at("name"), "new");
+  EXPECT_EQ(out.json().at("animations").at(0).at("channels").size(), 2u);
+}
+
 TEST(AddAnimations, RotationsGoOnWithoutAJump) {
   const ExportedGlb file(added(glb(kOdd, std::string(20, 'x')), {turning()}).value());
-  const auto& sampler = file.json().at("animations").at(1).at("samplers").at(0);
+  const auto& sampler = file.json().at("animations").at(0).at("samplers").at(0);
   const auto rotation = file.element(sampler.at("output").get<std::size_t>(), 1);
   EXPECT_GT(rotation[3], 0.0);
 }

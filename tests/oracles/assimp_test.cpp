@@ -138,7 +138,7 @@ TEST_P(AssimpReadsCharacter, HandEndsWhereItIsToldAndFeetStay) {
       const Task task = make_task(file, {}).value();
       const GenerateResult generation = generate(task).value();
       const auto summary = nlohmann::json::parse(
-          write_result(work.path(), {file, task, generation}, {{FileFormat::bvh}}).value());
+          write_result(work.path(), {file, task, generation}, {{FileFormat::bvh}}).value().summary);
       for (const auto& candidate : summary.at("candidates")) {
         const AssimpMotion motion(work.get(candidate.at("files").at("bvh")));
         const double unit = candidate.at("bvh_unit_m");

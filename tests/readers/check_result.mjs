@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// check_result.mjs FOLDER CHARACTER: judges the GLB and VRMA files of a result by other people's
+// check_result.mjs FOLDER CHARACTER: judges the BVH, GLB and VRMA files of a result by other people's
 // readers, and prints a line for each; fails where one breaks a promise.
 //
+// - hips, knees, ankles, shoulders, elbows and wrists are within 1 mm or 0.1 % of the stature of the start posture, in the first frame
 // - the goal is within 1 mm of the node that the summary names, in the last frame
 // - the feet slide by 1 mm and turn by 0.1° at most, in any frame
 // - each vertex stands where it stands in the character's file while nothing is played
@@ -9,6 +10,9 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import validator from 'gltf-validator';
+import { Vector3 } from 'three';
+import { byBlender, byThree } from './bvh_readers.mjs';
+import { describe } from './mesh_depth.mjs';
 import { openGlb, openVrma, place, turn, vertices } from './second_reader.mjs';
 
 const [folder, character] = process.argv.slice(2);
@@ -18,14 +22,71 @@ const expect = (holds, text) => {
   if (!holds) failures.push(text);
 };
 
-async function checkMotion(kind, name, motion, candidate) {
+const body = describe(character);
+const kBones = {
+  hip: 'upper_leg', knee: 'lower_leg', ankle: 'foot', shoulder: 'upper_arm', elbow: 'lower_arm', wrist: 'hand',
+};
+
+// A place of a file in the world that goals are given in; a mirrored file keeps its own axes.
+function inWorld(at, unit_m) {
+  const { left, up, ahead, origin } = body.placement;
+  const axes = [left, up, ahead].map((axis) => new Vector3(...axis));
+  const mirrored = axes[0].clone().cross(axes[1]).dot(axes[2]) < 0;
+  if (!mirrored) return at.clone().multiplyScalar(unit_m);
+  const off = at.clone().multiplyScalar(unit_m / body.placement.unit_m).sub(new Vector3(...origin));
+  return new Vector3(...axes.map((axis) => axis.dot(off))).multiplyScalar(body.placement.unit_m);
+}
+
+// `placeOf`: of a bone of the body, in the file's unit; undefined where the file has none.
+async function checkStart(kind, name, placeOf, unit_m) {
+  const landmarks = summary.task.character.landmarks_m;
+  const allowed = Math.max(1e-3, 1e-3 * body.stature_m);
+  let worst = 0;
+  for (const side of ['left', 'right']) {
+    for (const [joint, bone] of Object.entries(kBones)) {
+      const at = await placeOf(`${side}_${bone}`);
+      if (!at) continue;
+      const off = inWorld(at, unit_m).distanceTo(new Vector3(...landmarks[`${side}_${joint}`]));
+      worst = Math.max(worst, off);
+      expect(off <= allowed, `${name}: the ${side} ${joint} begins ${1e3 * off} mm off by ${kind}`);
+    }
+  }
+  console.log(`${kind} ${name}: begins ${(1e3 * worst).toFixed(4)} mm off`);
+}
+
+function checkGoals(kind, name, candidate, placeOf, unit_m) {
+  for (const goal of candidate.reached) {
+    const at = placeOf(goal.joint);
+    const off = at ? inWorld(at, unit_m).distanceTo(new Vector3(...goal.reached_m)) : Infinity;
+    console.log(`${kind} ${name}: ends ${(1e3 * off).toFixed(4)} mm off`);
+    expect(off <= 1e-3, `${name}: ${goal.joint} ends ${1e3 * off} mm off by ${kind}`);
+  }
+}
+
+// BVH has one word for a name.
+const ofBvh = (name) => name.trim().replaceAll(' ', '_');
+
+async function checkBvh(name, candidate) {
+  const text = await readFile(join(folder, name), 'utf8');
+  for (const [kind, reader] of Object.entries({ three: byThree(text), blender: byBlender(text) })) {
+    const first = reader(0);
+    await checkStart(kind, name, (bone) => first.get(ofBvh(body.humanoid[bone] ?? '')), candidate.bvh_unit_m);
+    const last = reader(candidate.file_frames - 1);
+    checkGoals(kind, name, candidate, (joint) => last.get(ofBvh(joint)), candidate.bvh_unit_m);
+  }
+}
+
+async function checkMotion(kind, name, motion, candidate, unit_m = 1) {
   let miss = 0;
+  motion.at(0);
+  await checkStart(kind, name, async (bone) => {
+    const node = body.nodes.find((each) => each.name === body.humanoid[bone]);
+    return node?.file_node >= 0 && place(await motion.node(node.file_node));
+  }, unit_m);
   motion.at(motion.frames - 1);
   for (const goal of candidate.reached) {
-    const hand = await motion.node(goal.gltf_node);
-    const [x, y, z] = place(hand).toArray();
-    const [gx, gy, gz] = goal.goal_m;
-    miss = Math.max(miss, Math.hypot(x - gx, y - gy, z - gz));
+    const hand = inWorld(place(await motion.node(goal.gltf_node)), unit_m);
+    miss = Math.max(miss, hand.distanceTo(new Vector3(...goal.goal_m)));
   }
   const feet = await Promise.all(candidate.contacts.map((c) => motion.node(c.gltf_node)));
   motion.at(0);
@@ -35,7 +96,7 @@ async function checkMotion(kind, name, motion, candidate) {
   for (let f = 0; f < motion.frames; ++f) {
     motion.at(f);
     feet.forEach((foot, i) => {
-      slide = Math.max(slide, place(foot).distanceTo(first[i][0]));
+      slide = Math.max(slide, unit_m * place(foot).distanceTo(first[i][0]));
       tilt = Math.max(tilt, turn(foot).angleTo(first[i][1]));
     });
   }
@@ -68,13 +129,15 @@ async function checkValid(path, known) {
   }
 }
 
-const known = await issues(character);
-const still = await vertices(character);
+const isGltf = /\.(glb|vrm|gltf)$/.test(character);
+const known = isGltf ? await issues(character) : new Map();
+const still = isGltf ? await vertices(character) : [];
 for (const candidate of summary.candidates) {
-  const { glb, vrma } = candidate.files;
+  const { bvh, glb, vrma } = candidate.files;
+  if (bvh) await checkBvh(bvh, candidate);
   if (glb) {
     const path = join(folder, glb);
-    await checkMotion('glb', glb, await openGlb(path, candidate.glb_animation), candidate);
+    await checkMotion('glb', glb, await openGlb(path, candidate.glb_animation), candidate, candidate.glb_unit_m);
     await checkValid(path, known);
     const now = await vertices(path);
     expect(now.length === still.length, `${glb}: ${now.length / 3} vertices of ${still.length / 3}`);

@@ -27,7 +27,8 @@ class SecondReaders : public testing::TestWithParam<const char*> {
 
   // Runs check_result.mjs on a result in `out`, and returns what it complains about.
   [[nodiscard]] std::string complaints(const fs::path& character) const {
-    const std::string call = "'" SHIGUSA_NODE "' '" SHIGUSA_READERS_DIR "/check_result.mjs' '" +
+    const std::string call = "SHIGUSA_BINARY='" SHIGUSA_BINARY "' '" SHIGUSA_NODE
+                             "' '" SHIGUSA_READERS_DIR "/check_result.mjs' '" +
                              (work_ / "out").string() + "' '" + character.string() + "' > '" +
                              (work_ / "said").string() + "' 2>&1";
     return std::system(call.c_str()) == 0 ? "" : work_.get("said");
@@ -72,6 +73,45 @@ INSTANTIATE_TEST_SUITE_P(Of, SecondReaders,
                            std::erase_if(name, [](char c) { return !std::isalnum(c); });
                            return name;
                          });
+
+// All people's files, in all formats that they leave in.
+class EveryCharacter : public SecondReaders {};
+
+TEST_P(EveryCharacter, LeavesAsItIsComputed) {
+  const std::string shared = SHIGUSA_SHARED_DIR;
+  if (shared.empty()) GTEST_SKIP() << "no characters here";
+  const fs::path character = fs::path(shared) / "characters" / GetParam();
+  const std::string ending = character.extension();
+  const ProgramRun run =
+      run_shigusa({"reach", "--character", character.string(), "--goal", "right_hand=-0.2,0.9,0.3",
+                   "--evaluations", "300", "--candidates", "1", "--formats",
+                   ending == ".vrm"   ? "bvh,glb,vrma"
+                   : ending == ".glb" ? "bvh,glb"
+                                      : "bvh"},
+                  {.folder = work_.path()});
+  ASSERT_TRUE(run.exit_code == 0 || run.exit_code == 3) << run.err;
+  EXPECT_EQ(run.err.find("files: note"), std::string::npos) << run.err;
+  EXPECT_EQ(complaints(character), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, EveryCharacter,
+    testing::Values("Geno.fbx", "KayKit_Knight.glb", "Quaternius_Character_HumanoidRig.glb",
+                    "Quaternius_cyberpunk_Character.glb", "Quaternius_platformer_Character.glb",
+                    "RobotExpressive.glb", "VRM-Addon-for-Blender__armature_transform.vrm",
+                    "VRM-Addon-for-Blender__basic_armature.vrm",
+                    "VRM-Addon-for-Blender__debug_robot.vrm", "assimp__Boxing_Toes.bvh",
+                    "blender-cli-rendering__102_01.bvh", "bvhtoolbox_walk01.bvh",
+                    "cats_mannyquin.glb", "cats_minnyquinn.glb", "fairmotion__pfnn_hierarchy.bvh",
+                    "godot_platformer_player.glb", "lab0_CesiumMan.glb", "makehuman_tpose.bvh",
+                    "makehuman_zombie.bvh", "mannequiny.glb", "mjolnir_BrainStem.glb",
+                    "pybvh__bvh_test1.bvh", "pybvh__standard_skeleton.bvh",
+                    "ufbx_humanik_7400_ascii.fbx"),
+    [](const auto& of) {
+      std::string name = of.param;
+      std::erase_if(name, [](char c) { return !std::isalnum(c); });
+      return name;
+    });
 
 // Animations of files that nobody here made, each node in each frame.
 class AnimationsBesideThree : public SecondReaders {};

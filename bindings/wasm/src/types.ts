@@ -140,6 +140,7 @@ export interface Summary {
   /** The same to word otherwise. */
   fewer_message?: Message;
   /** Goals of hands that may be an oversight, in English. */
+  file_notes?: string[]; // of what the command line wrote
   goal_notes?: string[];
   /** The same as a page words them. */
   goal_note_messages?: Message[];
@@ -260,6 +261,7 @@ export interface ExportOptions {
   clip?: string; // what the animation is called in GLB and VRMA; of all candidates with their numbers after it
   joint_names?: string; // of a built-in body in BVH: one of the facts' joint_names
   in_place?: boolean; // what the hips travel along the floor is left out
+  only_this_clip?: boolean; // of GLB: the animations that the file has are left out
 }
 
 /** The series that can be had at any rate, as files have them. */

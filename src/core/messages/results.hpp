@@ -19,6 +19,10 @@ inline constexpr std::array kResults{
     MessageText{"cannot_leave",
                 "read back, {} is {} are allowed (frame {}): this character cannot leave so; leave "
                 "the format out"},
+    MessageText{"off_a_little", "read back, {} is {} are of its digits (frame {})"},
+    MessageText{"vrma_one_root",
+                "a VRM animation needs all bones below the hips, and {} hangs beside them: leave "
+                "the format out"},
     MessageText{"not_read_back", "cannot be read back: {}; leave the format out"},
     MessageText{"other_nodes", "it has other nodes"},
     MessageText{"no_clip", "is no clip that can be scored; allowed are {}"},

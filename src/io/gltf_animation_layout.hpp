@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "gltf_keyed.hpp"
+#include "gltf_write.hpp"
+
+namespace shigusa {
+
+// Lays out the numbers of animations, each in a buffer view of its own, and their JSON entries.
+class GltfAnimationLayout {
+ public:
+  // How many accessors and buffer views there are before it, and where its data goes.
+  GltfAnimationLayout(std::size_t accessor, std::size_t view, std::size_t buffer,
+                      std::size_t offset)
+      : accessor_(accessor), view_(view), buffer_(buffer), offset_(offset) {}
+
+  // `held`: what keeps its value unless the animation has a track of it.
+  void add(const GltfAnimation& animation, const std::vector<GltfKeyed>& held);
+
+  std::string accessors;
+  std::string views;
+  std::string animations;
+  std::string data;
+
+ private:
+  // Begins where data ends now; `more` members.
+  std::size_t add_accessor(std::size_t count, const char* type, const std::string& more = {});
+  // Of that many frames, evenly from the first to the last.
+  std::size_t add_times(const GltfAnimation& animation, int frames);
+  void add_channel(int node, const char* path, std::size_t times, std::size_t output);
+  void add_rotations(const GltfTrack& track);
+  void add_vectors(int node, const char* path, const std::vector<Vec3d>& vectors);
+  void add_held(const GltfAnimation& animation, const std::vector<GltfKeyed>& held);
+
+  std::size_t accessor_;
+  std::size_t view_;
+  std::size_t buffer_;
+  std::size_t offset_;  // of the data in its buffer
+  std::size_t view_begin_ = 0;
+  std::size_t times_ = 0;  // accessor
+  std::size_t sampler_ = 0;
+  std::string channels_;
+  std::string samplers_;
+};
+
+}  // namespace shigusa
