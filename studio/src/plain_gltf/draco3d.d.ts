@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is used of Draco's decoder.
+// The part of the decoder of Draco that is used.
 declare module 'draco3d/draco_decoder_nodejs.js' {
   interface Geometry {
     num_points(): number;

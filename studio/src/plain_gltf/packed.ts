@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a file's meshes are packed. What unpacks them is fetched only for such a file.
+// A look at whether meshes are packed. The code that unpacks them is fetched only for such a file.
 
 export const kMeshopt = ['EXT_meshopt_compression', 'KHR_meshopt_compression'] as const;
 export const kDraco = 'KHR_draco_mesh_compression';
