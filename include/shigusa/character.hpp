@@ -237,10 +237,11 @@ struct TwistShare {
 /// A node that a motion moves: of the character's own file where its rig is at hand, else of the
 /// body's skeleton.
 struct CharacterNode {
-  std::string name;    ///< in the file
-  int parent = -1;     ///< index of an earlier node; -1 for a root
-  Vec3d offset{};      ///< at rest in the parent, in units of node_unit
-  int file_node = -1;  ///< of glTF: index in the file
+  std::string name;      ///< in the file
+  int parent = -1;       ///< index of an earlier node; -1 for a root
+  Vec3d offset{};        ///< in the parent where the start was measured, in units of node_unit
+  Vec3d scale{1, 1, 1};  ///< along its own axes, in all of a motion
+  int file_node = -1;    ///< of glTF: index in the file
 };
 
 /// All nodes that node_motion moves, parents before children.

@@ -30,6 +30,7 @@ Json nodes_to_json(const CharacterSpec& spec, const BodyModel& body) {
   for (const CharacterNode& node : character_nodes(spec, body)) {
     list.push_back(
         {{"name", node.name}, {"parent", node.parent}, {"offset", to_json(node.offset)}});
+    if (node.scale != Vec3d{1, 1, 1}) list.back()["scale"] = to_json(node.scale);
     if (node.file_node >= 0) list.back()["file_node"] = node.file_node;
   }
   return list;
@@ -187,8 +188,9 @@ std::vector<CharacterNode> character_nodes(const CharacterSpec& character, const
   const CharacterRig& rig = *character.rig;
   for (std::size_t i = 0; i < rig.rig.nodes.size(); ++i) {
     const int file_node = i < rig.file_node.size() ? rig.file_node[i] : -1;
-    nodes.push_back({rig.skeleton.nodes[i].name, rig.rig.nodes[i].parent,
-                     rig.rig.nodes[i].translation, file_node});
+    const RigNode& node = rig.rig.nodes[i];
+    nodes.push_back(
+        {rig.skeleton.nodes[i].name, node.parent, node.translation, node.scale, file_node});
   }
   return nodes;
 }

@@ -7,6 +7,7 @@
 #include <shigusa/export.hpp>
 
 #include "character/character_rig.hpp"
+#include "core/index.hpp"
 #include "document/character_export.hpp"
 #include "io/gltf_write.hpp"
 #include "kinematics/rig.hpp"
@@ -147,6 +148,31 @@ TEST_P(OddCharacters, AreMappedAndKeepAllPromises) {
   if (GetParam().flat_feet) {
     EXPECT_NEAR(at("left_foot", 0).y, 0.039 * s, 0.02);
   }
+}
+
+// By what a page is told: nodes in their parents, with their scales.
+TEST_P(OddCharacters, StandWhereTheirDescribedNodesPutThem) {
+  json gltf = person_gltf();
+  GetParam().make(gltf);
+  CharacterSpec spec{.source = "odd.glb"};
+  ASSERT_TRUE(load_character(glb(gltf.dump(), "data"), spec));
+  const BodyModel body = build_character(spec).value();
+  Clip start;
+  start.dofs = body.dof_count();
+  start.frames = 1;
+  start.angles.assign(body.start().begin(), body.start().end());
+  const std::vector<LocalTransform> locals = node_motion(spec, body, start);
+  std::vector<Transformd> placed;
+  for (const CharacterNode& node : character_nodes(spec, body)) {
+    const LocalTransform& local = locals[placed.size()];
+    const Mat3d turned = to_matrix(local.rotation);
+    const Transformd in_parent{
+        {turned.cx * node.scale.x, turned.cy * node.scale.y, turned.cz * node.scale.z},
+        local.translation};
+    placed.push_back(node.parent < 0 ? in_parent : placed[index(node.parent)] * in_parent);
+  }
+  const Vec3d hand = placed[index(spec.rig->rig.grips[1])].translation * node_unit(spec);
+  EXPECT_LE(norm(hand - start_places(body)[index(*body.find_effector("right_hand"))]), kMillimetre);
 }
 
 void arms(json& file, double left_deg) {

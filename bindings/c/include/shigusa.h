@@ -112,8 +112,9 @@ SHIGUSA_API void shigusa_character_free(shigusa_character* character);
 
 /** The character as it was understood: the object that `shigusa body --json` prints, with the nodes
  * that SHIGUSA_NODE_TRANSLATIONS and _ROTATIONS move: "nodes": [{"name", "parent" (index or -1),
- * "offset" [x, y, z], "file_node" (of glTF: index in the file)}], "node_unit_m" (metres per unit of
- * their translations), "support_polygon" [[x, z], …] (m, what the feet stand on), and "feet":
+ * "offset" [x, y, z], "scale" [x, y, z] (along its own axes, in all of a motion; absent where it is
+ * 1), "file_node" (of glTF: index in the file)}], "node_unit_m" (metres per unit of their
+ * translations), "support_polygon" [[x, z], …] (m, what the feet stand on), and "feet":
  * [{"effector", "sole_m" [[x, y, z], …] (its corners from the effector, in the effector's frame),
  * "floor_m" (no corner may end below), "least_m" (the effector's height with the sole as it is at
  * the start)}], and "doubt_messages": the doubts as messages (shigusa_failure). */

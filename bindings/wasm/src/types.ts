@@ -25,7 +25,8 @@ export interface JointDescription {
 export interface NodeDescription {
   name: string;
   parent: number; // index, or -1
-  offset: Vec3; // at rest, in units of node_unit_m
+  offset: Vec3; // where the start was measured, in units of node_unit_m
+  scale?: Vec3; // along its own axes, in all of a motion; absent where it is 1
   file_node?: number; // of glTF: its index in the file
 }
 

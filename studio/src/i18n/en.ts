@@ -27,6 +27,9 @@ export const en = {
   beside: 'side by side', over: 'overlaid', strip: 'Poses of motion {n} from its beginning to its end',
   edited: 'edited', noCandidates: 'Motions will appear here.', noStrip: 'no strip figure',
   // verdict
+  undrawn: 'This character cannot be drawn as it is computed: a hand is drawn {length} off. Files in its own format leave right.',
+  undrawnMesh: 'This character’s mesh cannot be drawn: another figure stands in for it. Files in its own format leave right.',
+  badPacked: '{name}: its packed meshes are damaged, or not as the file declares them. Export it anew, or without compression.',
   possible: 'can be done', strains: 'hard to do', impossible: 'not possible', because: '{verdict}: {reason}', ofFreedom: '{words} ({freedom})', why: 'Why', andMore: '{n} more', takeTime: 'Take {s} s',
   needsStrength: '{joint} at {percent} % of its strength', fallsForward: 'would fall forward: a step is needed', fallsBack: 'would fall backward: a step is needed',
   fallsLeft: 'would fall to the left: a step is needed', fallsRight: 'would fall to the right: a step is needed',

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Turns the document on the table into a work, and a work into the document again.
 import type { Character, CharacterSpec, Generated, Summary } from '../../../bindings/wasm/src/types';
-import { isBuiltIn } from '../state/formats';
+import { plainBytes } from '../plain_gltf/packed';
+import { characterFormat, isBuiltIn } from '../state/formats';
 import type { Document, Edit } from '../state/model';
 import { checkedDocumentOf } from '../state/of_task';
 import { placeOf } from '../state/places';
@@ -134,8 +135,8 @@ async function characterOf(studio: Studio, { character: { spec, sha256 } }: Work
     return JSON.stringify(now.spec) === JSON.stringify(spec) ? now : studio.open(spec, now.bytes);
   }
   for (const file of files) {
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    if (await isIt(file.name, bytes)) return studio.open(spec, bytes);
+    const bytes = await plainBytes(file, characterFormat(studio.facts, file.name)?.max_bytes ?? 0);
+    if (await isIt(file.name, bytes) || await isIt(file.name, new Uint8Array(await file.arrayBuffer()))) return studio.open(spec, bytes);
   }
   return null;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The file of a work's character, where the work came without it. As measured, the person moves without the file;
 // their own skeleton and mesh come with it.
+import { plainBytes } from '../plain_gltf/packed';
 import { characterFormat } from '../state/formats';
 import type { State, Wanted } from '../state/model';
 import type { Studio } from '../state/studio';
@@ -13,9 +14,10 @@ export function wantedNow({ wanted, document }: State): Wanted | null {
   return wanted && (wanted.character === null || wanted.character === document?.character) ? wanted : null;
 }
 
-async function isWanted({ character: { spec, sha256 } }: Work, file: File): Promise<boolean> {
+async function isWanted({ character: { spec, sha256 } }: Work, file: File, most: number): Promise<boolean> {
   if (!sha256) return file.name === spec.source;
-  return (await digestOf(new Uint8Array(await file.arrayBuffer()))) === sha256;
+  const digests = [await digestOf(new Uint8Array(await file.arrayBuffer())), await digestOf(await plainBytes(file, most))];
+  return digests.includes(sha256);
 }
 
 /** Brings in the file that is wanted, where it is among these; false where it is not. */
@@ -24,7 +26,7 @@ export async function takeWanted(studio: Studio, files: readonly File[]): Promis
   if (!wanted) return false;
   for (const file of files) {
     const format = characterFormat(studio.facts, file.name);
-    if (!format || file.size > format.max_bytes || !(await isWanted(wanted.work, file))) continue;
+    if (!format || file.size > format.max_bytes || !(await isWanted(wanted.work, file, format.max_bytes).catch(() => false))) continue;
     studio.store.set({ opening: file.name, notice: null });
     try {
       const { document } = studio;

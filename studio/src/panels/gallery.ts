@@ -9,7 +9,7 @@ import { candidateAt, type Document } from '../state/model';
 import type { Studio } from '../state/studio';
 import type { Thumbnails } from '../view/thumbnails';
 import { fill, h, iconButton, type Panel, round } from './dom';
-import { verdictClass } from './verdict';
+import { undrawnText, verdictClass } from './verdict';
 
 const kNamedBars = 3;
 
@@ -40,7 +40,7 @@ export class Gallery implements Panel {
     this.element = h('section', { class: 'gallery', 'aria-label': t('candidates') },
       h('header', {}, h('h2', {}, t('candidates')), this.mode), this.empty, this.list, this.fewer);
     this.end = studio.store.subscribe((state, previous) => {
-      if (state.document !== previous.document || state.compareMode !== previous.compareMode) this.update();
+      if (state.document !== previous.document || state.undrawn !== previous.undrawn || state.compareMode !== previous.compareMode) this.update();
     });
     this.update();
   }
@@ -122,7 +122,7 @@ export class Gallery implements Panel {
     card.score.title = `${t('score')} ${told}, ${t('lowerIsBetter')}`;
     this.showBars(card.bars, document, candidate, highest);
     const judged = verdictClass(candidate);
-    card.warning.hidden = judged === 'good';
+    card.warning.hidden = judged === 'good' || undrawnText(this.studio.store.state) !== '';
     card.warning.className = `warning ${judged}`;
     card.warning.textContent = verdictWords(document, candidate);
     card.warning.title = reasonsWords(document, candidate).join('\n');

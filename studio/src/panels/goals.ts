@@ -75,7 +75,7 @@ export class GoalsPanel implements Panel {
         button(t('seed'), () => void studio.searchAgain())),
       this.library.element);
     this.end = studio.store.subscribe((state, previous) => {
-      if (state.document !== previous.document || state.trial !== previous.trial || state.selected !== previous.selected || state.symmetric !== previous.symmetric || state.snap !== previous.snap || state.rings !== previous.rings) this.update();
+      if (state.document !== previous.document || state.undrawn !== previous.undrawn || state.trial !== previous.trial || state.selected !== previous.selected || state.symmetric !== previous.symmetric || state.snap !== previous.snap || state.rings !== previous.rings) this.update();
     });
     this.update();
   }

@@ -4,12 +4,18 @@ import type { Candidate, Reason } from '../../../bindings/wasm/src/types';
 import { postureWords, t } from '../i18n';
 import { detailWords, reasonsWords, verdictWords } from '../i18n/verdict_words';
 import { ranking } from '../state/criteria';
-import type { Document } from '../state/model';
+import type { Document, State } from '../state/model';
 import type { Studio } from '../state/studio';
 import { reasonsOf, shortOf, unturnedOf } from '../state/verdict';
 import { button, fill, h, type Panel } from './dom';
 
 const kFirst = 3; // reasons that are seen at once
+
+/** What is said in place of a verdict, where the figure at hand is not what was computed; "" elsewhere. */
+export function undrawnText({ document, undrawn }: State): string {
+  if (!undrawn || undrawn.character !== document?.character) return '';
+  return undrawn.apart_m === null ? t('undrawnMesh') : t('undrawn', { length: undrawn.apart_m });
+}
 
 /** How a verdict is coloured. */
 export function verdictClass(candidate: Candidate): 'good' | 'hard' | 'bad' {
@@ -24,7 +30,7 @@ export class VerdictLine implements Panel {
 
   constructor(private readonly studio: Studio) {
     this.end = studio.store.subscribe((state, previous) => {
-      if (state.document !== previous.document || state.preview !== previous.preview) this.update();
+      if (state.document !== previous.document || state.preview !== previous.preview || state.undrawn !== previous.undrawn) this.update();
     });
     this.update();
   }
@@ -35,12 +41,14 @@ export class VerdictLine implements Panel {
     if (!document || !shown) return fill(this.element);
     const place = ranking(document).indexOf(document.chosen) + 1;
     const isPreview = this.studio.store.state.preview !== null;
+    const undrawn = undrawnText(this.studio.store.state);
     const worst = reasonsOf(document, shown).find(({ time_s }) => time_s !== undefined);
     const words = verdictWords(document, shown);
     const told = { class: `verdict ${verdictClass(shown)}`, title: reasonsWords(document, shown).join('\n') || words };
     fill(this.element,
       h('span', { class: 'motion' }, isPreview ? '' : h('b', {}, t('candidate', { n: place })), ` ${postureWords(shown.summary.final_posture.words)}`),
-      worst && !isPreview ? button(words, () => this.studio.scrub(worst.time_s!), { ...told, 'aria-label': `${words} — ${t('showMoment')}` })
+      undrawn !== '' ? h('span', { class: 'verdict bad', title: undrawn }, undrawn)
+        : worst && !isPreview ? button(words, () => this.studio.scrub(worst.time_s!), { ...told, 'aria-label': `${words} — ${t('showMoment')}` })
         : h('span', told, words));
   }
 
@@ -57,7 +65,10 @@ export class VerdictBox {
 
   update(document: Document, candidate: Candidate | null): void {
     const reasons = candidate ? reasonsOf(document, candidate) : [];
-    this.element.hidden = reasons.length === 0;
+    const undrawn = undrawnText(this.studio.store.state);
+    this.element.hidden = reasons.length === 0 && undrawn === '';
+    this.element.className = 'verdict-box bad';
+    if (undrawn !== '') return fill(this.element, h('p', {}, undrawn));
     if (!candidate || reasons.length === 0) return fill(this.element);
     this.element.className = `verdict-box ${verdictClass(candidate)}`;
     const items = reasons.map((reason) => h('li', {}, this.reason(document, candidate, reason)));

@@ -6,6 +6,7 @@ import { workOfResult } from '../kept/in_result';
 import { isLibrary, kMostLibraryBytes, readLibrary } from '../kept/library';
 import { openWork } from '../kept/pack';
 import { takeWanted } from '../kept/wanted';
+import { plainBytes } from '../plain_gltf/packed';
 import { characterFormat, characterFormats, endingOf, isBuiltIn } from './formats';
 import type { Document } from './model';
 import { checkedDocumentOf, documentOf } from './of_task';
@@ -37,9 +38,8 @@ export async function openFile(studio: Studio, file: File, beside: readonly File
   }
   studio.store.set({ opening: file.name, notice: null });
   try {
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    if (isJson) await openJson(studio, file.name, new TextDecoder().decode(bytes), beside);
-    else await openCharacter(studio, { source: file.name }, bytes);
+    if (isJson) await openJson(studio, file.name, await file.text(), beside);
+    else await openCharacter(studio, { source: file.name }, await plainBytes(file, most));
   } catch (error) {
     studio.fail(error, file.name);
   } finally {
@@ -109,11 +109,12 @@ async function characterBeside(
   studio: Studio, named: CharacterSpec | string | undefined, beside: readonly File[],
 ): Promise<Document['character'] | undefined> {
   if (typeof named !== 'object') return undefined;
-  const file = beside.find(({ name }) => name === named.source && characterFormat(studio.facts, name) !== undefined);
-  if (file === undefined) return undefined;
+  const format = characterFormat(studio.facts, named.source);
+  const file = beside.find(({ name }) => name === named.source);
+  if (file === undefined || format === undefined) return undefined;
   // as it was read then; what was measured of it is in the file
   const said = Object.entries(named).filter(([key]) => kOfTheFile.has(key));
-  return studio.open(Object.fromEntries(said) as unknown as CharacterSpec, new Uint8Array(await file.arrayBuffer()));
+  return studio.open(Object.fromEntries(said) as unknown as CharacterSpec, await plainBytes(file, format.max_bytes));
 }
 
 /** The character of a task: the one at hand where it is of the same file, as that has its mesh. */

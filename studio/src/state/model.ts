@@ -38,6 +38,12 @@ export type Notice =
   | { kind: 'failure'; failure: EngineFailure; about?: string }
   | { kind: 'text'; key: string; values?: Record<string, string | number> };
 
+/** A character whose figure is not what was computed. */
+export interface Undrawn {
+  readonly character: Character;
+  readonly apart_m: number | null; // how far a hand is drawn from its place; null: another figure stands in for the mesh
+}
+
 /** A work whose character's file is not at hand. */
 export interface Wanted {
   readonly work: Work;
@@ -72,6 +78,7 @@ export interface State {
   readonly search: { fraction: number; best: number } | null;
   readonly opening: string | null; // a file's name
   readonly wanted: Wanted | null;
+  readonly undrawn: Undrawn | null;
   readonly project: string; // its name
   readonly saving: Saving;
   readonly notice: Notice | null;
@@ -107,6 +114,7 @@ export const initialState: State = {
   search: null,
   opening: null,
   wanted: null,
+  undrawn: null,
   project: '',
   saving: 'none',
   notice: null,

@@ -2,6 +2,7 @@
 // The document on the table: its steps, what is shown of it and when, and what is told about it.
 import type { Candidate, Character, Engine, Facts } from '../../../bindings/wasm/src/types';
 import { failureOf } from '../engine/connect';
+import { PackedError } from '../plain_gltf/packed';
 import { Library } from '../kept/library';
 import type { Look } from '../kept/work';
 import { Clock } from './clock';
@@ -112,6 +113,7 @@ export class Workbench {
   }
 
   fail(error: unknown, about?: string): void {
+    if (error instanceof PackedError) return this.tell({ kind: 'text', key: 'badPacked', values: { name: about ?? '' } });
     const failure = failureOf(error);
     if (failure !== null) this.tell({ kind: 'failure', failure, about });
   }

@@ -2,6 +2,7 @@
 // Which figure a character is drawn as, and letting go of one.
 import { Mesh, type Object3D, SkinnedMesh, type Texture } from 'three';
 import type { Candidate, Character } from '../../../bindings/wasm/src/types';
+import { isGltf } from '../plain_gltf/packed';
 import { isRobot } from '../state/start';
 import { type Figure, makeMannequin } from './mannequin';
 import { loadMannequin, type Shape } from './mannequin_file';
@@ -19,17 +20,19 @@ export function isOwnMesh(figure: Figure): boolean {
 
 export async function makeFigure(character: Character): Promise<Figure> {
   const { description } = character;
-  if (character.bytes && description.nodes.some((node) => node.file_node !== undefined)) {
+  let standsIn = false;
+  if (character.bytes && isGltf(character.bytes)) {
     try {
       const { makeGltfFigure } = await import('./gltf_figure');
       const figure = await makeGltfFigure(character);
-      ownMeshes.add(figure);
-      return figure;
+      if (figure) ownMeshes.add(figure);
+      if (figure) return figure;
     } catch {
-      // a file without a mesh, or one that three cannot read: its joints can be drawn all the same
+      standsIn = true; // its joints can be drawn all the same
     }
   }
-  return (isRobot(description) ? null : await mannequin(character)) ?? makeSticks(description);
+  const figure = (isRobot(description) ? null : await mannequin(character)) ?? makeSticks(description);
+  return Object.assign(figure, { standsIn });
 }
 
 /** kg/m², of which an average man's and woman's mass is. */

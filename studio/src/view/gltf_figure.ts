@@ -3,6 +3,7 @@
 import { Box3, Group, LoadingManager, type Material, Mesh, MeshStandardMaterial, type Object3D, TextureLoader, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { Character } from '../../../bindings/wasm/src/types';
+import { readContainer } from '../plain_gltf/container';
 import type { Figure } from './mannequin';
 import { worldMatrix } from './pose';
 
@@ -20,8 +21,10 @@ function loadData(url: string, onLoad: (data: ArrayBuffer) => void, _onProgress:
   else onLoad(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer);
 }
 
-export async function makeGltfFigure(character: Character): Promise<Figure> {
+/** Null where the file has no mesh. */
+export async function makeGltfFigure(character: Character): Promise<Figure | null> {
   const bytes = character.bytes!;
+  if (!readContainer(bytes).json.meshes?.length) return null;
   const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
   const manager = innerFilesOnly();
   const loader = new GLTFLoader(manager).register((parser) => {
@@ -42,18 +45,18 @@ export async function makeGltfFigure(character: Character): Promise<Figure> {
   root.add(gltf.scene);
   const object = new Group();
   object.add(root);
-  let drawn = 0;
   gltf.scene.traverse((item) => {
     if (!(item instanceof Mesh)) return;
-    ++drawn;
     item.castShadow = true;
     item.receiveShadow = true;
     item.frustumCulled = false;
     item.material = Array.isArray(item.material) ? item.material.map(lit) : lit(item.material as Material);
   });
-  if (drawn === 0) throw new Error('no mesh');
-  const nodes = character.description.nodes.map((node) =>
-    node.file_node === undefined ? undefined : byIndex.get(node.file_node));
+  const nodes = character.description.nodes.map(({ file_node, scale = [1, 1, 1] }) => {
+    const node = file_node === undefined ? undefined : byIndex.get(file_node);
+    node?.scale.set(...scale); // as it was measured, which may be in a frame of an animation
+    return node;
+  });
   object.updateMatrixWorld(true);
   const size = new Box3().setFromObject(gltf.scene).getSize(new Vector3());
   // how the file lies is not known before it moves, so its longest side counts, but for arms held out

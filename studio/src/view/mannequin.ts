@@ -13,6 +13,8 @@ export interface Figure {
   /** By index of the description's nodes. */
   nodes: (Object3D | undefined)[];
   height: number; // m, of all that is drawn
+  /** In place of a mesh that cannot be drawn. */
+  standsIn?: boolean;
   skin: MeshStandardMaterial;
   joints: MeshStandardMaterial;
   /** Of the mannequin: what moves beside the nodes, what moves it to where they are at a time, and how closed a hand is. */

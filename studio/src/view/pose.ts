@@ -72,15 +72,15 @@ export function worldMatrix(description: CharacterDescription): Matrix4 {
   return scale.multiply(turn).multiply(new Matrix4().makeTranslation(-origin[0], -origin[1], -origin[2]));
 }
 
-/** The nodes of a description, unturned, below a group that stands them into the world. */
+/** The nodes of a description, unturned, below a group that stands them into the world, which files keep as its place, turn and scale. */
 export function makeNodes(description: CharacterDescription): { root: Group; nodes: Bone[] } {
   const root = new Group();
-  root.matrixAutoUpdate = false;
-  root.matrix.copy(worldMatrix(description));
+  root.applyMatrix4(worldMatrix(description));
   const nodes = description.nodes.map((node) => {
     const bone = new Bone();
     bone.name = node.name;
     bone.position.set(...node.offset);
+    if (node.scale) bone.scale.set(...node.scale);
     return bone;
   });
   description.nodes.forEach((node, index) => {

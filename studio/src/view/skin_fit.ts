@@ -26,12 +26,16 @@ function parts(name: string): { side: string; bone: string } {
   return { side, bone };
 }
 
-/** The bone, or the next one above it that the body has. */
-export function carrier(body: BodyBones, name: string): string {
+/** The bone above; of the hips these themselves. */
+function above(name: string): string {
   const { side, bone } = parts(name);
-  if (body.has(name) || bone === 'hips') return name;
-  const above = kAbove[bone]!;
-  return carrier(body, kCentral.has(above) ? above : side + above);
+  const next = kAbove[bone] ?? 'hips';
+  return kCentral.has(next) ? next : side + next;
+}
+
+/** The bone, or the next one above it that the body has; the hips where it has none. */
+export function carrier(body: BodyBones, name: string): string {
+  return body.has(name) || name === 'hips' ? name : carrier(body, above(name));
 }
 
 export class SkinFitter {
@@ -140,7 +144,7 @@ export class SkinFitter {
       const long = this.ratio(way.length(), made.length());
       return { x: s, y: long, z: long, turn: this.turnOf(made, way) };
     }
-    if (!way || way.length() < 0.04 * s) return { x: s, y: s, z: s, turn: this.of(carrier(this.body, side + kAbove[bone]!)).turn };
+    if (!way || way.length() < 0.04 * s) return { x: s, y: s, z: s, turn: this.of(carrier(this.body, above(side + bone))).turn };
     const hand = bone === 'hand';
     const long = hand && way.length() < 0.12 * s ? s : this.ratio(way.length(), measures[bone]!);
     return { x: hand ? long : s, y: long, z: hand ? long : s, turn: this.turnOf(kDown, way) };

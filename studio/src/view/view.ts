@@ -13,6 +13,7 @@ import type { Studio } from '../state/studio';
 import { t } from '../i18n';
 import { directionOf, type Preset } from './camera';
 import type { FilmSettings, Scene as FilmScene } from './film';
+import { nodeOfReached, undrawnOf } from './drawn_check';
 import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
 import { headReach, placesToSee } from './framing';
 import { Ghosts } from './ghosts';
@@ -66,6 +67,7 @@ export class View {
   private character: Character | null = null;
   private figure: Figure | null = null;
   private other: Figure | null = null;
+  private checked: Figure | null = null; // the one that was compared with its motion
   private nodeOf = new Map<string, number>(); // by effector
   private framed: Character | null = null; // whose figure is in the picture
   private sought: Look | null = null; // until it is
@@ -207,6 +209,7 @@ export class View {
   private changed(state: State, previous: State): void {
     const character = state.document?.character ?? null;
     if (character !== this.character) void this.setCharacter(character);
+    else this.check();
     if (state.theme !== previous.theme) this.paint();
     if (state.view !== previous.view) this.stage.setLens(state.view);
     if (state.compareMode !== previous.compareMode) this.colour();
@@ -283,6 +286,16 @@ export class View {
     this.showMotion(this.studio.store.state);
     this.colour();
     for (const listener of this.listeners) listener(figure);
+    this.check();
+  }
+
+  /** Compares a new figure with the first motion that the engine has for it. */
+  private check(): void {
+    const { figure, character } = this;
+    const candidate = this.studio.chosen();
+    if (!figure || !character || !candidate || this.checked === figure || this.framed !== this.studio.document?.character) return;
+    this.checked = figure;
+    this.studio.store.set({ undrawn: undrawnOf(figure, character, candidate) });
   }
 
   private async setOther(): Promise<void> {
@@ -415,8 +428,7 @@ export class View {
   drawn(effector: string): Vec3 | null {
     const reached = this.studio.chosen()?.summary.reached.find((r) => r.effector === effector);
     if (!reached || !this.character || !this.figure) return null;
-    const file = reached['gltf_node' as keyof typeof reached] as unknown as number | undefined;
-    const index = this.character.description.nodes.findIndex((node) => (file === undefined ? node.name === reached.joint : node.file_node === file));
+    const index = nodeOfReached(this.character.description, reached);
     return this.figure.nodes[index]?.getWorldPosition(new Vector3()).toArray() ?? null;
   }
 
