@@ -44,7 +44,7 @@ const kChunkHeader = 8;
 
 /** Throws where the file is damaged. */
 export function readContainer(bytes: Uint8Array): { json: Gltf; binary?: Uint8Array } {
-  const parse = (text: Uint8Array): Gltf => JSON.parse(new TextDecoder().decode(text)) as Gltf;
+  const parse = (text: Uint8Array): Gltf => JSON.parse(new TextDecoder().decode(text).replace(/\0+$/, '')) as Gltf; // some pad with zeros
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < kHeader || view.getUint32(0, true) !== kGlb) return { json: parse(bytes) };
   const chunks = new Map<number, Uint8Array>();
