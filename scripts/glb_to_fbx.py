@@ -11,7 +11,7 @@ source, target = sys.argv[sys.argv.index("--") + 1 :]
 
 
 def rate(path):
-    """Frames a second of the last animation, which is the motion that was added."""
+    """Frames a second of the first animation, which is the motion that was added."""
     with open(path, "rb") as file:
         magic, _, _, length, _ = struct.unpack("<4sIIII", file.read(20))
         if magic != b"glTF":
@@ -19,7 +19,7 @@ def rate(path):
         gltf = json.loads(file.read(length))
     if not gltf.get("animations"):
         sys.exit(f"{path} holds no animation")
-    times = [gltf["accessors"][sampler["input"]] for sampler in gltf["animations"][-1]["samplers"]]
+    times = [gltf["accessors"][sampler["input"]] for sampler in gltf["animations"][0]["samplers"]]
     longest = max(times, key=lambda accessor: accessor["count"])
     return max(1, round((longest["count"] - 1) / max(longest["max"][0] - longest["min"][0], 1e-9)))
 
