@@ -72,6 +72,26 @@ double decoded(std::string_view bytes, std::size_t at, const AccessorComponent& 
   return static_cast<double>(kind.has_sign && value >= sign ? value - 2 * sign : value);
 }
 
+constexpr std::array kMeshopt{"EXT_meshopt_compression", "KHR_meshopt_compression"};
+constexpr std::array kDraco{"KHR_draco_mesh_compression"};
+
+// The first of these extensions that an object has.
+template <std::size_t N>
+const GltfJson* extension(const GltfJson& of, const std::array<const char*, N>& names) {
+  const auto extensions = of.find("extensions");
+  if (extensions == of.end() || !extensions->is_object()) return nullptr;
+  for (const char* name : names) {
+    const auto found = extensions->find(name);
+    if (found != extensions->end() && found->is_object()) return &*found;
+  }
+  return nullptr;
+}
+
+std::string text_or_none(const GltfJson& of, const char* key) {
+  const auto found = of.find(key);
+  return found != of.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
 std::optional<std::string> from_base64(std::string_view text) {
   std::string bytes;
   std::uint32_t group = 0;
@@ -171,28 +191,49 @@ Result<std::string_view> GltfAccessors::buffer(const GltfJson& index) {
   return std::string_view(decoded_[i]);
 }
 
+Result<std::string_view> GltfAccessors::slice(const GltfJson& of, const std::string& place) {
+  const auto offset = whole(of, "byteOffset", 0);
+  const auto length = whole(of, "byteLength", 0);
+  if (!of.contains("buffer") || !offset || !length) return wrong(place, say("buffer_numbers"));
+  SHG_TRY_ASSIGN(const std::string_view bytes, buffer(of["buffer"]));
+  if (*offset > bytes.size() || *length > bytes.size() - *offset) {
+    return wrong(place, say("bytes_beyond", *offset, *offset + *length, bytes.size()));
+  }
+  return bytes.substr(*offset, *length);
+}
+
 Result<GltfAccessors::View> GltfAccessors::view(const GltfJson& index) {
   SHG_TRY_ASSIGN(const GltfJson found, entry("bufferViews", index));
-  const std::string place = fmt::format("bufferViews[{}]", index.get<std::size_t>());
-  const auto offset = whole(found, "byteOffset", 0);
+  const auto i = index.get<std::size_t>();
+  const std::string place = fmt::format("bufferViews[{}]", i);
   const auto length = whole(found, "byteLength", 0);
   const auto stride = whole(found, "byteStride", 0);
-  if (!found.contains("buffer") || !offset || !length || !stride || *stride > 252) {
-    return wrong(place, say("buffer_numbers"));
+  constexpr std::size_t kMaxStride = 252;
+  if (!length || !stride || *stride > kMaxStride) return wrong(place, say("buffer_numbers"));
+  if (const GltfJson* packed = extension(found, kMeshopt)) {
+    SHG_TRY_ASSIGN(const std::string_view bytes, unpacked(i, *length, *packed, place));
+    return View{bytes, *stride};
   }
-  const Result<std::string_view> bytes = buffer(found["buffer"]);
-  const auto extensions = found.find("extensions");
-  if (!bytes && extensions != found.end() && extensions->is_object()) {
-    for (const char* packed : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-      if (!extensions->contains(packed)) continue;
-      return wrong(place, say("compressed_by", packed));
-    }
+  SHG_TRY_ASSIGN(const std::string_view bytes, slice(found, place));
+  return View{bytes, *stride};
+}
+
+Result<std::string_view> GltfAccessors::unpacked(std::size_t view, std::size_t length,
+                                                 const GltfJson& packed, const std::string& place) {
+  if (const auto kept = unpacked_.find(view); kept != unpacked_.end()) return kept->second;
+  const auto count = whole(packed, "count", 0);
+  const auto stride = whole(packed, "byteStride", 0);
+  if (!count || !stride || *stride == 0 || *count > length / *stride ||
+      *count * *stride != length) {
+    return wrong(place, say("packed_view", length));
   }
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (*offset > bytes->size() || *length > bytes->size() - *offset) {
-    return wrong(place, say("bytes_beyond", *offset, *offset + *length, bytes->size()));
-  }
-  return View{bytes->substr(*offset, *length), *stride};
+  if (length > room_) return wrong(place, say("unpacked_bytes", kUnpackedMaxBytes));
+  SHG_TRY_ASSIGN(const std::string_view bytes, slice(packed, place));
+  const MeshoptView told{*count, *stride, text_or_none(packed, "mode"),
+                         text_or_none(packed, "filter")};
+  SHG_TRY_ASSIGN(std::string plain, unpack_meshopt(told, bytes, place + " of " + name_));
+  room_ -= length;
+  return unpacked_[view] = std::move(plain);
 }
 
 Result<AccessorElements> GltfAccessors::elements(const std::string& place, const GltfJson& holder,
@@ -240,10 +281,8 @@ Result<void> GltfAccessors::read_sparse(const std::string& place, const GltfJson
   return {};
 }
 
-Result<GltfNumbers> GltfAccessors::open(const GltfJson& index, int components,
-                                        AccessorContent content) {
-  SHG_TRY_ASSIGN(const GltfJson accessor, entry("accessors", index));
-  const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
+Result<GltfNumbers> GltfAccessors::declared(const GltfJson& accessor, const std::string& place,
+                                            int components, AccessorContent content) const {
   constexpr std::array kTypes{"", "SCALAR", "", "VEC3", "VEC4"};
   const char* type = components == 16 ? "MAT4" : kTypes[static_cast<std::size_t>(components)];
   if (!accessor.contains("type") || accessor["type"] != type) {
@@ -259,18 +298,78 @@ Result<GltfNumbers> GltfAccessors::open(const GltfJson& index, int components,
   numbers.count_ = *count;
   numbers.kind_ = *kind;
   numbers.normalised_ = normalised && kind->largest > 0.0;
-  const std::size_t size = static_cast<std::size_t>(components) * kind->bytes;
+  return numbers;
+}
+
+Result<GltfNumbers> GltfAccessors::open(const GltfJson& index, int components,
+                                        AccessorContent content) {
+  SHG_TRY_ASSIGN(const GltfJson accessor, entry("accessors", index));
+  const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
+  SHG_TRY_ASSIGN(GltfNumbers numbers, declared(accessor, place, components, content));
+  const std::size_t size = static_cast<std::size_t>(components) * numbers.kind_.bytes;
   const bool sparse = accessor.contains("sparse");
   if (!accessor.contains("bufferView") && !sparse) {
     return wrong(place, say("no_buffer_view"));
   }
   if (accessor.contains("bufferView")) {
-    SHG_TRY_ASSIGN(numbers.elements_, elements(place, accessor, *count, size));
+    SHG_TRY_ASSIGN(numbers.elements_, elements(place, accessor, numbers.count_, size));
   }
   if (sparse) {
     SHG_TRY(read_sparse(place, accessor["sparse"], size, numbers));
   }
   return numbers;
+}
+
+Result<GltfPrimitive> GltfAccessors::open(const GltfJson& primitive,
+                                          std::span<const GltfAttribute> wanted) {
+  if (const GltfJson* packed = extension(primitive, kDraco)) {
+    return unpacked(primitive, *packed, wanted);
+  }
+  GltfPrimitive opened;
+  const GltfJson& attributes = primitive["attributes"];
+  for (const auto& [name, components, content] : wanted) {
+    opened.attributes.emplace_back();
+    if (!attributes.contains(name)) continue;
+    SHG_TRY_ASSIGN(opened.attributes.back(), open(attributes[name], components, content));
+  }
+  if (primitive.contains("indices")) {
+    SHG_TRY_ASSIGN(opened.indices, open(primitive["indices"], 1, AccessorContent::indices));
+  }
+  return opened;
+}
+
+Result<GltfPrimitive> GltfAccessors::unpacked(const GltfJson& primitive, const GltfJson& packed,
+                                              std::span<const GltfAttribute> wanted) {
+  const auto ids = packed.find("attributes");
+  if (ids == packed.end() || !ids->is_object() || !packed.contains("bufferView")) {
+    return wrong("mesh", say("draco_lacks"));
+  }
+  const GltfJson& attributes = primitive["attributes"];
+  GltfPrimitive opened;
+  std::vector<DracoAttribute> columns;
+  for (const auto& [name, components, content] : wanted) {
+    std::optional<GltfNumbers>& numbers = opened.attributes.emplace_back();
+    const auto id = whole(*ids, name.c_str(), kAccessorMaxNumbers);
+    if (!attributes.contains(name) || !id || *id >= kAccessorMaxNumbers) continue;
+    SHG_TRY_ASSIGN(const GltfJson accessor, entry("accessors", attributes[name]));
+    SHG_TRY_ASSIGN(numbers, declared(accessor, "accessors of mesh", components, content));
+    columns.push_back({static_cast<std::uint32_t>(*id), components, numbers->kind_});
+  }
+  SHG_TRY_ASSIGN(const View view, this->view(packed["bufferView"]));
+  SHG_TRY_ASSIGN(DracoMesh mesh, unpack_draco(view.bytes, columns, room_, "mesh of " + name_));
+  const auto put = [&](GltfNumbers& numbers, std::size_t count, std::string&& bytes) {
+    numbers.count_ = count;
+    numbers.elements_ = {columns_.emplace_back(std::move(bytes)),
+                         count == 0 ? 0 : columns_.back().size() / count};
+  };
+  std::size_t column = 0;
+  for (std::optional<GltfNumbers>& numbers : opened.attributes) {
+    if (numbers) put(*numbers, mesh.points, std::move(mesh.columns[column++]));
+  }
+  opened.indices.emplace().kind_ = {4, 4294967295.0, false};
+  const std::size_t corners = mesh.corners.size() / 4;
+  put(*opened.indices, corners, std::move(mesh.corners));
+  return opened;
 }
 
 Result<std::vector<double>> GltfAccessors::numbers(const GltfJson& index, int components) {

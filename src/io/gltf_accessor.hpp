@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <shigusa/result.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "glb.hpp"
 #include "json_splice.hpp"
+#include "unpack.hpp"
 
 namespace shigusa {
 
 // All numbers that are read of one file, and what they are out of, are bounded.
 inline constexpr std::size_t kAccessorMaxNumbers = 4'000'000;
-
-// How a component of an accessor is stored.
-struct AccessorComponent {
-  std::size_t bytes = 4;
-  double largest = 0.0;  // of a normalised integer what stands for 1; 0: a float
-  bool has_sign = true;
-};
 
 // The content that an accessor may have where it is used: floats and normalised integers; also
 // integers as they are, which the nodes' places scale; whole numbers without a sign.
@@ -50,9 +48,21 @@ class GltfNumbers {
   AccessorElements replaced_;           // … that are these
 };
 
+// What a primitive is asked for: an accessor of its attributes, with its components and content.
+struct GltfAttribute {
+  std::string name;
+  int components = 0;
+  AccessorContent content = AccessorContent::reals;
+};
+
+struct GltfPrimitive {
+  std::vector<std::optional<GltfNumbers>> attributes;  // as asked for; none where it has none
+  std::optional<GltfNumbers> indices;                  // of its vertices
+};
+
 // The numbers of a glTF file: accessors, by way of their buffer views, from the binary chunk of a
-// GLB or from data in the text. Other files are not opened. Reads what is asked for and nothing
-// else; the file's JSON must have been parsed before.
+// GLB or from data in the text, unpacked where meshopt or Draco packs them. Other files are not
+// opened. Reads what is asked for and nothing else; the file's JSON must have been parsed before.
 class GltfAccessors {
  public:
   GltfAccessors(const GlbParts& parts, std::string_view name);
@@ -61,6 +71,9 @@ class GltfAccessors {
   // name the accessor.
   [[nodiscard]] Result<GltfNumbers> open(const nlohmann::json& index, int components,
                                          AccessorContent content);
+  // Those of a primitive, from Draco's mesh where one packs it.
+  [[nodiscard]] Result<GltfPrimitive> open(const nlohmann::json& primitive,
+                                           std::span<const GltfAttribute> wanted);
   // All numbers of an accessor of reals, element by element.
   [[nodiscard]] Result<std::vector<double>> numbers(const nlohmann::json& index, int components);
 
@@ -72,6 +85,18 @@ class GltfAccessors {
   [[nodiscard]] Result<nlohmann::json> entry(const char* list, const nlohmann::json& index);
   [[nodiscard]] Result<View> view(const nlohmann::json& index);
   [[nodiscard]] Result<std::string_view> buffer(const nlohmann::json& index);
+  // The bytes that an object with buffer, byteOffset and byteLength names.
+  [[nodiscard]] Result<std::string_view> slice(const nlohmann::json& of, const std::string& place);
+  [[nodiscard]] Result<std::string_view> unpacked(std::size_t view, std::size_t length,
+                                                  const nlohmann::json& packed,
+                                                  const std::string& place);
+  [[nodiscard]] Result<GltfPrimitive> unpacked(const nlohmann::json& primitive,
+                                               const nlohmann::json& packed,
+                                               std::span<const GltfAttribute> wanted);
+  // An accessor without its elements.
+  [[nodiscard]] Result<GltfNumbers> declared(const nlohmann::json& accessor,
+                                             const std::string& place, int components,
+                                             AccessorContent content) const;
   [[nodiscard]] Result<AccessorElements> elements(const std::string& place,
                                                   const nlohmann::json& holder, std::size_t count,
                                                   std::size_t size);
@@ -85,8 +110,11 @@ class GltfAccessors {
   std::vector<JsonSplice::Value> accessors_;
   std::vector<JsonSplice::Value> views_;
   std::vector<JsonSplice::Value> buffers_;
-  std::vector<std::string> decoded_;  // (buffers) of data in the text
-  std::size_t taken_ = 0;             // numbers so far
+  std::vector<std::string> decoded_;             // (buffers) of data in the text
+  std::map<std::size_t, std::string> unpacked_;  // (views) once they are asked for
+  std::deque<std::string> columns_;              // of Draco's meshes
+  std::size_t room_ = kUnpackedMaxBytes;         // for what is unpacked
+  std::size_t taken_ = 0;                        // numbers so far
 };
 
 // A small value of a JSON text, parsed; larger or deeper ones are refused.

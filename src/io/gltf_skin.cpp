@@ -126,49 +126,45 @@ class SkinReader {
     }
   }
 
-  Result<Part> open_part(const JsonSplice::Value& primitive) {
-    const auto extensions = json_.member(primitive, "extensions");
-    if (json_.member(extensions, "KHR_draco_mesh_compression")) {
-      return wrong(say("draco"));
+  Result<Part> open_part(const JsonSplice::Value& text) {
+    // of what a primitive may hold beside, such as morph targets, there can be much
+    GltfJson primitive = GltfJson::object();
+    for (const char* key : {"attributes", "indices", "extensions"}) {
+      const auto value = json_.member(text, key);
+      if (!value) continue;
+      SHG_TRY_ASSIGN(primitive[key], parse_small_json(json_.text_of(value), "mesh of " + name_));
     }
-    SHG_TRY_ASSIGN(
-        const GltfJson attributes,
-        parse_small_json(json_.text_of(json_.member(primitive, "attributes")), "mesh of " + name_));
-    if (!attributes.is_object() || !attributes.contains("POSITION")) {
+    if (!primitive["attributes"].is_object() || !primitive["attributes"].contains("POSITION")) {
       return wrong(say("no_position"));
     }
-    SHG_TRY_ASSIGN(GltfNumbers positions,
-                   accessors_.open(attributes["POSITION"], 3, AccessorContent::coordinates));
-    if (positions.count() > kSkinMaxIndices) {
-      return wrong(say("vertices_most", positions.count(), kSkinMaxIndices));
+    static const std::array kWanted{GltfAttribute{"POSITION", 3, AccessorContent::coordinates},
+                                    GltfAttribute{"JOINTS_0", 4, AccessorContent::indices},
+                                    GltfAttribute{"WEIGHTS_0", 4, AccessorContent::reals},
+                                    GltfAttribute{"JOINTS_1", 4, AccessorContent::indices},
+                                    GltfAttribute{"WEIGHTS_1", 4, AccessorContent::reals}};
+    SHG_TRY_ASSIGN(GltfPrimitive opened, accessors_.open(primitive, kWanted));
+    if (!opened.attributes[0]) return wrong(say("no_position"));
+    if (opened.attributes[0]->count() > kSkinMaxIndices) {
+      return wrong(say("vertices_most", opened.attributes[0]->count(), kSkinMaxIndices));
     }
-    Part part{std::move(positions), {}, {}, {}};
-    SHG_TRY(open_sets(attributes, part));
-    if (const auto indices = json_.member(primitive, "indices"); indices) {
-      SHG_TRY_ASSIGN(const GltfJson index,
-                     parse_small_json(json_.text_of(indices), "mesh of " + name_));
-      SHG_TRY_ASSIGN(part.indices, accessors_.open(index, 1, AccessorContent::indices));
+    Part part{std::move(*opened.attributes[0]), {}, {}, std::move(opened.indices)};
+    for (const std::size_t set : {std::size_t{1}, std::size_t{3}}) {
+      if (!opened.attributes[set] || !opened.attributes[set + 1]) break;
+      SHG_TRY(add_set(std::move(*opened.attributes[set]), std::move(*opened.attributes[set + 1]),
+                      part));
     }
-    const std::string_view mode = json_.text_of(json_.member(primitive, "mode"));
+    const std::string_view mode = json_.text_of(json_.member(text, "mode"));
     part.triangles = mode.empty() || mode == "4";
     return part;
   }
 
-  // The joints of a part's vertices and their weights.
-  Result<void> open_sets(const GltfJson& attributes, Part& part) {
-    for (const auto& [joints, weights] :
-         {std::pair{"JOINTS_0", "WEIGHTS_0"}, std::pair{"JOINTS_1", "WEIGHTS_1"}}) {
-      if (!attributes.contains(joints) || !attributes.contains(weights)) break;
-      SHG_TRY_ASSIGN(GltfNumbers which,
-                     accessors_.open(attributes[joints], 4, AccessorContent::indices));
-      SHG_TRY_ASSIGN(GltfNumbers share,
-                     accessors_.open(attributes[weights], 4, AccessorContent::reals));
-      if (which.count() != part.positions.count() || share.count() != part.positions.count()) {
-        return wrong(say("sets_of_joints", part.positions.count(), which.count(), share.count()));
-      }
-      part.joints.push_back(std::move(which));
-      part.weights.push_back(std::move(share));
+  // Joints of a part's vertices and their weights.
+  Result<void> add_set(GltfNumbers&& joints, GltfNumbers&& weights, Part& part) {
+    if (joints.count() != part.positions.count() || weights.count() != part.positions.count()) {
+      return wrong(say("sets_of_joints", part.positions.count(), joints.count(), weights.count()));
     }
+    part.joints.push_back(std::move(joints));
+    part.weights.push_back(std::move(weights));
     return {};
   }
 

@@ -28,9 +28,9 @@ inline constexpr std::size_t kSkinMaxFaces = 200'000;
 //   their vertices at their edges alone.
 // - Vertices that no index names are not shown, so they are left out. Morph targets are at rest.
 // - Numbers are floats or integers (KHR_mesh_quantization), sparse or not, and come from the binary
-//   chunk or from data in the text. Draco's and meshopt's compression is not read, and other files
-//   are not opened: each part of a mesh that is left out is counted in the doubts, with the reason
-//   of the first.
+//   chunk or from data in the text, unpacked where Draco or meshopt packs them (a build with
+//   SHIGUSA_PACKED_MESHES). Other files are not opened: each part of a mesh that is left out is
+//   counted in the doubts, with the reason of the first.
 [[nodiscard]] Skin read_gltf_skin(std::string_view bytes, std::string_view name,
                                   const GltfCharacter& character,
                                   std::span<const GltfPlace> places);

@@ -215,20 +215,6 @@ json& primitive(MeshFile& file) { return file.json["meshes"][0]["primitives"][0]
 INSTANTIATE_TEST_SUITE_P(
     Of, MalformedSkins,
     testing::Values(
-        Malformed{"draco",
-                  [](MeshFile& f) {
-                    primitive(f)["extensions"]["KHR_draco_mesh_compression"] = json::object();
-                  },
-                  "the mesh was not read, so the floor is laid by the joints: mesh of hero.glb: is "
-                  "compressed by KHR_draco_mesh_compression"},
-        Malformed{"meshopt",
-                  [](MeshFile& f) {
-                    f.json["bufferViews"][0]["buffer"] = 1;
-                    f.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] =
-                        json::object();
-                    f.json["buffers"] = {{{"byteLength", 1}}, {{"byteLength", 12}}};
-                  },
-                  "is compressed by EXT_meshopt_compression"},
         Malformed{"another file",
                   [](MeshFile& f) {
                     f.json["buffers"] = {{{"uri", "hero.bin"}, {"byteLength", 12}}};

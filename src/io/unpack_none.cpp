@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Of a build without the libraries that unpack meshes.
+#include "core/say.hpp"
+#include "unpack.hpp"
+
+namespace shigusa {
+
+Result<std::string> unpack_meshopt(const MeshoptView&, std::string_view, const std::string& place) {
+  return fail(ErrorCode::parse, say("packed_by", "meshopt"), place);
+}
+
+Result<DracoMesh> unpack_draco(std::string_view, std::span<const DracoAttribute>, std::size_t&,
+                               const std::string& place) {
+  return fail(ErrorCode::parse, say("packed_by", "Draco"), place);
+}
+
+}  // namespace shigusa
