@@ -16,6 +16,7 @@
 #include "person/finger_bones.hpp"
 #include "person/landmark_points.hpp"
 #include "person/segment_mass.hpp"
+#include "person/stance.hpp"
 
 namespace shigusa {
 namespace {
@@ -140,6 +141,10 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
   spec.landmarks = found.eased ? at_ease(start.landmarks, *spec.stature) : start.landmarks;
   if (spec.seat && !found.sits) {
     spec.landmarks = seated(*spec.landmarks, *spec.stature, *spec.seat);
+  }
+  if (found.eased && !spec.seat && spreads_arms(start.landmarks)) {
+    const bool in_first_frame = file.motion.frames > 0 && !spec.frame && !found.frame;
+    start.doubts.push_back(say("arms_spread", in_first_frame ? say("arms_of_frame") : Message{}));
   }
   // the rest pose is of no animation
   if (found.frame && !(found.frame == kRestPose && spec.animation)) spec.frame = found.frame;

@@ -143,6 +143,24 @@ Result<PersonStart> in_animation(const CharacterFile& file, const CharacterSpec&
   return found;
 }
 
+// In the pose that the file shows where that is its own: another than the one that the mesh was
+// bound in, of one who stands still on both feet, arms not spread as people are modelled.
+std::optional<PersonStart> in_own_pose(const CharacterFile& file, const CharacterSpec& spec) {
+  if (!file.bound || spec.frame || spec.seat) return std::nullopt;
+  Result<PersonStart> found = measure_in(file, spec, *file.bound, file.bound_skin, true);
+  if (!found || !rests(*found)) return std::nullopt;
+  Result<MeasuredPerson> own = measure_posed(file.skeleton, file.rest.clip(), 0, file.skin, *found);
+  CharacterFile shown;
+  shown.skeleton = file.skeleton;
+  shown.motion = file.rest.clip();
+  shown.rig.format = file.rig.format;
+  if (!own || !begins_standing(shown, spec, *found)) return std::nullopt;
+  found->start = std::move(*own);
+  found->posed = file.rest;
+  found->start.doubts.push_back(say("own_pose"));
+  return std::move(*found);
+}
+
 Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec& spec) {
   SHG_TRY_ASSIGN(PersonStart rest, measure_at_rest(file, spec));
   if (file.motion.frames > 0) {
@@ -155,6 +173,7 @@ Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec&
     return choose_start(file, spec, rest, *frame,
                         {[&](int at) { return in_animation(file, spec, rest, at); }, at_rest});
   }
+  if (std::optional<PersonStart> own = in_own_pose(file, spec)) return std::move(*own);
   rest.eased = true;
   if (rests(rest)) return rest;
   const std::string better = standing_animation(file, rest);
@@ -187,7 +206,6 @@ Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& 
     known = measure_in(file, spec, pose_at(file, *frame), {}, true);
     if (!known) return known;
     known->eased = true;
-    known->start.doubts.push_back(say("arms_spread"));
     return known;
   }
   // of a person who lies sideways nothing tells where ahead is

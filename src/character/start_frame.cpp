@@ -89,6 +89,8 @@ class StartChooser {
     return start;
   }
 
+  [[nodiscard]] bool begins_standing() const { return first_stand(true) == 0; }
+
  private:
   // A frame's seat is another than the one that is asked for beyond this (m).
   static constexpr double kSameSeat = 0.08;
@@ -149,6 +151,12 @@ Result<PersonStart> choose_start(const CharacterFile& file, const CharacterSpec&
                                  const PersonStart& known, int frame, const FilePoses& poses) {
   const StartChooser chooser(file, spec, known, poses);
   return spec.frame ? chooser.asked(frame) : chooser.found(frame);
+}
+
+bool begins_standing(const CharacterFile& file, const CharacterSpec& spec,
+                     const PersonStart& known) {
+  const FilePoses none;
+  return StartChooser(file, spec, known, none).begins_standing();
 }
 
 }  // namespace shigusa

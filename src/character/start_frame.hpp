@@ -28,4 +28,8 @@ struct FilePoses {
                                                const PersonStart& known, int frame,
                                                const FilePoses& poses);
 
+// Whether in the first frame of a file's motion the person stands still on both feet.
+[[nodiscard]] bool begins_standing(const CharacterFile& file, const CharacterSpec& spec,
+                                   const PersonStart& known);
+
 }  // namespace shigusa

@@ -220,8 +220,8 @@ json standing_animation(json& file, std::string& binary) {
   return animation;
 }
 
-// A person bound as they stand, below an armature with z up, whose nodes rest in a leap.
-std::string leaping_glb(bool skinned, bool animated = false) {
+// A person bound as they stand, below an armature with z up, whose nodes rest bent.
+std::string bent_glb(std::span<const Bend> pose, bool skinned, bool animated = false) {
   json file = person_gltf();
   const SinCos<double> half = sin_cos(radians(-45.0));
   json& nodes = file["nodes"];
@@ -257,7 +257,7 @@ std::string leaping_glb(bool skinned, bool animated = false) {
     }
     EXPECT_NEAR(norm(armature.rotation.cx), unit, 1e-9);
   }
-  for (const auto& [name, axis, angle_deg] : kLeap) {
+  for (const auto& [name, axis, angle_deg] : pose) {
     for (json& node : nodes) {
       if (node.value("name", "") != name) continue;
       const std::vector<double> q = node["rotation"];
@@ -278,6 +278,52 @@ std::string leaping_glb(bool skinned, bool animated = false) {
   file["accessors"] = {
       {{"bufferView", 0}, {"componentType", 5126}, {"count", people}, {"type", "MAT4"}}};
   return glb(file.dump(), binary);
+}
+
+std::string leaping_glb(bool skinned, bool animated = false) {
+  return bent_glb(kLeap, skinned, animated);
+}
+
+constexpr Bend kHandRaised[] = {{"right_upper_arm", Axis::x, -70.0},
+                                {"right_lower_arm", Axis::x, -60.0}};
+
+TEST(StartPose, OwnPoseOfWhoStandsIsTheStart) {
+  const auto own = loaded(bent_glb(kHandRaised, true), {.source = "own.glb"});
+  ASSERT_TRUE(own) << own.error().to_string();
+  EXPECT_THAT(own->doubts, Contains(HasSubstr("the start is the pose that the file shows")));
+  EXPECT_FALSE(own->rig->rig.at_ease);
+  const auto bound = loaded(bent_glb({}, true), {.source = "bound.glb"});
+  EXPECT_NEAR(*own->stature, *bound->stature, 1e-5);
+  // as the nodes are, and not as who stands at ease
+  const CharacterRig& rig = *own->rig;
+  const ExportedGlb file(*rig.bytes);
+  const auto wrist = static_cast<std::size_t>(rig_node(*own, "right_hand"));
+  EXPECT_LE(norm(rig.rig.placement.to_world(file.place(rig.file_node[wrist]).translation) -
+                 own->landmarks->right_arm.wrist),
+            1e-4);
+  EXPECT_LT(hangs(*own), 0.3);
+
+  const auto at_rest =
+      loaded(bent_glb(kHandRaised, true), {.source = "own.glb", .frame = kRestPose});
+  EXPECT_GT(hangs(*at_rest), 0.9);
+  EXPECT_THAT(at_rest->doubts, Not(Contains(HasSubstr("the pose that the file shows"))));
+  // what the mesh was not bound in nobody knows
+  EXPECT_GT(hangs(*loaded(bent_glb(kHandRaised, false), {.source = "own.glb"})), 0.9);
+}
+
+TEST(StartPose, ArmsThatAreLaidBesideTheBodyAreToldOnce) {
+  constexpr Bend kSpread[] = {{"right_upper_arm", Axis::z, -70.0},
+                              {"left_upper_arm", Axis::z, 70.0}};
+  for (const bool skinned : {false, true}) {
+    const auto spec = loaded(bent_glb(kSpread, skinned), {.source = "t.glb"});
+    ASSERT_TRUE(spec) << spec.error().to_string();
+    EXPECT_GT(hangs(*spec), 0.9);
+    EXPECT_EQ(std::ranges::count_if(spec->doubts,
+                                    [](const Message& doubt) {
+                                      return doubt.text.find("they hang") != std::string::npos;
+                                    }),
+              1);
+  }
 }
 
 TEST(StartPose, NodesInALeapGiveWayToThePoseThatTheMeshWasBoundIn) {

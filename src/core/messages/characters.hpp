@@ -34,8 +34,10 @@ inline constexpr std::array kCharacters{
     MessageText{"not_standing", "the nodes do not rest as who stands does{}"},
     MessageText{"standing_animation", "; frame 0 of the animation '{}' does: --animation"},
     MessageText{"arms_spread",
-                "the file begins with arms spread out or held ahead: they hang at the start; with "
-                "--frame 0 they do not"},
+                "the file has the arms spread out or held ahead: at the start they hang{}"},
+    MessageText{"arms_of_frame", "; with --frame 0 they do not"},
+    MessageText{"own_pose",
+                "the start is the pose that the file shows; with --frame rest it is at ease"},
     MessageText{"frame_unread", "frame {} has values that are no numbers; give another frame"},
     MessageText{
         "frame_lies",
