@@ -48,7 +48,7 @@ class GltfNumbers {
   AccessorElements replaced_;           // … that are these
 };
 
-// What a primitive is asked for: an accessor of its attributes, with its components and content.
+// One of the attributes that a primitive is asked for, with its components and content.
 struct GltfAttribute {
   std::string name;
   int components = 0;

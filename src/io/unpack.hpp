@@ -10,7 +10,7 @@
 
 namespace shigusa {
 
-// What packed parts of one file unpack to is bounded.
+// The bytes that the packed parts of one file may unpack to.
 inline constexpr std::size_t kUnpackedMaxBytes = std::size_t{512} << 20;
 
 // How a component of an accessor is stored.
