@@ -72,6 +72,23 @@ test('characters are drawn where they are computed', options, async () => {
   await context.close();
 });
 
+const corpora = fileURLToPath(new URL('../../tests/fuzz/', import.meta.url));
+
+test('files that fuzzing starts from are drawn or told of', { skip: !process.env.SHIGUSA_LONG && 'in the night', timeout: 1_800_000 }, async () => {
+  const { page, context, errors } = await openStudio(browser, site.url);
+  await settled(page);
+  const files = ['bvh', 'fbx', 'gltf', 'urdf', 'mjcf'].flatMap((kind) => readdirSync(`${corpora}${kind}_corpus`).map((name) => [kind, name]));
+  for (const [kind, name] of files) {
+    const unlike = `${kind}_${name}`; // each its own
+    await page.evaluate(() => (window.before = window.shigusa.state.notice));
+    await drop(page, unlike, readFileSync(`${corpora}${kind}_corpus/${name}`));
+    await page.waitForFunction((file) => window.shigusa.document.character.spec.source === file || (window.shigusa.state.notice?.kind === 'failure' && window.shigusa.state.notice !== window.before), unlike, { timeout: 60_000 });
+    await settled(page);
+    assert.deepEqual(errors, [], unlike);
+  }
+  await context.close();
+});
+
 /** The same with another JSON part, with other bytes or with more behind them. */
 function changed(bytes, change, ...more) {
   const { json, binary, view } = parseGlb(bytes);
