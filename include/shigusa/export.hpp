@@ -83,7 +83,7 @@ struct WrittenResult {
 struct FileSettings {
   double rate = kUsualRate;            ///< Hz, as ExportSettings has it
   std::string animation = "shigusa";   ///< its name in GLB and VRMA
-  JointNames names = JointNames::own;  ///< in BVH, of a built-in body
+  JointNames names = JointNames::own;  ///< in BVH and GLB, of a built-in body
   /// The hips keep their place along the floor in BVH, GLB and VRMA: games that move the character
   /// themselves want what it travels left out. Feet that stand slide then.
   bool in_place = false;

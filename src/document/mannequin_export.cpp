@@ -12,7 +12,7 @@
 namespace shigusa {
 namespace {
 
-// What a node does in all frames; empty where it stays at rest.
+// A part of a node's place in all frames; empty where it stays at rest.
 template <class T>
 std::vector<T> column(const std::vector<LocalTransform>& local, std::size_t node, std::size_t nodes,
                       T LocalTransform::*part, const T& rest) {

@@ -27,7 +27,7 @@ void append_float(double value, std::string& bytes) {
 // The accessors of one binary chunk.
 class GlbData {
  public:
-  // Adds the bytes of so many elements; returns the accessor's index.
+  // Adds the bytes of `count` elements; returns the accessor's index.
   std::size_t add(const std::string& bytes, std::size_t count, ComponentType component,
                   const char* type, Target target) {
     Json view{{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}};

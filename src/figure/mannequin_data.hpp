@@ -9,7 +9,7 @@ namespace shigusa {
 // The bytes of data/mannequin.bin: cmake/embed_mannequin.cmake.
 extern const std::span<const unsigned char> kMannequinFile;
 
-// What is packed in that file.
+// The file's content, unpacked.
 [[nodiscard]] std::string mannequin_data();
 
 }  // namespace shigusa

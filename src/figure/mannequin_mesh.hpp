@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-// What moves the mannequin's skin.
+// A bone that moves the mannequin's skin.
 struct SkinBone {
   enum class Kind {
     node,    // of the body
