@@ -124,9 +124,9 @@ void add_rare_file_options(CLI::App& c, FileOptions& o) {
             .rare = true});
   describe(c.add_option("--joint-names", o.joint_names),
            {.group = heading(OptionGroup::output),
-            .brief = "Names of a built-in body's joints in BVH (default own)",
-            .full = "Whose names the joints of a built-in body have in BVH: own, when not given, "
-                    "or those of another program.",
+            .brief = "Names of a built-in body's joints in BVH and GLB",
+            .full = "Whose names the joints of a built-in body have in BVH and GLB: own, when not "
+                    "given, or those of another program.",
             .form = choices<JointNames>(),
             .rare = true});
   describe(c.add_flag("--in-place", o.in_place),
@@ -159,7 +159,9 @@ std::string character_help() {
 std::string usual_formats_help() {
   return format_words([](const FormatInfo& info) { return info.usual && !needs_file(info); }) +
          "; for characters whose file can hold them also " +
-         format_words([](const FormatInfo& info) { return info.usual && needs_file(info); });
+         format_words([](const FormatInfo& info) { return info.usual && needs_file(info); }) +
+         "; built-in bodies can leave in " +
+         format_words([](const FormatInfo& info) { return info.mannequin; }) + " too";
 }
 
 void add_character_options(CLI::App& c, CharacterOptions& o) {

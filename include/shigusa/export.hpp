@@ -15,7 +15,7 @@ namespace shigusa {
 [[nodiscard]] Result<std::vector<FileFormat>> parse_formats(std::string_view list);
 
 /// The formats that a character gets when none are asked for: the usual ones of kFileFormats whose
-/// file, if they need one, is at hand.
+/// file, if they need one, is at hand. GLB of built-in bodies is none of them.
 [[nodiscard]] std::vector<FileFormat> usual_formats(const CharacterSpec& character);
 
 /// Fails on a format that this character cannot leave in (FormatInfo::needs), or nothing can.
@@ -67,7 +67,8 @@ struct WrittenResult {
 /// A character whose file is at hand (CharacterSpec::rig) leaves on its own skeleton, in the world
 /// that goals are given in: BVH has the file's nodes, of a BVH also its channels and unit; GLB is
 /// the file with animations added ("shigusa candidate 1", …), before its own; VRMA is for any VRM
-/// character.
+/// character. A built-in body leaves in GLB as the mannequin of the studio, with hands that open
+/// and close.
 ///
 /// BVH, GLB and VRMA are at the rate that is asked for: frame k is the motion at k / rate, and the
 /// last one, the first that is not before its end, is exactly its last. They are read back before
@@ -82,7 +83,7 @@ struct WrittenResult {
 struct FileSettings {
   double rate = kUsualRate;            ///< Hz, as ExportSettings has it
   std::string animation = "shigusa";   ///< its name in GLB and VRMA
-  JointNames names = JointNames::own;  ///< in BVH, of a built-in body
+  JointNames names = JointNames::own;  ///< in BVH and GLB, of a built-in body
   /// The hips keep their place along the floor in BVH, GLB and VRMA: games that move the character
   /// themselves want what it travels left out. Feet that stand slide then.
   bool in_place = false;

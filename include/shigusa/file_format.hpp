@@ -36,6 +36,7 @@ enum class NeededFile {
 enum class NeededLibrary {
   none,   ///< every build has it
   cairo,  ///< draws PNG and PDF
+  zlib,   ///< unpacks the mannequin
 };
 
 /// The facts of a format. All code that reads, writes, lists or describes files goes by this table;
@@ -61,6 +62,8 @@ struct FormatInfo {
   NeededFile needs = NeededFile::none;
   /// The library that reading or writing needs.
   NeededLibrary library = NeededLibrary::none;
+  /// Built-in bodies leave in it as the mannequin, where it is asked for and zlib is there.
+  bool mannequin = false;
 };
 
 /// Bytes.
@@ -112,14 +115,16 @@ inline constexpr std::array kFileFormats{
                .word = "glb",
                .endings = {".glb", ".gltf"},
                .media_type = "model/gltf-binary",
-               .about = "The character's own glTF file with the motion added.",
+               .about = "The character's own glTF file with the motion added; of a built-in body a "
+                        "mannequin.",
                .person = true,
                .clip = true,
                .written = true,
                .usual = true,
                .rated = true,
                .max_bytes = 128 * kMebibyte,
-               .needs = NeededFile::gltf},
+               .needs = NeededFile::gltf,
+               .mannequin = true},
     FormatInfo{.format = FileFormat::vrma,
                .word = "vrma",
                .endings = {".vrma"},

@@ -13,8 +13,8 @@ namespace shigusa {
 namespace {
 
 constexpr const char* kAboutGlb = R"(
-Each file of `motions/` is the character's own file with one animation, called as the motion is, in
-metres, y up, at {:g} frames a second. It moves to the goals of the data set's task, which are places in
+Each file of `motions/` is the character's own file, or the mannequin of a built-in body, with one
+animation, called as the motion is, in metres, y up, at {:g} frames a second. It moves to the goals of the data set's task, which are places in
 the world, whatever its size{}.
 {}
 `index.csv` has a row a motion with all of its numbers in the data set. {}
@@ -129,6 +129,8 @@ bool can_be_glb(const FormatInfo& info) {
 
 // Fails where no task of the plan has a character whose file can leave.
 Result<void> check_own(const DatasetPlan& plan) {
+  const bool built_in = plan.character_files().empty();
+  if (built_in && is_built_with(NeededLibrary::zlib)) return {};
   for (const std::string& file : plan.character_files()) {
     const auto format = format_of_file(file);
     if (format && can_be_glb(info_of(*format))) return {};

@@ -3,18 +3,16 @@
 
 #include <shigusa/character.hpp>
 #include <shigusa/export.hpp>
-#include <shigusa/motion.hpp>
 #include <shigusa/task.hpp>
-#include <span>
 #include <string>
 
-#include "io/gltf_write.hpp"
+#include "glb_export.hpp"
 #include "kinematics/rig.hpp"
 
 namespace shigusa {
 
 // Motions of a body on its character's own skeleton. Borrows the rig.
-class CharacterExporter {
+class CharacterExporter final : public GlbExporter {
  public:
   explicit CharacterExporter(const CharacterRig& character, const HandPlay& hands = {},
                              const FileSettings& settings = {})
@@ -24,13 +22,13 @@ class CharacterExporter {
   // centimetres.
   [[nodiscard]] std::string bvh(const BodyModel& body, const Clip& clip) const;
 
-  // The animation that glb() adds: rotations of the nodes that turn, the hips' translation, and
-  // the nodes that the start frame has elsewhere than the rest pose.
+  // Rotations of the nodes that turn, the hips' translation, and the nodes that the start frame has
+  // elsewhere than the rest pose.
   [[nodiscard]] GltfAnimation animation(const BodyModel& body, const Clip& clip,
-                                        const std::string& name) const;
+                                        const std::string& name) const override;
 
   // The character's glTF file with animations added before its own, or in their place.
-  [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const;
+  [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const override;
 
   // A VRM animation: the character's bones of VRM but for eyes and jaw, which stay, and fingers
   // where they do.

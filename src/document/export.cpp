@@ -22,6 +22,10 @@ std::string endings_for() {
       [](const FormatInfo& info) { return info.person && is_file(info.format, needed); }, "and");
 }
 
+bool leaves_as_mannequin(const CharacterSpec& character, const FormatInfo& info) {
+  return info.mannequin && is_built_in(character) && is_built_with(NeededLibrary::zlib);
+}
+
 }  // namespace
 
 std::string candidate_file(std::size_t rank, FileFormat format) {
@@ -66,7 +70,9 @@ Result<std::vector<FileFormat>> parse_formats(std::string_view list) {
 std::vector<FileFormat> usual_formats(const CharacterSpec& character) {
   std::vector<FileFormat> formats;
   for (const FormatInfo& info : kFileFormats) {
-    if (info.usual && check_formats(character, {info.format})) formats.push_back(info.format);
+    const bool asked_for = info.mannequin && !character.rig;
+    if (!info.usual || asked_for) continue;
+    if (check_formats(character, {info.format})) formats.push_back(info.format);
   }
   return formats;
 }
@@ -76,7 +82,7 @@ Result<void> check_formats(const CharacterSpec& character, const std::vector<Fil
     const FormatInfo& info = info_of(format);
     const std::string asked = "the format " + std::string(info.word);
     if (!info.written) return fail(ErrorCode::unsupported, say("read_alone"), asked);
-    if (info.needs == NeededFile::none) continue;
+    if (info.needs == NeededFile::none || leaves_as_mannequin(character, info)) continue;
     if (!character.rig && character.landmarks) {
       return fail(ErrorCode::invalid_argument, say("file_needed", character.source), asked);
     }

@@ -195,15 +195,27 @@ Result<ReadBack> ReadBackCheck::glb(std::string_view bytes, const std::string& a
   const Result<GltfMotion> file = parse_gltf_animation(
       bytes, "glb", {.animation = animation, .frame_rate = 1.0 / clip_.frame_time});
   if (!file) return unreadable("glb", file.error().to_message());
-  const CharacterRig& rig = *character_.rig;
+  const CharacterRig* const rig = character_.rig.get();
   const SkeletonMotion& motion = file->motion;
-  if (file->character.file_node != rig.file_node) return unreadable("glb", say("other_nodes"));
+  const std::vector<int>& in_file = file->character.file_node;
   FileMotion back = file_motion("glb", motion.clip, motion.skeleton, kFloatDigits);
+  if (rig == nullptr) {
+    // the mannequin's file has the body's nodes first
+    for (std::size_t node = 0; node < body_.nodes().size(); ++node) {
+      const auto at = std::find(in_file.begin(), in_file.end(), static_cast<int>(node));
+      if (at == in_file.end()) return unreadable("glb", say("other_nodes"));
+      back.node_of[node] = static_cast<int>(at - in_file.begin());
+    }
+  } else if (in_file != rig->file_node) {
+    return unreadable("glb", say("other_nodes"));
+  }
   back.places = [&](int frame) {
-    return in_world(world_transforms(motion.skeleton, motion.clip, frame), rig.rig.placement.unit);
+    return in_world(world_transforms(motion.skeleton, motion.clip, frame), node_unit(character_));
   };
   std::vector<Mark> marks = marks_;
-  for (Mark& mark : marks) mark.turns = mark.turns && scaled_evenly(rig.rig, mark.turned);
+  for (Mark& mark : marks) {
+    mark.turns = mark.turns && (rig == nullptr || scaled_evenly(rig->rig, mark.turned));
+  }
   return compare(back, marks);
 }
 

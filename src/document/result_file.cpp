@@ -131,7 +131,7 @@ Json candidate_to_json(const FinishedRun& run, std::span<const Layer> plan, std:
   add_files(candidate, own, files.rate, json);
   if (own.contains("glb")) {
     json["glb_animation"] = candidate_animation(character, index + 1);
-    json["glb_unit_m"] = character.rig->rig.placement.unit;
+    json["glb_unit_m"] = node_unit(character);
   }
   json["bvh_unit_m"] = bvh_unit(character);
   return json;

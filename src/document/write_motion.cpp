@@ -11,6 +11,9 @@
 #include "in_place.hpp"
 #include "joint_names.hpp"
 #include "kinematics/skeleton_motion.hpp"
+#ifdef SHIGUSA_HAS_MANNEQUIN
+#include "mannequin_export.hpp"
+#endif
 #include "read_back.hpp"
 
 namespace shigusa {
@@ -42,6 +45,17 @@ CharacterExporter exporter_of(const WriteRequest& request) {
   return CharacterExporter(*request.character.rig, hand_play(request.task), request.settings);
 }
 
+// Of a built-in body the mannequin's, which a build may lack (check_formats).
+std::unique_ptr<GlbExporter> glb_exporter(const CharacterSpec& character, const Task& task,
+                                          const FileSettings& settings) {
+#ifdef SHIGUSA_HAS_MANNEQUIN
+  if (!character.rig) {
+    return std::make_unique<MannequinExporter>(character, task.body, hand_play(task), settings);
+  }
+#endif
+  return std::make_unique<CharacterExporter>(*character.rig, hand_play(task), settings);
+}
+
 }  // namespace
 
 // Of any body; a character from a file keeps its own nodes.
@@ -66,10 +80,10 @@ Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
 
 template <>
 Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
-  const CharacterExporter exporter = exporter_of(request);
+  const auto exporter = glb_exporter(request.character, request.task, request.settings);
   const std::string& name = request.settings.animation;
   const auto make = [&](const Clip& clip) {
-    return exporter.glb(std::vector{exporter.animation(request.task.body, clip, name)});
+    return exporter->glb(std::vector{exporter->animation(request.task.body, clip, name)});
   };
   return checked_file(request, make, [&](const ReadBackCheck& check, const std::string& bytes) {
     return check.glb(bytes, name);
@@ -92,7 +106,7 @@ Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
                              const FileSettings& settings) {
   SHG_TRY(check_formats(character, {FileFormat::glb}));
   SHG_TRY(check_file_settings(character, FileFormat::glb, settings));
-  const CharacterExporter exporter(*character.rig, hand_play(task), settings);
+  const auto exporter = glb_exporter(character, task, settings);
   std::vector<GltfAnimation> animations;
   std::vector<Clip> clips;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -102,9 +116,9 @@ Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
         settings.animation.empty()
             ? candidate_animation(character, i + 1)
             : free_animation(character, fmt::format("{} {}", settings.animation, i + 1));
-    animations.push_back(exporter.animation(task.body, clips.back(), name));
+    animations.push_back(exporter->animation(task.body, clips.back(), name));
   }
-  SHG_TRY_ASSIGN(std::string bytes, exporter.glb(animations));
+  SHG_TRY_ASSIGN(std::string bytes, exporter->glb(animations));
   MadeGlb made{std::move(bytes), {}};
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const ReadBackCheck check(character, task, candidates[i], clips[i], settings.in_place);

@@ -13,6 +13,11 @@ constexpr bool kHasCairo = true;
 #else
 constexpr bool kHasCairo = false;
 #endif
+#ifdef SHIGUSA_HAS_MANNEQUIN
+constexpr bool kHasZlib = true;
+#else
+constexpr bool kHasZlib = false;
+#endif
 
 // "a, b and c".
 std::string listed(const std::vector<std::string_view>& words, std::string_view last) {
@@ -26,7 +31,9 @@ std::string listed(const std::vector<std::string_view>& words, std::string_view 
 
 }  // namespace
 
-bool is_built_with(NeededLibrary library) { return library != NeededLibrary::cairo || kHasCairo; }
+bool is_built_with(NeededLibrary library) {
+  return library == NeededLibrary::cairo ? kHasCairo : library != NeededLibrary::zlib || kHasZlib;
+}
 
 std::string file_ending(const std::string& name) {
   return lower(std::filesystem::path(name).extension().string());

@@ -109,7 +109,7 @@ export function makeFile() {
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const path = process.argv[2] ?? fileURLToPath(new URL('../src/view/mannequin.bin', import.meta.url));
+  const path = process.argv[2] ?? fileURLToPath(new URL('../../data/mannequin.bin', import.meta.url));
   const file = deflateRawSync(makeFile(), { level: 9 });
   writeFileSync(path, file);
   console.log(`${path}: ${file.length} bytes`);

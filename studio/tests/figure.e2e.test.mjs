@@ -11,7 +11,7 @@ import { drawn, drop, openStudio, settled, take, visit } from './support.mjs';
 const { site, browser } = await visit();
 
 test('the mannequin is what its script makes, and small', { timeout: 240_000 }, () => {
-  const kept = readFileSync(new URL('../src/view/mannequin.bin', import.meta.url));
+  const kept = readFileSync(new URL('../../data/mannequin.bin', import.meta.url));
   assert.ok(kept.length <= 64_000, `${kept.length} bytes`);
   assert.ok(makeFile().equals(inflateRawSync(kept)), 'npm run figure makes another file');
 });

@@ -416,7 +416,7 @@ TEST_F(CharacterExport, AResultFindsItsFileAgain) {
 }
 
 TEST(CheckFormats, TellsWhoCannotLeaveInThem) {
-  const auto refused = check_formats(CharacterSpec{}, {FileFormat::bvh, FileFormat::glb});
+  const auto refused = check_formats(CharacterSpec{}, {FileFormat::bvh, FileFormat::vrma});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().to_string(), HasSubstr("human is none"));
   EXPECT_TRUE(check_formats(CharacterSpec{}, {FileFormat::bvh, FileFormat::pdf}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // check_result.mjs FOLDER CHARACTER: judges the BVH, GLB and VRMA files of a result by other people's
 // readers, and prints a line for each; fails where one breaks a promise.
+// A built-in body has no file, and the CHARACTER is its name: its mannequin has the joints of the BVH in each frame.
 //
 // - hips, knees, ankles, shoulders, elbows and wrists are within 1 mm or 0.1 % of the stature of the start posture, in the first frame
 // - the goal is within 1 mm of the node that the summary names, in the last frame
@@ -29,6 +30,7 @@ const kBones = {
 
 // A place of a file in the world that goals are given in; a mirrored file keeps its own axes.
 function inWorld(at, unit_m) {
+  if (!body.placement) return at.clone().multiplyScalar(unit_m); // a built-in body
   const { left, up, ahead, origin } = body.placement;
   const axes = [left, up, ahead].map((axis) => new Vector3(...axis));
   const mirrored = axes[0].clone().cross(axes[1]).dot(axes[2]) < 0;
@@ -40,6 +42,7 @@ function inWorld(at, unit_m) {
 // `placeOf`: of a bone of the body, in the file's unit; undefined where the file has none.
 async function checkStart(kind, name, placeOf, unit_m) {
   const landmarks = summary.task.character.landmarks_m;
+  if (!landmarks) return;
   const allowed = Math.max(1e-3, 1e-3 * body.stature_m);
   let worst = 0;
   for (const side of ['left', 'right']) {
@@ -76,6 +79,28 @@ async function checkBvh(name, candidate) {
   }
 }
 
+// The node of a GLB, whose first ones are the body's where the body has no file.
+const nodeOf = ({ gltf_node, joint }) => gltf_node ?? body.nodes.findIndex(({ name }) => name === joint);
+
+async function checkMannequin(name, candidate, motion) {
+  const bvh = byThree(await readFile(join(folder, candidate.files.bvh), 'utf8'));
+  let worst = 0;
+  for (let f = 0; f < motion.frames; ++f) {
+    const joints = bvh(f);
+    motion.at(f);
+    for (const [i, node] of body.nodes.entries()) {
+      if (node.name === '') continue;
+      const off = place(await motion.node(i)).distanceTo(joints.get(node.name).multiplyScalar(candidate.bvh_unit_m));
+      worst = Math.max(worst, off);
+    }
+  }
+  console.log(`glb ${name}: joints ${(1e3 * worst).toFixed(4)} mm off those of the BVH`);
+  expect(worst <= 1e-3, `${name}: a joint is ${1e3 * worst} mm off that of the BVH`);
+  const heights = motion.vertices().filter((_, i) => i % 3 === 1);
+  const lowest = heights.reduce((least, y) => Math.min(least, y), Infinity);
+  expect(Math.abs(lowest) <= 0.02, `${name}: the skin ends ${lowest} m above the floor`);
+}
+
 async function checkMotion(kind, name, motion, candidate, unit_m = 1) {
   let miss = 0;
   motion.at(0);
@@ -85,10 +110,10 @@ async function checkMotion(kind, name, motion, candidate, unit_m = 1) {
   }, unit_m);
   motion.at(motion.frames - 1);
   for (const goal of candidate.reached) {
-    const hand = inWorld(place(await motion.node(goal.gltf_node)), unit_m);
+    const hand = inWorld(place(await motion.node(nodeOf(goal))), unit_m);
     miss = Math.max(miss, hand.distanceTo(new Vector3(...goal.goal_m)));
   }
-  const feet = await Promise.all(candidate.contacts.map((c) => motion.node(c.gltf_node)));
+  const feet = await Promise.all(candidate.contacts.map((c) => motion.node(nodeOf(c))));
   motion.at(0);
   const first = feet.map((foot) => [place(foot), turn(foot)]);
   let slide = 0;
@@ -137,8 +162,13 @@ for (const candidate of summary.candidates) {
   if (bvh) await checkBvh(bvh, candidate);
   if (glb) {
     const path = join(folder, glb);
-    await checkMotion('glb', glb, await openGlb(path, candidate.glb_animation), candidate, candidate.glb_unit_m);
+    const motion = await openGlb(path, candidate.glb_animation);
+    await checkMotion('glb', glb, motion, candidate, candidate.glb_unit_m);
     await checkValid(path, known);
+    if (!summary.task.character.landmarks_m) {
+      await checkMannequin(glb, candidate, motion);
+      continue;
+    }
     const now = await vertices(path);
     expect(now.length === still.length, `${glb}: ${now.length / 3} vertices of ${still.length / 3}`);
     const off = now.reduce((most, v, i) => Math.max(most, Math.abs(v - still[i])), 0);

@@ -2,7 +2,7 @@
 // The mannequin's mesh as studio/figure/make.mjs made it: one half in the file, both here.
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../../bindings/wasm/src/types';
-import address from './mannequin.bin?url';
+import address from '../../../data/mannequin.bin?url';
 import { Unpacker } from './mannequin_pack';
 
 /** What moves the skin: a node of the body, a follower of a joint (`of`), which turns by a part of it, or a finger's bone. */

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/body_model.hpp>
+#include <shigusa/motion.hpp>
+#include <span>
+#include <string>
+
+#include "io/gltf_write.hpp"
+
+namespace shigusa {
+
+// Motions of a body as animations of one GLB.
+class GlbExporter {
+ public:
+  GlbExporter() = default;
+  GlbExporter(const GlbExporter&) = delete;
+  GlbExporter& operator=(const GlbExporter&) = delete;
+  virtual ~GlbExporter() = default;
+
+  // The animation that glb() adds.
+  [[nodiscard]] virtual GltfAnimation animation(const BodyModel& body, const Clip& clip,
+                                                const std::string& name) const = 0;
+  // The file with these animations.
+  [[nodiscard]] virtual Result<std::string> glb(
+      std::span<const GltfAnimation> animations) const = 0;
+};
+
+}  // namespace shigusa

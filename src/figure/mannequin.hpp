@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <shigusa/skeleton.hpp>
+#include <vector>
+
+#include "mannequin_fit.hpp"
+#include "mannequin_follower.hpp"
+
+namespace shigusa {
+
+// The mannequin on a built-in body: the body's nodes, in their order, and after them those that
+// move its skin beside them.
+class Mannequin {
+ public:
+  Mannequin(const Skeleton& body, const MannequinMesh& mesh, double stature);
+
+  // Names and parents; names of the body's nodes are its own.
+  [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
+  // (nodes) each in its parent while nothing is played, with hands at rest.
+  [[nodiscard]] const std::vector<LocalTransform>& rest() const { return rest_; }
+  // (bones of the mesh, then the body's other nodes) the node that moves skin, and from where the
+  // mesh is made to that node, with scales.
+  [[nodiscard]] const std::vector<int>& joints() const { return joints_; }
+  [[nodiscard]] const std::vector<Transformd>& inverses() const { return inverses_; }
+
+  // (frames × nodes) each in its parent by the body's motion; `reaches`: the left and the right
+  // hand open on the way and close at the end.
+  [[nodiscard]] std::vector<LocalTransform> play(const SkeletonClip& body,
+                                                 std::array<bool, 2> reaches) const;
+
+ private:
+  struct Follower {
+    int node = -1;
+    MannequinFollower turn;
+  };
+  struct Finger {
+    int node = -1;
+    const SkinBone* bone = nullptr;
+    Vec3d axis{};  // of its bend
+  };
+  class Builder;
+
+  void bend(std::array<double, 2> closed, LocalTransform* local) const;
+
+  Skeleton skeleton_;
+  std::size_t body_nodes_;
+  std::vector<LocalTransform> rest_;
+  std::vector<int> joints_;
+  std::vector<Transformd> inverses_;
+  std::vector<Follower> followers_;
+  std::vector<Finger> fingers_;
+};
+
+}  // namespace shigusa
