@@ -150,7 +150,7 @@ test('the animations of a glTF file are offered by name', { skip: !existsSync(kn
   const names = await page.evaluate(() => window.shigusa.document.character.description.animations);
   assert.ok(names.length > 1);
   const choice = page.locator('[data-key="start posture"]');
-  assert.equal((await choice.locator('option').allInnerTexts()).length, names.length + 1);
+  assert.equal((await choice.locator('option').allInnerTexts()).length, names.length + 2);
   await choice.selectOption({ label: names[1] });
   await page.waitForFunction((name) => window.shigusa.document.character.spec.animation === name, names[1], { timeout: 30_000 });
   await settled(page);

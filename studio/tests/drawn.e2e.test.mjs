@@ -120,7 +120,7 @@ test('limbs of next to no length, and scales that a frame changes, are drawn too
   await isDrawnAsComputed(page, 'short.bvh');
   await open(page, 'halved.glb', halved());
   await openTab(page, 'body');
-  await page.locator('[data-key="start posture"]').selectOption({ index: 1 });
+  await page.locator('[data-key="start posture"]').selectOption({ index: 2 });
   await page.waitForFunction(() => window.shigusa.document.character.spec.animation !== undefined, undefined, { timeout: 30_000 });
   await settled(page);
   assert.equal(await page.evaluate(() => window.shigusa.document.character.description.nodes.find(({ name }) => name === 'RobotArmature').scale[0]), 50);

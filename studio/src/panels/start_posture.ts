@@ -13,11 +13,12 @@ const kRate = 60; // Hz, of a glTF file's frames
 /** What can be chosen, each with what it makes of the spec. */
 type Choice = readonly [text: string, asked: Pick<CharacterSpec, 'animation' | 'frame'>];
 
-/** Of glTF the rest pose and each animation; of BVH where the person first stands, at rest, or a frame. */
+/** Where the person stands as the file shows them, at rest, and each animation of glTF or a frame of BVH. */
 function choicesOf(animations: readonly string[]): Choice[] {
-  if (animations.length === 0) return [[t('startAuto'), {}], [t('startRest'), { frame: 'rest' }], [t('startFrame'), { frame: 0 }]];
+  const always: Choice[] = [[t('startAuto'), {}], [t('startRest'), { frame: 'rest' }]];
+  if (animations.length === 0) return [...always, [t('startFrame'), { frame: 0 }]];
   const isOnly = (name: string): boolean => animations.filter((other) => other === name).length === 1;
-  return [[t('startRest'), {}], ...animations.map((name, index): Choice => [name, { animation: isOnly(name) ? name : String(index), frame: 0 }])];
+  return [...always, ...animations.map((name, index): Choice => [name, { animation: isOnly(name) ? name : String(index), frame: 0 }])];
 }
 
 function chosenOf(choices: readonly Choice[], { animation, frame }: CharacterSpec): number {
