@@ -80,9 +80,9 @@ test('files that fuzzing starts from are drawn or told of', { skip: !process.env
   const files = ['bvh', 'fbx', 'gltf', 'urdf', 'mjcf'].flatMap((kind) => readdirSync(`${corpora}${kind}_corpus`).map((name) => [kind, name]));
   for (const [kind, name] of files) {
     const unlike = `${kind}_${name}`; // each its own
-    await page.evaluate(() => (window.before = window.shigusa.state.notice));
     await drop(page, unlike, readFileSync(`${corpora}${kind}_corpus/${name}`));
-    await page.waitForFunction((file) => window.shigusa.document.character.spec.source === file || (window.shigusa.state.notice?.kind === 'failure' && window.shigusa.state.notice !== window.before), unlike, { timeout: 60_000 });
+    const ended = (file) => window.shigusa.state.opening === null && (window.shigusa.document.character.spec.source === file || window.shigusa.state.notice !== null);
+    await page.waitForFunction(ended, unlike, { timeout: 60_000 }).catch((error) => assert.fail(`${unlike}: ${error.message}`));
     await settled(page);
     assert.deepEqual(errors, [], unlike);
   }
