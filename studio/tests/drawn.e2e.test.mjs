@@ -84,7 +84,8 @@ test('files that fuzzing starts from are drawn or told of', { skip: !process.env
     const ended = (file) => window.shigusa.state.opening === null && (window.shigusa.document.character.spec.source === file || window.shigusa.state.notice !== null);
     await page.waitForFunction(ended, unlike, { timeout: 60_000 }).catch((error) => assert.fail(`${unlike}: ${error.message}`));
     await settled(page);
-    assert.deepEqual(errors, [], unlike);
+    // what three says of a file that leaves out what the standard asks for is true
+    assert.deepEqual(errors.filter((text) => !text.startsWith('THREE.GLTFLoader: Missing')), [], unlike);
   }
   await context.close();
 });

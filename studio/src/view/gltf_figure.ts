@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A character drawn with the mesh of its own glTF or VRM file.
 import { Box3, Group, LoadingManager, type Material, Mesh, MeshStandardMaterial, type Object3D, TextureLoader, Vector3 } from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import type { Character } from '../../../bindings/wasm/src/types';
 import { readContainer } from '../plain_gltf/container';
 import type { Figure } from './mannequin';
@@ -21,6 +21,14 @@ function loadData(url: string, onLoad: (data: ArrayBuffer) => void, _onProgress:
   else onLoad(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer);
 }
 
+/** What the file shows; of one without scenes, as it may be, all of its nodes. */
+async function sceneOf({ scene, parser }: GLTF): Promise<Group> {
+  if ((scene as Group | undefined) !== undefined) return scene;
+  const all = new Group();
+  const nodes = (await parser.getDependencies('node')) as Object3D[];
+  return all.add(...nodes.filter(({ parent }) => parent === null));
+}
+
 /** Null where the file has no mesh. */
 export async function makeGltfFigure(character: Character): Promise<Figure | null> {
   const bytes = character.bytes!;
@@ -34,6 +42,7 @@ export async function makeGltfFigure(character: Character): Promise<Figure | nul
     return { name: 'inner_files' };
   });
   const gltf = await loader.parseAsync(buffer, '');
+  const scene = await sceneOf(gltf);
   const byIndex = new Map<number, Object3D>();
   for (const [item, reference] of gltf.parser.associations) {
     const index = (reference as { nodes?: number } | undefined)?.nodes;
@@ -42,10 +51,10 @@ export async function makeGltfFigure(character: Character): Promise<Figure | nul
   const root = new Group();
   root.matrixAutoUpdate = false;
   root.matrix.copy(worldMatrix(character.description));
-  root.add(gltf.scene);
+  root.add(scene);
   const object = new Group();
   object.add(root);
-  gltf.scene.traverse((item) => {
+  scene.traverse((item) => {
     if (!(item instanceof Mesh)) return;
     item.castShadow = true;
     item.receiveShadow = true;
@@ -58,7 +67,7 @@ export async function makeGltfFigure(character: Character): Promise<Figure | nul
     return node;
   });
   object.updateMatrixWorld(true);
-  const size = new Box3().setFromObject(gltf.scene).getSize(new Vector3());
+  const size = new Box3().setFromObject(scene).getSize(new Vector3());
   // how the file lies is not known before it moves, so its longest side counts, but for arms held out
   const height = Math.max(character.description.stature_m, 0.9 * Math.max(size.x, size.y, size.z));
   return { object, nodes, height, skin: new MeshStandardMaterial(), joints: new MeshStandardMaterial() };
