@@ -365,7 +365,7 @@ TEST(CInterface, RefusesWithACodeAndASentence) {
           "squat");
   refused(shigusa_replay(made.get(), 1, R"("squat_deg=3")", &result), SHIGUSA_PARSE, "list");
   refused(shigusa_result_export(made.get(), 1, "fbx", &bytes), SHIGUSA_INVALID_ARGUMENT, "fbx");
-  refused(shigusa_result_export(made.get(), 1, "glb", &bytes), SHIGUSA_INVALID_ARGUMENT, "glb");
+  refused(shigusa_result_export(made.get(), 1, "vrma", &bytes), SHIGUSA_INVALID_ARGUMENT, "vrma");
   refused(shigusa_score_clip("x.bvh", "x", 1, nullptr, &bytes), SHIGUSA_PARSE, "x.bvh");
   const double* values = nullptr;
   size_t size = 0;
