@@ -197,7 +197,7 @@ TEST_F(CharacterFiles, OneFileHoldsAllCandidates) {
 
 TEST_F(CharacterFiles, FormatsThatACharacterHasNotAreRefusedBeforeTheSearch) {
   for (const auto& [character, format] :
-       {std::pair{"full_body", "glb"}, {"person.glb", "vrma"}, {"person.bvh", "glb"}}) {
+       {std::pair{"full_body", "vrma"}, {"person.glb", "vrma"}, {"person.bvh", "glb"}}) {
     work_.put("person.bvh", person_bvh());
     const ProgramRun run = reach({"--formats", format}, character);
     EXPECT_EQ(run.exit_code, 2);

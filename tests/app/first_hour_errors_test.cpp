@@ -127,7 +127,7 @@ const std::vector<Mistake>& of_people_and_settings() {
       {reach({"--preset", "papr"}), {"--preset", "'papr'", "did you mean 'paper'?"}},
       {reach({"--criteria", "defualt"}), {"--criteria", "did you mean 'default'?"}},
       {reach({"--formats", "gltf"}), {"--formats", "'gltf'", "bvh, csv, svg, png, pdf, glb"}},
-      {reach({"--formats", "glb"}), {"human is none", "--character"}},
+      {reach({"--formats", "vrma"}), {"human is none", "--character"}},
       {reach({"--simd", "mmx"}), {"--simd", "'mmx'", "scalar"}},
       {reach({"--duration", "2s"}), {"--duration", "'2s'", "numbers, such as 1.5"}},
       {reach({"--seed", "1", "--seed", "2"}), {"--seed is given 2 times", "once"}},
