@@ -42,12 +42,10 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
                 tenths(degrees(coupling->driver_full)));
     }
   }
-  const std::vector<Vec3d> places = start_places(body);
   print_out("{:<26} {:>24}\n", "goals can be given for", "start x y z m");
-  for (int i = 0; i < body.effector_count(); ++i) {
-    const Vec3d& at = places[static_cast<std::size_t>(i)];
-    print_out("{:<26} {:>8.3f}{:>8.3f}{:>8.3f}\n", printable(body.effector(i).name),
-              thousandths(at.x), thousandths(at.y), thousandths(at.z));
+  for (const GoalPlace& place : goal_places(body)) {
+    print_out("{:<26} {:>8.3f}{:>8.3f}{:>8.3f}\n", printable(place.effector),
+              thousandths(place.start.x), thousandths(place.start.y), thousandths(place.start.z));
   }
   for (const auto& [bone, node] : spec.humanoid) print_out("{:<18} {}\n", bone, printable(node));
   for (const auto& [node, bone, share] : twist_shares(spec)) {

@@ -24,8 +24,8 @@ namespace shigusa::app {
 inline constexpr int kDone = 0;
 inline constexpr int kFault = 1;        // a fault of the program
 inline constexpr int kWrongInput = 2;   // the call or a file is wrong, the standard output too
-inline constexpr int kUnreachable = 3;  // a goal is out of reach, or met by nothing that the body
-                                        // could make; what is nearest is written
+inline constexpr int kUnreachable = 3;  // a goal is out of reach, or no motion was found that
+                                        // the body could make; what is nearest is written
 
 // The facts of a character beside its source, as they are typed.
 struct CharacterOptions {

@@ -60,7 +60,8 @@ inline constexpr std::array kExitCodes{
          "The call or a file is wrong, or an output cannot be written: a message on the standard "
          "error says what, where and what is allowed. Of dataset check: it found problems."},
     Term{"3",
-         "A goal is out of reach, or nothing that the body could make meets it: what is nearest is "
+         "A goal is out of reach, or no motion that meets it and that the body could make was "
+         "found: what is nearest is "
          "written. Of dataset and dataset export: stopped by Ctrl-C, what is written is whole."},
     Term{"130", "Ended by a second Ctrl-C; the first one asks for the best so far."},
 };

@@ -74,7 +74,11 @@ Error about_task(const Error& error, const std::string& task) {
   const std::string& text = error.message.text;
   std::string hint;
   if (!std::filesystem::exists(task, ignored)) {
-    if (task.find('=') != task.npos) hint = "; a goal is given by --goal " + task;
+    if (task.find('=') != task.npos) {
+      hint = "; a goal is given by --goal " + task;
+    } else if (task.find_first_not_of("0123456789.,-+") == task.npos) {
+      hint = "; a goal is EFFECTOR=X,Y,Z: --goal right_hand=" + task;
+    }
   } else if (std::filesystem::is_directory(task, ignored)) {
     hint = "; a task file (JSON) is expected";
   } else if (error.code == ErrorCode::parse && format_of_file(task)) {
@@ -110,6 +114,26 @@ void note_other_units(const TaskFile& file) {
   }
 }
 
+// Whether somebody of that height might get at a place that is no oversight.
+bool looks_near(const Vec3d& place, double stature) {
+  return place.y >= 0.0 && place.y <= 1.3 * stature &&
+         norm(Vec3d{place.x, 0.0, place.z}) <= 0.75 * stature;
+}
+
+// Tells what a goal that nobody gets at would be if its axes are those of robots: x ahead, y to the
+// left, z up.
+void note_other_axes(const Task& task) {
+  for (const Goal& goal : task.goals) {
+    const Vec3d& at = goal.position;
+    const Vec3d other{at.y, at.z, at.x};
+    if (looks_near(at, task.body.stature()) || !looks_near(other, task.body.stature())) continue;
+    note("goal of " + goal.effector,
+         fmt::format("X is to the left, Y up and Z ahead; if x ahead, y left, z up are meant, give "
+                     "{}={:g},{:g},{:g}",
+                     goal.effector, other.x, other.y, other.z));
+  }
+}
+
 Result<int> reach(const ReachOptions& options) {
   SHG_TRY(placed("--formats", parse_formats(options.files.formats.value_or(""))));
   SHG_TRY_ASSIGN(const BatchSettings batch, batch_settings(options));
@@ -127,6 +151,7 @@ Result<int> reach(const ReachOptions& options) {
       const ExportSettings settings,
       export_settings(options.files, file.character,
                       {.formats = usual_formats(file.character), .character = character}));
+  note_other_axes(task);
   task.batch = batch;
   task.layers.store = limb_store();
   if (const auto checked = check_task(task); !checked) {

@@ -185,7 +185,8 @@ std::string verdict_lines(const Judgement& judgement, const std::string& of) {
   if (judgement.reasons.size() > kShown) {
     text += fmt::format("; and {} more", judgement.reasons.size() - kShown);
   }
-  if (judgement.possible_in) text += fmt::format("; {:.1f} s would do", *judgement.possible_in);
+  if (judgement.possible_in)
+    text += fmt::format("; {} would do", enough_words(*judgement.possible_in));
   return hanging(text);
 }
 
@@ -235,6 +236,32 @@ std::string headline(const FinishedRun& run) {
   return text + hanging(found);
 }
 
+// What was tried for a goal that no possible motion meets. Measured for the preset flat.
+std::string_view unsteady_words(const FinishedRun& run) {
+  if (run.generation.evaluations == 0) return "not by a motion that this body could make";
+  if (run.task.preset != Preset::flat) return "no motion was found that this body could make";
+  return "no motion was found that this body could make (another --seed finds one for one such "
+         "task "
+         "in twenty)";
+}
+
+// Tells of hands that might rest and do so in no candidate.
+void note_supports(const FinishedRun& run) {
+  for (const Support& support : run.task.supports) {
+    const auto rests = [&support](const Candidate& candidate) {
+      return std::any_of(
+          candidate.resting.begin(), candidate.resting.end(),
+          [&support](const RestResult& r) { return r.effector == support.effector; });
+    };
+    const auto& all = run.generation.candidates;
+    if (std::any_of(all.begin(), all.end(), rests)) continue;
+    note(support.effector,
+         fmt::format("it rests on the {} in none of these motions; --fix {}.support=0.1 makes it "
+                     "bear a tenth of the weight",
+                     support.on, support.effector));
+  }
+}
+
 // Tells the user on stderr how the result differs from what is asked for.
 void note_run(const FinishedRun& run, const Judgement& start) {
   const auto& [file, task, generation, info] = run;
@@ -247,6 +274,7 @@ void note_run(const FinishedRun& run, const Judgement& start) {
   }
   if (generation.meets_goals() && !generation.fewer.empty())
     note("candidates", generation.fewer.text);
+  note_supports(run);
   if (generation.slowed) {
     note("duration", fmt::format("{:.2f} s, as nothing that was found is possible in less",
                                  generation.duration));
@@ -258,8 +286,8 @@ void note_run(const FinishedRun& run, const Judgement& start) {
   if (start.verdict == Verdict::impossible) {
     print_err("shigusa: unsteady: whatever the goal, this body could not hold the start\n");
   } else if (generation.status == ReachStatus::unsteady) {
-    print_err("shigusa: unsteady: the goal{} met, but by no motion that this body could make\n",
-              task.goals.size() > 1 ? "s are" : " is");
+    print_err("shigusa: unsteady: the goal{} met, but {}\n",
+              task.goals.size() > 1 ? "s are" : " is", unsteady_words(run));
   }
   if (!generation.meets_goals()) {
     const std::string turn =
@@ -268,6 +296,7 @@ void note_run(const FinishedRun& run, const Judgement& start) {
             : "";
     print_err("shigusa: out of reach: the closest motion ends {:.1f} mm from the goal{}{}\n",
               1e3 * generation.remaining_distance, task.goals.size() > 1 ? "s" : "", turn);
+    if (!generation.conflict.empty()) note("goals", generation.conflict.text);
   }
 }
 

@@ -77,8 +77,9 @@ void add_hand_options(CLI::App& c, TaskOptions& o) {
               .form = "HAND=DIRECTION",
               .rare = rare});
   };
-  add("--palm", o.palms, "Direction of the palm: up, down, left, right, ahead, back",
-      "The direction that the palm faces at the end: up, down, left, right, ahead, back, or X,Y,Z; "
+  add("--palm", o.palms, "Direction of the palm: up, down, left, right, ahead, back, in, out",
+      "The direction that the palm faces at the end: up, down, left, right, ahead, back, in, out, "
+      "or X,Y,Z; "
       "the hand may turn about it.",
       false);
   add("--thumb", o.thumbs, "Direction of the thumb's side, along what the hand grips",

@@ -138,7 +138,7 @@ Result<void> point(const char* option, const char* axis_word, const std::string&
   if (const auto numbers = parse_numbers(parts->second, 3)) {
     direction = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
   } else {
-    const Result<Vec3d> named = direction_named(parts->second);
+    const Result<Vec3d> named = direction_named(parts->second, parts->first);
     if (!named) {
       return fail(named.error().code, named.error().message.text + ", or X,Y,Z", option);
     }

@@ -115,6 +115,26 @@ std::string extra_hint(const CLI::App& command, const std::string& extra) {
   return "; the numbers of one value stand together, with commas and no blanks: 0.2,1.1,0.4";
 }
 
+// Words that other tools have for options of this one.
+struct OtherWord {
+  std::string_view word;
+  std::string_view option;
+};
+constexpr OtherWord kOtherWords[] = {
+    {"--target", "--goal"},     {"--position", "--goal"}, {"--height", "--stature"},
+    {"--weight", "--mass"},     {"--output", "--out"},    {"--body", "--character"},
+    {"--model", "--character"}, {"--time", "--duration"}, {"--gender", "--sex"},
+    {"--chair", "--seat"},      {"--carry", "--load"},    {"--box", "--obstacle"},
+};
+
+std::string_view meant_option(std::string_view name, std::span<const std::string> known) {
+  for (const OtherWord& other : kOtherWords) {
+    const auto option = std::find(known.begin(), known.end(), other.option);
+    if (other.word == name && option != known.end()) return *option;
+  }
+  return nearest_name(name, known);
+}
+
 std::string unknown_option(const CLI::App& app, const CLI::App& command, const std::string& name) {
   // "--gaol=x" is about --gaol
   const std::string alone = name.substr(0, name.find('='));
@@ -125,7 +145,7 @@ std::string unknown_option(const CLI::App& app, const CLI::App& command, const s
   }
   const std::vector<std::string> names = option_names(command);
   if (names.size() <= kToldOptions) return unknown_name("option", alone, names).text;
-  const std::string_view nearest = nearest_name(alone, names);
+  const std::string_view nearest = meant_option(alone, names);
   const std::string text = fmt::format("unknown option '{}'", alone.substr(0, kToldText));
   return nearest.empty() ? text : fmt::format("{}; did you mean '{}'?", text, nearest);
 }

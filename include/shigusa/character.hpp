@@ -214,6 +214,15 @@ inline constexpr FieldTable kFields<CharacterSpec>{
 /// (effectors) m, world: where goals can be given for, in the start posture.
 [[nodiscard]] std::vector<Vec3d> start_places(const BodyModel& body);
 
+/// Where a goal can be given for.
+struct GoalPlace {
+  std::string effector;  ///< "right_hand"
+  std::string node;      ///< of the body
+  Vec3d start{};         ///< m, world, in the start posture
+};
+/// All of a body's: its effectors, and the foot that bears it, which a goal makes the other one.
+[[nodiscard]] std::vector<GoalPlace> goal_places(const BodyModel& body);
+
 /// The file's joint that a freedom of a robot is; empty of a person's.
 [[nodiscard]] std::string file_joint(const BodyModel& body, int dof);
 

@@ -18,7 +18,7 @@ namespace shigusa {
 /// Whether the candidates meet their goals.
 enum class ReachStatus {
   reached,      ///< every candidate meets every goal within 1 mm and 0.5°
-  unsteady,     ///< so they do, and every one of them is impossible: see Judgement
+  unsteady,     ///< so they do, and every one that was found is impossible: see Judgement
   unreachable,  ///< the body cannot; candidates end at the closest point
 };
 /// The words of ReachStatus.
@@ -118,6 +118,7 @@ struct GenerateResult {
   /// first.
   std::vector<Candidate> candidates;
   Message fewer;          ///< why there are fewer than asked for; else empty
+  Message conflict{};     ///< which goals are in one another's way, out of reach; else empty
   double duration = 0.0;  ///< s
   /// The task gives no duration, and nothing that was found is possible in the usual one: this is
   /// one in which something is. See played_task.
@@ -185,8 +186,9 @@ inline constexpr double kEdgeTolerance = 5e-3;
 /// exception of a user's own criterion or search passes through.
 ///
 /// Where nothing that was found is possible, the presets flat and human search again: in the least
-/// duration in which one of the motions is, where the task gives none, and then for three times as
-/// many motions, where the task does not say how many.
+/// duration in which one of the motions is, where the task gives none, then for three times as many
+/// motions, and at last by other random numbers, where the task does not say how many. Times that
+/// are told to be enough (Judgement::possible_in) are ones in which the task was searched again.
 ///
 /// The preset paper runs again with other random numbers, while fewer than three candidates are
 /// distinct, up to Task::most_runs in all, where the task does not say how many motions are scored.

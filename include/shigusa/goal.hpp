@@ -198,8 +198,9 @@ inline constexpr FieldTable kFields<Goal>{
 [[nodiscard]] std::span<const std::string> hand_axis_words();
 
 /// A direction of the world by its word: "up", "down", "left", "right", "ahead" or "back", as the
-/// body stands at the start.
-[[nodiscard]] Result<Vec3d> direction_named(std::string_view word);
+/// body stands at the start; of a hand also "in", to the other hand's side, or "out".
+[[nodiscard]] Result<Vec3d> direction_named(std::string_view word,
+                                            std::string_view hand = "right_hand");
 /// The words that direction_named knows.
 [[nodiscard]] std::span<const std::string> direction_words();
 

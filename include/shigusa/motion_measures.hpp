@@ -60,6 +60,10 @@ struct SupportFrame {
 
 /// Flesh gives way by so much (m): less is no collision.
 inline constexpr double kCollisionDepth = 0.005;
+/// Greater depths in flesh are impossible (m).
+inline constexpr double kFleshDepth = 0.02;
+/// Greater depths in an obstacle are impossible (m): of both, only the body yields.
+inline constexpr double kHardDepth = 0.01;
 
 /// Where a motion collides most.
 struct CollisionFound {
@@ -67,6 +71,7 @@ struct CollisionFound {
   std::string limb;    ///< capsule, "right_forearm"
   std::string other;   ///< capsule, obstacle or "floor"
   double time = 0.0;   ///< s
+  bool hard = false;   ///< `other` is an obstacle
 };
 /// Finds the deepest collision of a body in a clip: arms with the body, any part with obstacles,
 /// arms that have a wrist with the floor.

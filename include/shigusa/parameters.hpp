@@ -135,6 +135,9 @@ struct Parameters {
   /// (the task's supports) share of the body's weight that the hand presses with; below 0 it is
   /// free
   std::vector<double> supports{};
+  /// The motion is the mirror image of the one that the other side's values make, as a body that
+  /// stands on one foot and its image do not move alike to the last digit.
+  bool reflected = false;
 
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };

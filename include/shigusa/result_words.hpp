@@ -19,6 +19,9 @@ namespace shigusa {
 /// A distance in the unit that it is best read in: "8 mm", "12 cm", "1.25 m". `metres` ≥ 0.
 [[nodiscard]] std::string length_words(double metres);
 
+/// A duration that is enough, in tenths of a second, rounded up: "1.3 s" of 1.21 s.
+[[nodiscard]] std::string enough_words(double seconds);
+
 /// A place as the body at its start sees it: "0.25 m left, 0.55 m up, 0.5 m ahead" of (0.25, 0.55,
 /// 0.5) m. Coordinates of 0 are left out, and the floor is named.
 [[nodiscard]] std::string place_words(const Vec3d& place);

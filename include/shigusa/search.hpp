@@ -53,9 +53,10 @@ inline constexpr std::array kEnumWords<SearchEnd>{
 
 /// The result of a search.
 ///
-/// Every search is anytime: its budget decides where it stops and nothing else. The points that are
-/// scored with one budget are the first of those scored with a larger one, so with the same seed
-/// more budget never gives a worse best_seen.
+/// Every search here is anytime: its budget decides where it stops and nothing else, and the points
+/// that are scored with one budget are the first of those scored with a larger one. That is of one
+/// search of one problem: generate() divides its budget among several and delivers what can be
+/// played, and may end with a worse first candidate where its budget is larger.
 struct SearchResult {
   std::vector<Individual> final_population;  ///< what the search ended with: see each search
   Individual best_seen;                      ///< the best of all evaluated; the first among equals

@@ -95,8 +95,13 @@ inline constexpr VerdictBounds kEffortBounds{1.0, 1.0};
 /// How far outside the feet (m). Soles are known to a centimetre; a person who tips over the edge
 /// by five for the tenth of a second that such moments last catches it by arms and hips.
 inline constexpr VerdictBounds kPressureBounds{0.01, 0.05};
+/// Beyond this (m) words say "far" alone: where the floor hardly presses, it would have to press at
+/// any distance.
+inline constexpr double kFarOutside = 1.0;
 /// Depth (m). Flesh gives way, and capsules are not flesh.
-inline constexpr VerdictBounds kCollisionBounds{kCollisionDepth, 0.02};
+inline constexpr VerdictBounds kCollisionBounds{kCollisionDepth, kFleshDepth};
+/// Depth in an obstacle (m).
+inline constexpr VerdictBounds kHardCollisionBounds{kCollisionDepth, kHardDepth};
 /// Beyond a joint's range (rad): ranges of motion differ by 5° to 10° among people.
 inline constexpr VerdictBounds kLimitBounds{radians(3.0), radians(10.0)};
 
@@ -105,7 +110,8 @@ struct Judgement {
   Verdict verdict = Verdict::possible;  ///< of the worst reason
   std::vector<Reason> reasons;          ///< the worst first
   /// s: where the motion is impossible, and only for its haste, the least duration in which it is
-  /// possible or, if none up to kSlowest times its own is, in which it strains
+  /// possible or, if none up to kSlowest times its own is, in which it strains; of a task's
+  /// candidates one in which the task was searched again and something is
   std::optional<double> possible_in{};
 };
 /// Judges a motion by what was measured of it, without possible_in.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "body/further_effectors.hpp"
+
 namespace shigusa {
 
 const Foot* base_foot(const BodyModel& body) {
@@ -11,6 +13,22 @@ const Foot* base_foot(const BodyModel& body) {
     if (foot.link == kBaseLink) return &foot;
   }
   return nullptr;
+}
+
+std::vector<const BodyNode*> base_nodes(const BodyModel& body) {
+  std::vector<const BodyNode*> nodes;
+  if (body.robot()) return nodes;
+  for (const BodyNode& node : body.nodes()) {
+    if (node.link == kBaseLink && !node.end_site && !node.name.empty()) nodes.push_back(&node);
+  }
+  return nodes;
+}
+
+std::vector<std::string> goal_names(const BodyModel& body) {
+  std::vector<std::string> names;
+  for (int i = 0; i < body.effector_count(); ++i) names.push_back(body.effector(i).name);
+  for (const BodyNode* node : base_nodes(body)) names.push_back(joint_word(node->name));
+  return names;
 }
 
 BodyModel standing_on(const BodyModel& body, std::span<const std::string> feet) {

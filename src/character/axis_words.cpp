@@ -9,9 +9,11 @@ namespace shigusa {
 namespace {
 
 const std::array<std::string, 3> kAxes{"palm", "thumb", "fingers"};
-const std::array<std::string, 6> kDirections{"up", "down", "left", "right", "ahead", "back"};
-constexpr std::array<Vec3d, 6> kToward{
-    {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}};
+const std::array<std::string, 8> kDirections{"up",    "down", "left", "right",
+                                             "ahead", "back", "in",   "out"};
+// In and out are those of a right hand.
+constexpr std::array<Vec3d, 8> kToward{
+    {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}}};
 // Two directions are taken for one where the sine between them is less.
 constexpr double kAlong = 0.05;
 
@@ -22,13 +24,17 @@ Mat3d frame_of(const Vec3d& a, const Vec3d& b) {
   return {x, cross(z, x), z};
 }
 
+bool is_left(std::string_view effector) {
+  return effector == "left_hand" || effector == "left_wrist";
+}
+
 }  // namespace
 
 std::span<const std::string> hand_axis_words() { return kAxes; }
 std::span<const std::string> direction_words() { return kDirections; }
 
 Result<Vec3d> hand_axis(std::string_view word, std::string_view effector) {
-  const bool left = effector == "left_hand" || effector == "left_wrist";
+  const bool left = is_left(effector);
   if (!left && effector != "right_hand" && effector != "right_wrist") {
     return fail(ErrorCode::invalid_argument, say("hand_axis_alone", effector.substr(0, 80)),
                 std::string(word));
@@ -39,9 +45,10 @@ Result<Vec3d> hand_axis(std::string_view word, std::string_view effector) {
   return fail(ErrorCode::invalid_argument, unknown_name("axis", word, kAxes));
 }
 
-Result<Vec3d> direction_named(std::string_view word) {
+Result<Vec3d> direction_named(std::string_view word, std::string_view hand) {
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
-    if (kDirections[i] == word) return kToward[i];
+    const bool of_side = word == "in" || word == "out";
+    if (kDirections[i] == word) return of_side && is_left(hand) ? -kToward[i] : kToward[i];
   }
   return fail(ErrorCode::invalid_argument, unknown_name("direction", word, kDirections));
 }

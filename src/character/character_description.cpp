@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/character.hpp>
 
+#include "body/further_effectors.hpp"
 #include "body/sole.hpp"
+#include "body/stance.hpp"
 #include "character/character_rig.hpp"
 #include "core/index.hpp"
 #include "criteria/support_zone.hpp"
@@ -117,6 +119,19 @@ std::vector<Vec3d> start_places(const BodyModel& body) {
     places.push_back(start.point(effector.link, effector.point));
   }
   return places;
+}
+
+std::vector<GoalPlace> goal_places(const BodyModel& body) {
+  std::vector<GoalPlace> all;
+  const std::vector<Vec3d> places = start_places(body);
+  for (int i = 0; i < body.effector_count(); ++i) {
+    all.push_back({body.effector(i).name, body.effector(i).node, places[index(i)]});
+  }
+  const Kinematics<double> start = start_kinematics(body);
+  for (const BodyNode* node : base_nodes(body)) {
+    all.push_back({joint_word(node->name), node->name, start.point(node->link, node->point)});
+  }
+  return all;
 }
 
 std::pair<double, double> widest_limits(const BodyModel& body, int dof) {

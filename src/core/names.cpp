@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/say.hpp"
+#include "core/text.hpp"
 
 namespace shigusa {
 namespace {
@@ -28,10 +29,42 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// The words of a name: "right", "hand" of "Right-hand".
+std::vector<std::string> words_of(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (const char c : name) {
+    if (c == '_' || c == '-' || c == '.' || c == ' ') {
+      if (!words.back().empty()) words.emplace_back();
+    } else {
+      words.back() += lower(c);
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+// The first name that has the same words in some order, or else begins with them; else empty.
+std::string_view same_words(std::string_view name, std::span<const std::string> known) {
+  const std::vector<std::string> asked = words_of(name);
+  if (asked.empty()) return {};
+  std::string_view longer;
+  for (const std::string& candidate : known) {
+    std::vector<std::string> words = words_of(candidate);
+    const bool begins =
+        words.size() > asked.size() && std::equal(asked.begin(), asked.end(), words.begin());
+    if (begins && longer.empty()) longer = candidate;
+    if (std::is_permutation(asked.begin(), asked.end(), words.begin(), words.end())) {
+      return candidate;
+    }
+  }
+  return longer;
+}
+
 }  // namespace
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string> known) {
   const std::string_view cut = name.substr(0, kLongestName);
+  if (const std::string_view same = same_words(cut, known); !same.empty()) return same;
   std::string_view best;
   std::size_t best_distance = std::string_view::npos;
   for (const std::string& candidate : known) {

@@ -76,6 +76,7 @@ CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
   std::vector<PlacedCapsule<double>> placed(body.capsules().size());
   Kinematics<double> kinematics(body);
   CollisionFound found;
+  double worst = 0.0;  // of the depth's share of what is impossible
   const auto name = [&](const CollisionPairs::Pair& pair, CollisionKind kind) -> std::string {
     const std::size_t other = index(pair.other);
     if (kind == CollisionKind::floor) return "floor";
@@ -87,9 +88,12 @@ CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
     visit_collisions<double>(body, pairs, kinematics, placed,
                              [&](const CollisionPairs::Pair& pair, CollisionKind kind, double in) {
                                const double depth = in - pair.give;
-                               if (!(depth > found.depth)) return;
+                               const bool hard = kind == CollisionKind::obstacle;
+                               const double yields = hard ? kHardDepth : kFleshDepth;
+                               if (!(depth / yields > worst)) return;
+                               worst = depth / yields;
                                found = {depth, body.capsules()[index(pair.limb)].name,
-                                        name(pair, kind), f * clip.frame_time};
+                                        name(pair, kind), f * clip.frame_time, hard};
                              });
   }
   return found;

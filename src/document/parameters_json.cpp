@@ -16,6 +16,7 @@ constexpr const char* kPosture = "posture";
 constexpr const char* kLater = "later";
 constexpr const char* kArms = "arms";
 constexpr const char* kSupports = "supports";
+constexpr const char* kReflected = "reflected";
 
 // Where a parameter stands: {"later", "posture", "squat_rad"}.
 struct Placed {
@@ -149,6 +150,7 @@ Json parameters_to_json(std::span<const Layer> plan, Parameters values) {
     }
     (*object)[one.path.back()] = one.parameter.value();
   }
+  if (values.reflected) json[kReflected] = true;
   return json;
 }
 
@@ -164,6 +166,7 @@ Result<Parameters> read_parameters(std::span<const Layer> plan, const Json& cand
   if (whole && reader.has(kLater)) add_later_phase(values);
   give_posture(plan, values);
   read_object(reader, placed(plan, values), 0);
+  reader.truth(kReflected, values.reflected);
   // these may stand there without anything in them
   for (const char* key : {kContractions, kPosture}) {
     const bool known = (key == kPosture) == whole;

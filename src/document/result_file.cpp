@@ -277,6 +277,10 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
     json["fewer"] = generation.fewer.text;
     json["fewer_message"] = message_to_json(generation.fewer);
   }
+  if (!generation.conflict.empty()) {
+    json["conflict"] = generation.conflict.text;
+    json["conflict_message"] = message_to_json(generation.conflict);
+  }
   if (const std::vector<Message> notes = goal_notes(task); !notes.empty()) {
     json["goal_notes"] = texts_to_json(notes);
     for (const Message& note : notes) json["goal_note_messages"].push_back(message_to_json(note));

@@ -78,6 +78,10 @@ std::string length_words(double metres) {
   return fmt::format("{:.2f} m", metres);
 }
 
+std::string enough_words(double seconds) {
+  return fmt::format("{:.1f} s", std::ceil(10.0 * seconds - 1e-6) / 10.0);
+}
+
 std::string place_words(const Vec3d& place) {
   std::string words;
   const auto add = [&words](double metres, std::string_view above, std::string_view below) {
@@ -142,7 +146,7 @@ std::string criterion_words(std::string_view name) {
 
 std::string verdict_sentence(const Judgement& judgement) {
   if (judgement.possible_in) {
-    return fmt::format("Impossible so fast: {:.1f} s would do.", *judgement.possible_in);
+    return fmt::format("Impossible so fast: {} would do.", enough_words(*judgement.possible_in));
   }
   switch (judgement.verdict) {
     case Verdict::possible:
@@ -164,7 +168,7 @@ std::string reason_sentence(const Reason& reason) {
                          reason.strength);
     case ReasonKind::pressure:
       return fmt::format("The floor would have to press {} outside the feet{}.",
-                         length_words(reason.amount), when);
+                         reason.amount < kFarOutside ? length_words(reason.amount) : "far", when);
     case ReasonKind::collision:
       return fmt::format("The {} is {} in the {}{}.", part_words(reason.subject),
                          length_words(reason.amount), part_words(reason.other), when);

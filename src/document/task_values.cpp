@@ -37,7 +37,7 @@ void read_composite(JsonReader& goal, const char* key, GoalAxis& axis) {
   read_axis(reader, "axis", axis.axis,
             [&](const std::string& word) { return hand_axis(word, effector); });
   read_axis(reader, "direction", axis.direction,
-            [](const std::string& word) { return direction_named(word); });
+            [&](const std::string& word) { return direction_named(word, effector); });
   goal.absorb(reader.finish());
 }
 

@@ -1,71 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <shigusa/edit.hpp>
-#include <utility>
 
-#include "body/joint_name.hpp"
 #include "core/say.hpp"
-#include "layers/plan.hpp"
+#include "task/mirror_request.hpp"
 
 namespace shigusa {
-namespace {
 
-// The posture mode that is not of one side.
-bool turns(std::string_view name) { return name_within_phase(name).starts_with("twist"); }
-
-Vec3d across(const Vec3d& p) { return {-p.x, p.y, p.z}; }
-Quatd across(const Quatd& q) { return {q.x, -q.y, -q.z, q.w}; }
-
-// "right_elbow.weight=3" of "left_elbow.weight=3", "twist_deg=-20" of "twist_deg=20".
-std::string mirrored_assignment(const std::string& assignment) {
-  std::string text = mirrored_name(assignment);
-  const std::size_t equals = text.find('=');
-  if (!turns(text) || equals == text.npos) return text;
-  const bool negative = equals + 1 < text.size() && text[equals + 1] == '-';
-  return negative ? text.erase(equals + 1, 1) : text.insert(equals + 1, "-");
-}
-
-template <class Holder>
-void mirror_fields(Holder& holder);
-
-// Numbers and choices have no side.
-template <class Value>
-void mirror_value(Value&, Mirroring) {}
-void mirror_value(Vec3d& point, Mirroring) { point = across(point); }
-void mirror_value(Quatd& rotation, Mirroring) { rotation = across(rotation); }
-void mirror_value(std::string& text, Mirroring how) {
-  text = how == Mirroring::assignments ? mirrored_assignment(text) : mirrored_name(text);
-}
-template <Tabled Holder>
-void mirror_value(Holder& holder, Mirroring) {
-  mirror_fields(holder);
-}
-template <class Item>
-void mirror_value(std::vector<Item>& list, Mirroring how) {
-  for (Item& item : list) mirror_value(item, how);
-}
-template <class Value>
-void mirror_value(std::optional<Value>& value, Mirroring how) {
-  if (value) mirror_value(*value, how);
-}
-
-template <class Holder>
-void mirror_fields(Holder& holder) {
-  for_each_field<Holder>([&](const auto& field) {
-    if (field.traits.mirroring == Mirroring::same) return;
-    mirror_value(holder.*field.member, field.traits.mirroring);
-  });
-}
-
-}  // namespace
-
-std::string mirrored_name(std::string_view name) {
-  const std::string_view within = name_within_phase(name);
-  return std::string(name.substr(0, name.size() - within.size())) + with_other_side(within);
-}
+std::string mirrored_name(std::string_view name) { return mirrored_in_phase(name); }
 
 Result<TaskFile> mirrored(TaskFile task) {
   if (is_robot(task.character)) {
@@ -77,30 +18,13 @@ Result<TaskFile> mirrored(TaskFile task) {
     return fail(ErrorCode::unsupported,
                 say("one_side", body.name(), dof.name, mirrored_name(dof.name)));
   }
-  mirror_fields<Request>(task);
+  mirror_request(task);
   return task;
 }
 
 Parameters mirrored(std::span<const Layer> from, std::span<const Layer> to,
                     const Parameters& values) {
-  Parameters source = values;
-  Parameters image = start_values(to);
-  if (values.later) add_later_phase(image);
-  image.posture.modes.resize(values.posture.modes.size());
-  if (values.later) image.later->modes.resize(values.later->modes.size());
-  const std::vector<Parameter> of_image = parameters_of(to, image);
-  for (const Parameter& parameter : parameters_of(from, source)) {
-    const auto other =
-        std::find_if(of_image.begin(), of_image.end(), [&parameter](const Parameter& known) {
-          return known.info->kind == parameter.info->kind &&
-                 known.info->name == mirrored_name(parameter.info->name) &&
-                 known.layer->name == mirrored_name(parameter.layer->name);
-        });
-    if (other == of_image.end()) continue;
-    other->set(turns(parameter.info->name) ? -parameter.value() : parameter.value());
-    if (other->locked != nullptr) *other->locked = *parameter.locked;
-  }
-  return image;
+  return mirrored_values(from, to, values);
 }
 
 }  // namespace shigusa

@@ -70,7 +70,11 @@ Result<void> mirror_result(StoredResult& stored) {
   SHG_TRY_ASSIGN(const Plan from, plan_of(body, stored.task));
   SHG_TRY_ASSIGN(const Plan to, plan_of(task));
   stored.task = std::move(image);
-  for (Parameters& values : stored.candidates) values = mirrored(from, to, values);
+  for (Parameters& values : stored.candidates) {
+    const bool reflected = !values.reflected;
+    values = mirrored(from, to, values);
+    values.reflected = reflected;
+  }
   return {};
 }
 

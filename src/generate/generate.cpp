@@ -3,17 +3,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <shigusa/generate.hpp>
 #include <tuple>
 #include <utility>
 
 #include "candidate.hpp"
+#include "conflict.hpp"
 #include "core/say.hpp"
 #include "delivery.hpp"
 #include "joint_progress.hpp"
 #include "pareto.hpp"
 #include "planner.hpp"
+#include "reflection.hpp"
 #include "task/make_problem.hpp"
+#include "task/mirror_request.hpp"
+#include "task/plan_of.hpp"
 
 namespace shigusa {
 namespace {
@@ -339,6 +344,51 @@ void try_longer(const PreparedTask& task, JointProgress& progress, GenerateResul
   take_place(std::move(*again), found);
 }
 
+constexpr std::uint64_t kOtherNumbers = 0x9e3779b97f4a7c15U;
+
+// Where still nothing is possible, other random numbers search as many motions as the first search
+// did: a fifth of what was spent by then.
+void try_other_numbers(const PreparedTask& task, JointProgress& progress, GenerateResult& found) {
+  if (task.evaluations || task.pareto || task.own_search || !wants_more(found)) return;
+  PreparedTask other = task;
+  other.seed = task.seed ^ kOtherNumbers;
+  Result<GenerateResult> again = search_task(other, progress.part(1.0));
+  if (again) take_place(std::move(*again), found);
+}
+
+// A time that is told to be enough is in tenths of a second, and at most this many are tried.
+constexpr double kToldStep = 0.1;
+constexpr int kToldTries = 4;
+
+bool is_possible_in(const PreparedTask& slower, const GenerateResult& found, bool on_all,
+                    JointProgress& progress) {
+  // a budget that was given is used up
+  const Result<GenerateResult> again = slower.evaluations
+                                           ? played_anew(slower, found)
+                                           : search_task(slower, progress.part(1.0), on_all);
+  return again && again->status == ReachStatus::reached;
+}
+
+// Leaves of all times in which single candidates would be possible one in which the task was
+// searched again and something is; none where nothing was.
+void check_possible_in(const PreparedTask& task, bool on_all, JointProgress& progress,
+                       GenerateResult& found) {
+  const std::optional<double> least = possible_duration(found);
+  if (!wants_more(found) || !least) return;
+  PreparedTask slower = task;
+  std::optional<double> told;
+  double tenths = std::ceil(*least / kToldStep);
+  for (int k = 0; k < kToldTries && !told; ++k, tenths = std::ceil(1.2 * tenths)) {
+    slower.duration = kToldStep * tenths;
+    if (*slower.duration > kSlowest * found.duration) break;
+    if (is_possible_in(slower, found, on_all, progress)) told = slower.duration;
+  }
+  for (Candidate& candidate : found.candidates) {
+    std::optional<double>& own = candidate.judgement.possible_in;
+    if (own) own = told;
+  }
+}
+
 }  // namespace
 
 Task played_task(Task task, const GenerateResult& generation) {
@@ -363,20 +413,55 @@ Result<GenerateResult> generate(const Task& task, const Progress& progress) {
   if (natural) {
     try_slower(ready, joint, found);
     try_longer(ready, joint, found);
+    try_other_numbers(ready, joint, found);
     if (minds_jolts(ready)) try_gentler(ready, found);
   }
+  check_possible_in(ready, on_all, joint, found);
+  if (!found.meets_goals()) found.conflict = conflict_of(task);
   return found;
 }
 
 struct MotionPlayer::Made {
   Task task;
   PreparedTask ready;
-  std::unique_ptr<Planner> planner;  // of `ready`
+  std::unique_ptr<Planner> planner;     // of `ready`
+  std::optional<MotionPlayer> other{};  // of the other side, once a motion of it was asked for
+
+  Result<Candidate> play(const Parameters& values);
+
+ private:
+  Result<std::optional<Candidate>> reflect(const Parameters& values);
 };
+
+Result<Candidate> MotionPlayer::Made::play(const Parameters& values) {
+  if (values.reflected) {
+    SHG_TRY_ASSIGN(std::optional<Candidate> image, reflect(values));
+    if (image) return std::move(*image);
+  }
+  return played(*planner, values);
+}
+
+// The image of the motion that the other side's values make; none where the body has no image.
+Result<std::optional<Candidate>> MotionPlayer::Made::reflect(const Parameters& values) {
+  if (!other) {
+    SHG_TRY_ASSIGN(other, MotionPlayer::of(mirrored_task(task)));
+  }
+  const Made& there = *other->made_;
+  Parameters source = mirrored_values(planner->plan(), there.planner->plan(), values);
+  SHG_TRY_ASSIGN(const GenerateResult played_there, other->play(source));
+  const Candidate& of = played_there.candidates.front();
+  Arrival arrival = planner->nearest(values);
+  std::optional<Motion> image = reflection(*arrival.approach, of.motion);
+  if (!image) return std::optional<Candidate>{};
+  arrival.rolled.motion = std::move(*image);
+  Candidate candidate = make_candidate(ready, *arrival.approach, values, std::move(arrival.rolled));
+  candidate.arm_collision = of.arm_collision;
+  return candidate;
+}
 
 Result<MotionPlayer> MotionPlayer::of(Task task) {
   SHG_TRY_ASSIGN(PreparedTask ready, prepared(task));
-  auto made = std::make_unique<Made>(Made{std::move(task), std::move(ready), nullptr});
+  auto made = std::make_unique<Made>(Made{std::move(task), std::move(ready), nullptr, {}});
   SHG_TRY_ASSIGN(made->planner, make_planner(made->ready));
   return MotionPlayer(std::move(made));
 }
@@ -393,7 +478,8 @@ Result<GenerateResult> MotionPlayer::play(const Parameters& values) {
   SHG_TRY(check_parameters(planner.plan(), values));
   GenerateResult generation;
   generation.duration = planner.duration();
-  generation.candidates.push_back(played(planner, values));
+  SHG_TRY_ASSIGN(Candidate candidate, made_->play(values));
+  generation.candidates.push_back(std::move(candidate));
   finish(made_->ready, planner.in_reach(), generation);
   return generation;
 }

@@ -64,6 +64,9 @@ std::string reason_words(const Reason& reason) {
                          reason.subject, reason.torque, when(reason), reason.amount,
                          reason.strength);
     case ReasonKind::pressure:
+      if (reason.amount > kFarOutside) {
+        return fmt::format("the floor would have to press far outside the feet{}", when(reason));
+      }
       return fmt::format("the floor would have to press {:.0f} mm outside the feet{}",
                          1e3 * reason.amount, when(reason));
     case ReasonKind::collision:
@@ -94,11 +97,12 @@ Judgement judge(const BodyModel& body, const MotionMeasures& measures) {
         {.kind = ReasonKind::pressure, .amount = -pressure.distance, .time = pressure.time});
   }
   const CollisionFound& collides = measures.collides;
-  reasons.add(kCollisionBounds, {.kind = ReasonKind::collision,
-                                 .amount = collides.depth,
-                                 .subject = collides.limb,
-                                 .other = collides.other,
-                                 .time = collides.time});
+  reasons.add(collides.hard ? kHardCollisionBounds : kCollisionBounds,
+              {.kind = ReasonKind::collision,
+               .amount = collides.depth,
+               .subject = collides.limb,
+               .other = collides.other,
+               .time = collides.time});
   for (const LimitExcess& over : measures.over_limit) {
     reasons.add(kLimitBounds,
                 {.kind = ReasonKind::limit, .amount = over.excess, .subject = over.dof});

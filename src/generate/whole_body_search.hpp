@@ -27,8 +27,7 @@ class WholeBodySearch {
   // islands run side by side, one to a thread:
   //   the first starts | all parameters to kGuess motions, early styles | the rest, late styles
   // Styles begin at the best of the first starts or of the first kGuess motions: at fixed counts,
-  // never at times. A budget scores all motions of each smaller one that is a multiple of 144, so
-  // more is never worse (from 432 on, where all parameters have kGuess).
+  // never at times. The points of a smaller budget are not the first of a larger one's.
   SearchResult run(const Progress& progress);
 
   [[nodiscard]] const ParameterSpace& space() const { return space_; }

@@ -33,9 +33,8 @@ Result<int> effector_index(const BodyModel& body, const Goal& goal) {
   if (base != nullptr && base->name == goal.effector) {
     return fail(ErrorCode::invalid_argument, say("foot_bears", base->name), "goal");
   }
-  std::vector<std::string> names;
-  for (int i = 0; i < body.effector_count(); ++i) names.push_back(body.effector(i).name);
-  return fail(ErrorCode::not_found, unknown_name("effector", goal.effector, names), "goal");
+  return fail(ErrorCode::not_found, unknown_name("effector", goal.effector, goal_names(body)),
+              "goal");
 }
 
 Result<void> check_turn(const Goal& goal) {

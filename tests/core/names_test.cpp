@@ -17,6 +17,18 @@ TEST(NearestName, SuggestsNothingForAnotherWord) { EXPECT_EQ(nearest_name("zzzzz
 
 TEST(NearestName, OfNoNamesIsEmpty) { EXPECT_EQ(nearest_name("hand", {}), ""); }
 
+TEST(NearestName, KnowsWordsInAnotherOrderAndCase) {
+  EXPECT_EQ(nearest_name("hand_right", kHands), "right_hand");
+  EXPECT_EQ(nearest_name("Left Hand", kHands), "left_hand");
+  EXPECT_EQ(nearest_name("GLB", std::vector<std::string>{"bvh", "glb"}), "glb");
+}
+
+TEST(NearestName, CompletesWords) {
+  const std::vector<std::string> known{"sway", "squat_deg", "squat_rad", "right_elbow.weight"};
+  EXPECT_EQ(nearest_name("squat", known), "squat_deg");
+  EXPECT_EQ(nearest_name("right_elbow", known), "right_elbow.weight");
+}
+
 TEST(NearestName, TakesTheFirstAmongEquals) {
   EXPECT_EQ(nearest_name("_hand", kHands), "left_hand");
 }

@@ -58,8 +58,8 @@ TEST(ResultWords, ReasonsHavePlainNames) {
                              .strength = 90.0,
                              .time = 0.11}),
             "The right ankle (flexion) needs 715 N·m at 0.11 s, 7.9 times its strength of 90.");
-  EXPECT_EQ(reason_sentence({.kind = ReasonKind::pressure, .amount = 1.121, .time = 0.5}),
-            "The floor would have to press 1.12 m outside the feet at 0.50 s.");
+  EXPECT_EQ(reason_sentence({.kind = ReasonKind::pressure, .amount = 0.921, .time = 0.5}),
+            "The floor would have to press 92 cm outside the feet at 0.50 s.");
   EXPECT_EQ(reason_sentence({.kind = ReasonKind::collision,
                              .amount = 0.078,
                              .subject = "right_forearm",
@@ -75,7 +75,9 @@ TEST(ResultWords, ReasonsHavePlainNames) {
 TEST(ResultWords, VerdictsAreSentences) {
   EXPECT_EQ(verdict_sentence({}), "Possible: strong and steady enough.");
   EXPECT_EQ(verdict_sentence({.verdict = Verdict::impossible, .reasons = {}, .possible_in = 2.13}),
-            "Impossible so fast: 2.1 s would do.");
+            "Impossible so fast: 2.2 s would do.")
+      << "rounded up, as 2.1 s are not enough";
+  EXPECT_EQ(enough_words(2.1), "2.1 s");
 }
 
 TEST(ResultWords, LengthsAreInTheUnitThatFits) {

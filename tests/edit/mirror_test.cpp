@@ -143,6 +143,32 @@ TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
   }
 }
 
+// A motion of random goals, and its image, as results hold them.
+TEST(Mirror, ScoresAsTheMotionDoes) {
+  const Vec3d goals[] = {{0.093, 0.70, 0.207}, {0.038, 0.677, 0.211}, {0.116, 0.283, 0.577},
+                         {-0.25, 0.9, 0.4},    {-0.4, 0.2, 0.3},      {-0.3, 1.6, -0.2}};
+  for (const Vec3d& goal : goals) {
+    TaskFile file = asked(Preset::flat);
+    file.character.source = "human";
+    file.goals = {{"right_hand", goal}};
+    const GenerateResult made = generate(make_task(file, {}).value()).value();
+    StoredResult stored = stored_result(file, made);
+    const std::vector<Parameters> before = stored.candidates;
+    ASSERT_TRUE(mirror_result(stored));
+    MotionPlayer player = MotionPlayer::of(make_task(stored.task, {}).value()).value();
+    const GenerateResult image = replay_all(player, stored).value();
+    ASSERT_EQ(image.candidates.size(), made.candidates.size());
+    for (std::size_t k = 0; k < made.candidates.size(); ++k) {
+      const Candidate& of = made.candidates[k];
+      EXPECT_NEAR(image.candidates[k].score.total, of.score.total, 0.01 * of.score.total);
+      EXPECT_EQ(image.candidates[k].judgement.verdict, of.judgement.verdict);
+      EXPECT_TRUE(image.candidates[k].parameters.reflected);
+    }
+    ASSERT_TRUE(mirror_result(stored));
+    EXPECT_EQ(stored.candidates, before) << "the image's image is the motion itself";
+  }
+}
+
 TEST(Mirror, TwiceIsTheTaskAgain) {
   TaskFile file = asked(Preset::flat);
   file.fixed_assignments = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1",

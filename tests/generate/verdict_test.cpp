@@ -63,13 +63,15 @@ TEST(Verdict, GoesByHowFarThePressureLeavesTheFeet) {
 
 TEST(Verdict, GoesByTheDepthOfACollision) {
   MotionMeasures measures = nothing_of(full_body());
-  const auto deep = [&](double depth) {
-    measures.collides = {depth, "right_forearm", "head", 0.4};
+  const auto deep = [&](double depth, bool hard = false) {
+    measures.collides = {depth, "right_forearm", hard ? "shelf" : "head", 0.4, hard};
     return verdict_on(measures);
   };
   EXPECT_EQ(deep(0.004), Verdict::possible);
   EXPECT_EQ(deep(0.006), Verdict::strains);
   EXPECT_EQ(deep(0.021), Verdict::impossible);
+  EXPECT_EQ(deep(0.009, true), Verdict::strains) << "of a hard thing only the body yields";
+  EXPECT_EQ(deep(0.011, true), Verdict::impossible);
 }
 
 TEST(Verdict, GoesByHowFarAJointIsBeyondItsRange) {

@@ -121,7 +121,7 @@ export interface GoalAxis {
   /** In the effector's own frame; of hands also by a word. */
   axis: 'palm' | 'thumb' | 'fingers' | Vec3;
   /** In the world. */
-  direction: 'up' | 'down' | 'left' | 'right' | 'ahead' | 'back' | Vec3;
+  direction: 'up' | 'down' | 'left' | 'right' | 'ahead' | 'back' | 'in' | 'out' | Vec3;
 }
 
 /** The final place of one effector, and how it is turned there. */

@@ -140,6 +140,10 @@ export interface Summary {
   fewer?: string;
   /** The same to word otherwise. */
   fewer_message?: Message;
+  /** Which goals are in one another's way, out of reach, in English. */
+  conflict?: string;
+  /** The same to word otherwise. */
+  conflict_message?: Message;
   /** Goals of hands that may be an oversight, in English. */
   file_notes?: string[]; // of what the command line wrote
   goal_notes?: string[];

@@ -42,6 +42,12 @@ inline constexpr std::array kTasks{
         "goes into the floor"},
     MessageText{"goal_in_part",
                 "the goal of {} is in the body's own {}, where that is at the start"},
+    MessageText{"goal_in_the_way",
+                "the goal of {} is in the way: all others are in reach without it"},
+    MessageText{"goals_in_the_way",
+                "these goals cannot be met together: without that of {} the others are in reach"},
+    MessageText{"turn_in_the_way",
+                "the turn of {} is in the way: with any other turn all goals are in reach"},
     MessageText{"no_goal", "no goal: give at least one effector's position"},
     MessageText{"hands_alone",
                 "layers bring hands to positions, and those of a whole human by the preset human "

@@ -33,7 +33,7 @@ export const en = {
   possible: 'can be done', strains: 'hard to do', impossible: 'not possible', because: '{verdict}: {reason}', ofFreedom: '{words} ({freedom})', why: 'Why', andMore: '{n} more', takeTime: 'Take {s} s',
   needsStrength: '{joint} at {percent} % of its strength', fallsForward: 'would fall forward: a step is needed', fallsBack: 'would fall backward: a step is needed',
   fallsLeft: 'would fall to the left: a step is needed', fallsRight: 'would fall to the right: a step is needed',
-  fallsOver: 'would fall over: the weight is not above the foot that stands', losesBalance: 'would lose its balance: the weight presses {length} outside the feet',
+  fallsOver: 'would fall over: the weight is not above the foot that stands', losesBalanceFar: 'would lose its balance: the weight presses far outside the feet', losesBalance: 'would lose its balance: the weight presses {length} outside the feet',
   barelyStands: 'barely keeps its balance: the weight presses {length} outside the feet',
   isIn: '{limb} goes {length} into the {other}', isBeyond: '{joint} goes {deg}° beyond its range', metHard: 'met, but hard to do', showMoment: 'Show the moment',
   knees: 'knees bent {deg}°', turned: 'turned {deg}°', elbowHangs: 'elbow hanging', elbowOut: 'elbow held {deg}° out', elbowIn: 'elbow held {deg}° in',

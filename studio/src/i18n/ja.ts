@@ -31,7 +31,7 @@ export const ja: Record<Key, string> = {
   possible: '実行可能', strains: '負担大', impossible: '実行不可能', because: '{verdict}：{reason}', ofFreedom: '{words}（{freedom}）', why: '理由', andMore: 'ほか {n} 件', takeTime: '{s} 秒かける',
   needsStrength: '{joint}に筋力の {percent} % が必要です', fallsForward: '前に倒れます（一歩踏み出す必要があります）', fallsBack: '後ろに倒れます（一歩下がる必要があります）',
   fallsLeft: '左に倒れます（一歩踏み出す必要があります）', fallsRight: '右に倒れます（一歩踏み出す必要があります）',
-  fallsOver: '倒れます（重心が支えの足の上にありません）', losesBalance: 'バランスを崩します（荷重が足の外 {length} にかかります）',
+  fallsOver: '倒れます（重心が支えの足の上にありません）', losesBalanceFar: 'バランスを崩します（荷重が足のはるか外にかかります）', losesBalance: 'バランスを崩します（荷重が足の外 {length} にかかります）',
   barelyStands: 'かろうじて立っています（荷重が足の外 {length} にかかります）',
   isIn: '{limb}が{other}に {length} めり込みます', isBeyond: '{joint}が可動域を {deg}° 超えます', metHard: '到達（負担大）', showMoment: 'その時点を表示',
   knees: '膝を {deg}° 曲げる', turned: 'ひねり {deg}°', elbowHangs: '肘を下げる', elbowOut: '肘を外に {deg}° 張る', elbowIn: '肘を内に {deg}° 締める',

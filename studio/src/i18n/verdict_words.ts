@@ -8,6 +8,12 @@ import { axisName, inSentence, jointName, t } from '.';
 /** A joint's freedom in a sentence by its joint alone. */
 const jointOf = (freedom = ''): string => inSentence(jointName(freedom.split('.')[0]!));
 
+/** Seconds that are enough, in tenths, rounded up. */
+export const enoughWords = (seconds: number): string => (Math.ceil(10 * seconds - 1e-6) / 10).toFixed(1);
+
+/** Beyond this (mm) the feet's edge is far: where the floor hardly presses, it would have to press at any distance. */
+const kFarOutside = 1000;
+
 /** One reason why a motion is hard or impossible: "left knee at 127 % of its strength". */
 export function reasonWords(document: Document, candidate: Candidate, reason: Reason): string {
   switch (reason.kind) {
@@ -16,6 +22,7 @@ export function reasonWords(document: Document, candidate: Candidate, reason: Re
     case 'pressure': {
       const fall = reason.verdict === 'impossible' ? fallOf(document, candidate) : null;
       if (fall !== null) return t(fall);
+      if ((reason.outside_mm ?? 0) > kFarOutside) return t('losesBalanceFar');
       return t(reason.verdict === 'impossible' ? 'losesBalance' : 'barelyStands', { length: (reason.outside_mm ?? 0) / 1000 });
     }
     case 'collision':

@@ -48,6 +48,7 @@ export function workNow(studio: Studio, document: Document): Work | null {
     task: taskOf(studio.facts, document),
     ...(summary && { found: storedMotions(summary) }),
     ...(summary?.fewer_message !== undefined && { fewer: summary.fewer_message }),
+    ...(summary?.conflict_message !== undefined && { conflict: summary.conflict_message }),
     ...(summary?.goal_note_messages !== undefined && { notes: summary.goal_note_messages }),
     ...(state.search && { searching: true }),
     chosen: document.chosen,
@@ -88,11 +89,11 @@ async function askedFor(studio: Studio, character: Character, { task, found }: W
   return checkedDocumentOf(studio, character, task).catch(() => checkedDocumentOf(studio, character, found.task));
 }
 
-async function restored(studio: Studio, character: Character, motions: StoredMotions, told: Pick<Work, 'fewer' | 'notes'> = {}): Promise<Generated> {
+async function restored(studio: Studio, character: Character, motions: StoredMotions, told: Pick<Work, 'conflict' | 'fewer' | 'notes'> = {}): Promise<Generated> {
   const generated = await studio.restore(character, motions as unknown as Summary);
-  const { fewer, notes } = told;
+  const { conflict, fewer, notes } = told;
   return { ...generated, summary: {
-    ...generated.summary, ...(fewer !== undefined && { fewer_message: fewer }), ...(notes !== undefined && { goal_note_messages: [...notes] }),
+    ...generated.summary, ...(conflict !== undefined && { conflict_message: conflict }), ...(fewer !== undefined && { fewer_message: fewer }), ...(notes !== undefined && { goal_note_messages: [...notes] }),
   } };
 }
 

@@ -46,6 +46,7 @@ export interface Work {
   readonly character: { readonly spec: CharacterSpec; readonly sha256?: string };
   readonly task: Task; // as it is asked for now
   readonly found?: StoredMotions;
+  readonly conflict?: Message; // which goals are in one another's way
   readonly fewer?: Message; // why there are fewer motions than asked for
   readonly notes?: readonly Message[]; // on its goals
   readonly searching?: boolean; // the task was being searched
@@ -125,7 +126,8 @@ export function readWork(value: unknown): Work {
   need(Array.isArray(fieldsOf(work['task'], 'task')['goals']), 'task.goals', 'a list [ … ]');
   const found = work['found'] === undefined ? undefined : readMotions(work['found'], 'found');
   const count = found?.candidates.length ?? 0;
-  const { fewer, notes, searching, chosen, compared } = work;
+  const { conflict, fewer, notes, searching, chosen, compared } = work;
+  need(conflict === undefined || isMessage(conflict), 'conflict', 'a message');
   need(fewer === undefined || isMessage(fewer), 'fewer', 'a message');
   need(notes === undefined || (Array.isArray(notes) && notes.every((note) => isMessage(note))), 'notes', 'messages');
   need(searching === undefined || typeof searching === 'boolean', 'searching', 'true or false');

@@ -59,7 +59,8 @@ export class Gallery implements Panel {
     const highest = Math.max(0.05, ...order.flatMap((index) => Object.values(candidateAt(document, index)?.summary.criteria ?? {})));
     const best = Math.min(...order.map((index) => scoreOf(candidateAt(document, index)!, document.weights)));
     order.forEach((index, place) => this.updateCard(document, index, place, highest, best));
-    const why = result.summary.status !== 'unreachable' ? result.summary.fewer_message : undefined;
+    const { status, conflict_message: conflict, fewer_message: fewer } = result.summary;
+    const why = conflict ?? (status !== 'unreachable' ? fewer : undefined);
     const notes = [...(result.summary.goal_note_messages ?? []), ...(why === undefined ? [] : [why])];
     this.fewer.hidden = notes.length === 0;
     this.fewer.textContent = notes.map(engineText).join(' ');

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Notices over the view: the sentence that says what to drag, the search's progress, messages.
 import { failureText, type Key, t } from '../i18n';
-import { reasonWords } from '../i18n/verdict_words';
+import { enoughWords, reasonWords } from '../i18n/verdict_words';
 import { candidateAt, type Document, type Notice } from '../state/model';
 import type { Studio } from '../state/studio';
 import { isMet, reasonsOf } from '../state/verdict';
@@ -21,7 +21,7 @@ function impossibleText(document: Document | null): string {
   if (!worst) return '';
   const why = t('unsteady', { reason: reasonWords(document, candidate, worst) });
   const { possible_in_s: seconds } = candidate.summary;
-  return seconds === undefined ? why : `${why} ${t('couldIn', { s: seconds.toFixed(1) })}`;
+  return seconds === undefined ? why : `${why} ${t('couldIn', { s: enoughWords(seconds) })}`;
 }
 
 export class Notices implements Panel {

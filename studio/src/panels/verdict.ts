@@ -88,10 +88,9 @@ export class VerdictBox {
   }
 
   private slower(document: Document, seconds: number): HTMLElement {
-    // rounded up, so that it is no faster than what was found
-    const duration = Math.ceil(10 * seconds) / 10;
-    return h('p', {}, t('couldIn', { s: duration.toFixed(1) }), ' ', button(t('takeTime', { s: duration.toFixed(1) }), () => {
-      this.studio.commit({ ...document, settings: { ...document.settings, duration_s: duration } });
+    const s = enoughWords(seconds);
+    return h('p', {}, t('couldIn', { s }), ' ', button(t('takeTime', { s }), () => {
+      this.studio.commit({ ...document, settings: { ...document.settings, duration_s: Number(s) } });
       void this.studio.search();
     }, { 'data-key': 'slower' }));
   }

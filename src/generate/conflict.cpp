@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "conflict.hpp"
+
+#include <string>
+#include <vector>
+
+#include "core/say.hpp"
+#include "rollout/reachability.hpp"
+#include "task/make_problem.hpp"
+
+namespace shigusa {
+namespace {
+
+bool in_reach(const Task& task) {
+  const Result<PreparedTask> ready = prepared(task);
+  if (!ready) return false;
+  const Result<ReachProblem> problem = make_problem(*ready);
+  return problem && closest_reach(*problem).reached();
+}
+
+// Whether a goal asks for more than its place.
+bool has_turn(const Goal& goal) { return goal.rotation || goal.axis; }
+
+// The task without a goal, or without the turn of one.
+Task without_goal(Task task, std::size_t g) {
+  task.goals.erase(task.goals.begin() + static_cast<std::ptrdiff_t>(g));
+  return task;
+}
+Task without_turn(Task task, std::size_t g) {
+  task.goals[g].rotation.reset();
+  task.goals[g].axis.reset();
+  return task;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (k > 0) text += k + 1 < names.size() ? ", " : " or ";
+    text += names[k];
+  }
+  return text;
+}
+
+}  // namespace
+
+Message conflict_of(const Task& task) {
+  std::vector<std::string> goals;
+  for (std::size_t g = 0; g < task.goals.size(); ++g) {
+    const std::string& name = task.goals[g].effector;
+    if (has_turn(task.goals[g]) && in_reach(without_turn(task, g))) {
+      return say("turn_in_the_way", name);
+    }
+    if (task.goals.size() > 1 && in_reach(without_goal(task, g))) goals.push_back(name);
+  }
+  if (goals.empty()) return {};
+  return goals.size() == 1 ? say("goal_in_the_way", goals.front())
+                           : say("goals_in_the_way", joined(goals));
+}
+
+}  // namespace shigusa

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/request.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "layers/plan.hpp"
+
+namespace shigusa {
+
+// "later.left_knee.flexion" of "later.right_knee.flexion"; a name without a side stays.
+[[nodiscard]] std::string mirrored_in_phase(std::string_view name);
+
+// Takes a request to the other side of the body's middle, x = 0.
+void mirror_request(Request& request);
+
+// The values of a motion's mirror image: each goes to the parameter of the other side, and a turn
+// of the trunk changes its sign.
+[[nodiscard]] Parameters mirrored_values(std::span<const Layer> from, std::span<const Layer> to,
+                                         const Parameters& values);
+
+}  // namespace shigusa
