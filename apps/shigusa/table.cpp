@@ -236,7 +236,7 @@ std::string headline(const FinishedRun& run) {
   return text + hanging(found);
 }
 
-// What was tried for a goal that no possible motion meets. Measured for the preset flat.
+// Words on a goal that no possible motion meets; the rate was measured for the preset flat.
 std::string_view unsteady_words(const FinishedRun& run) {
   if (run.generation.evaluations == 0) return "not by a motion that this body could make";
   if (run.task.preset != Preset::flat) return "no motion was found that this body could make";
