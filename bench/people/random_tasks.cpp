@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "random_tasks.hpp"
 
-#include "support/task_audit.hpp"
+#include "support/random_tasks.hpp"
 
 namespace shigusa::bench {
 namespace {

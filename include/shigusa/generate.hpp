@@ -114,8 +114,8 @@ struct GenerateResult {
   ReachStatus status = ReachStatus::reached;  ///< whether the goals are met
   double remaining_distance = 0.0;  ///< m, of the best candidate to its goals; 0 when reached
   double remaining_turn = 0.0;      ///< rad, the largest that is left of a goal's turn; the same
-  /// At least one: the possible ones first, then the impossible ones, each by score, the lowest
-  /// first.
+  /// At least one: the possible ones first, then the impossible ones; by the preset flat, of both
+  /// those first that pass through nothing; each by score, the lowest first.
   std::vector<Candidate> candidates;
   Message fewer;          ///< why there are fewer than asked for; else empty
   Message conflict{};     ///< which goals are in one another's way, out of reach; else empty

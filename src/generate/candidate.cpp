@@ -99,17 +99,33 @@ void add_resting_hands(const Task& task, const ReachProblem& problem, const Moti
   }
 }
 
+// The settings of the task's collisions, but that hands which stay free rest on nothing.
+CollisionSettings collision_of(const Task& task, const Candidate& candidate) {
+  CollisionSettings settings = task_criteria(task).collision;
+  std::erase_if(settings.resting, [&](const RestingPlace& place) {
+    return std::none_of(candidate.resting.begin(), candidate.resting.end(),
+                        [&](const RestResult& rest) {
+                          const int hand = task.body.find_effector(rest.effector).value();
+                          return task.body.effector(hand).link == place.link;
+                        });
+  });
+  return settings;
+}
+
 // a NaN is worse than any score
 double ranking(const Score& score) {
   return is_finite(score.total) ? score.total : std::numeric_limits<double>::infinity();
 }
 
-HeelLift heel_lift(const Heel& heel, const Clip& clip) {
+// `foot`: R_WL of the forefoot, which stands.
+HeelLift heel_lift(const Heel& heel, const Clip& clip, const Mat3d& foot) {
   HeelLift lift;
   for (int f = 0; f < clip.frames; ++f) {
     const double angle = clip.frame(f)[static_cast<std::size_t>(heel.toes)];
     const SinCos<double> turn = sin_cos(angle);
-    const double height = heel.back.y * (turn.cos - 1.0) - heel.back.z * turn.sin;
+    const double up = heel.back.y * (turn.cos - 1.0) - heel.back.z * turn.sin;
+    const double ahead = heel.back.z * (turn.cos - 1.0) + heel.back.y * turn.sin;
+    const double height = foot.cy.y * up + foot.cz.y * ahead;
     lift = {max(lift.angle, angle), max(lift.height, height)};
   }
   return lift;
@@ -132,10 +148,12 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
                          : alone                ? rolled.outcome.contact_slide
                                                 : slide_of(body, rolled.motion.clip, foot);
     candidate.contacts.push_back({foot.name, foot.node, slide, {}});
-    if (foot.heel) candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip);
+    if (!foot.heel) continue;
+    const Mat3d stands = start_kinematics(body).link_rotation(foot.link);
+    candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip, stands);
   }
   add_resting_hands(task, problem, rolled.motion, candidate);
-  candidate.measures = measure_motion(body, rolled.motion, task_criteria(task).collision);
+  candidate.measures = measure_motion(body, rolled.motion, collision_of(task, candidate));
   candidate.judgement = judge(body, rolled.motion, candidate.measures);
   const Clip& clip = rolled.motion.clip;
   candidate.final_posture =

@@ -64,7 +64,8 @@ Found free_motions(const BodyModel& body) {
     for (const Candidate& candidate : generation.candidates) {
       if (candidate.measures.collides.depth > kCollisionDepth) continue;
       ++found.free;
-      const Flesh::Depths depths = Flesh(body, candidate.motion.clip).deepest();
+      const ClipPlaces places(body, candidate.motion.clip);
+      const auto depths = Flesh(places, body.stature()).deepest();
       found.head = std::fmax(found.head, depths.head);
       found.shank = std::fmax(found.shank, depths.shank);
     }
@@ -98,7 +99,8 @@ TEST_P(FreeMotions, WouldWithoutTheirCapsules) {
     const Task task(body, {.goals = {{"right_hand", awkward_goal(k, random) * body.stature()}}});
     const Parameters plain = start_values(whole_body_plan(body));
     const GenerateResult played = regenerate(task, plain).value();
-    const Flesh::Depths depths = Flesh(body, played.candidates[0].motion.clip).deepest();
+    const ClipPlaces places(body, played.candidates[0].motion.clip);
+    const auto depths = Flesh(places, body.stature()).deepest();
     deepest = std::fmax(deepest, std::fmax(depths.head, depths.shank));
   }
   EXPECT_GT(deepest, 2.5 * kThrough);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/index.hpp"
-#include "support/task_audit.hpp"
+#include "support/random_tasks.hpp"
 #include "task/make_problem.hpp"
 
 namespace shigusa {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <shigusa/generate.hpp>
 #include <string>
 #include <vector>
@@ -16,10 +17,37 @@
 // 0.174 m; a forearm of 0.25 m below the elbow.
 namespace shigusa::testing_support {
 
+// The places of a body's nodes in a clip. The end below a node, which has no name, is "head.end".
+class ClipPlaces {
+ public:
+  ClipPlaces(const BodyModel& body, const Clip& clip) : motion_(skeleton_motion(body, clip)) {
+    for (int f = 0; f < motion_.clip.frames; ++f) {
+      places_.push_back(world_transforms(motion_.skeleton, motion_.clip, f));
+    }
+    const auto& nodes = motion_.skeleton.nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      names_[nodes[i].end_site ? nodes[static_cast<std::size_t>(nodes[i].parent)].name + ".end"
+                               : nodes[i].name] = i;
+    }
+  }
+  [[nodiscard]] std::size_t frames() const { return places_.size(); }
+  [[nodiscard]] bool has(const std::string& node) const { return names_.count(node) != 0; }
+  [[nodiscard]] const Transformd& at(const std::string& node, std::size_t frame) const {
+    return places_[frame][names_.at(node)];
+  }
+
+ private:
+  SkeletonMotion motion_;
+  std::vector<std::vector<Transformd>> places_;  // [frame][node]
+  std::map<std::string, std::size_t> names_;
+};
+
+// Of places as ClipPlaces has them.
+template <class Places>
 class Flesh {
  public:
-  Flesh(const BodyModel& body, const Clip& clip)
-      : motion_(skeleton_motion(body, clip)), size_(body.stature() / 1.756) {}
+  // `stature`: m
+  Flesh(const Places& places, double stature) : places_(places), size_(stature / 1.756) {}
 
   struct Depths {
     double head = -1.0;   // m
@@ -29,14 +57,13 @@ class Flesh {
   // The deepest of any frame; some way below 0 where nothing is near.
   [[nodiscard]] Depths deepest() const {
     Depths most;
-    for (int f = 0; f < motion_.clip.frames; ++f) {
-      const auto world = world_transforms(motion_.skeleton, motion_.clip, f);
+    for (std::size_t f = 0; f < places_.frames(); ++f) {
       for (const std::string side : {"left_", "right_"}) {
-        if (motion_.skeleton.find(side + "lower_arm") < 0) continue;
-        for (const Vec3d& point : arm_surface(side, world)) {
-          most.head = std::fmax(most.head, in_head(point, world));
+        if (!places_.has(side + "lower_arm")) continue;
+        for (const Vec3d& point : arm_surface(side, f)) {
+          most.head = std::fmax(most.head, in_head(point, f));
           for (const std::string leg : {"left_", "right_"}) {
-            most.shank = std::fmax(most.shank, in_shank(point, leg, world));
+            most.shank = std::fmax(most.shank, in_shank(point, leg, f));
           }
         }
       }
@@ -45,29 +72,22 @@ class Flesh {
   }
 
  private:
-  using World = std::vector<Transformd>;
-
-  [[nodiscard]] const Transformd& place(const std::string& node, const World& world) const {
-    return world[static_cast<std::size_t>(motion_.skeleton.find(node))];
+  [[nodiscard]] const Transformd& place(const std::string& node, std::size_t frame) const {
+    return places_.at(node, frame);
   }
 
   // the end below a node, which has no name
-  [[nodiscard]] Vec3d end_of(const std::string& node, const World& world) const {
-    const auto& nodes = motion_.skeleton.nodes;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (nodes[i].end_site && nodes[i].parent == motion_.skeleton.find(node)) {
-        return world[i].translation;
-      }
-    }
-    return place(node, world).translation;
+  [[nodiscard]] Vec3d end_of(const std::string& node, std::size_t frame) const {
+    const std::string end = node + ".end";
+    return place(places_.has(end) ? end : node, frame).translation;
   }
 
   // Points all around the forearm from elbow to wrist, and around the hand.
-  [[nodiscard]] std::vector<Vec3d> arm_surface(const std::string& side, const World& world) const {
+  [[nodiscard]] std::vector<Vec3d> arm_surface(const std::string& side, std::size_t frame) const {
     std::vector<Vec3d> points;
-    const Vec3d elbow = place(side + "lower_arm", world).translation;
-    const Vec3d wrist = place(side + "hand", world).translation;
-    const Vec3d tip = end_of(side + "hand_grip", world);
+    const Vec3d elbow = place(side + "lower_arm", frame).translation;
+    const Vec3d wrist = place(side + "hand", frame).translation;
+    const Vec3d tip = end_of(side + "hand_grip", frame);
     add_rings(elbow, wrist, 0.250 / (2.0 * kPi), 0.174 / (2.0 * kPi), points);
     add_rings(wrist, tip, 0.014, 0.010, points);
     return points;
@@ -93,9 +113,9 @@ class Flesh {
   }
 
   // An ellipsoid between vertex and chin: how far in on the way to its middle.
-  [[nodiscard]] double in_head(const Vec3d& point, const World& world) const {
-    const Transformd& head = place("head", world);
-    const Vec3d vertex = end_of("head", world);
+  [[nodiscard]] double in_head(const Vec3d& point, std::size_t frame) const {
+    const Transformd& head = place("head", frame);
+    const Vec3d vertex = end_of("head", frame);
     const Vec3d up = normalized(vertex - head.translation);
     const Vec3d left = normalized(head.rotation.cx - up * dot(head.rotation.cx, up));
     const double half = 0.5 * (1.0 - 0.870) * 1.756 * size_;
@@ -108,10 +128,10 @@ class Flesh {
 
   // A limb that is thickest at three tenths of the way from the knee.
   [[nodiscard]] double in_shank(const Vec3d& point, const std::string& side,
-                                const World& world) const {
-    if (motion_.skeleton.find(side + "lower_leg") < 0) return -1.0;
-    const Vec3d knee = place(side + "lower_leg", world).translation;
-    const Vec3d way = place(side + "foot", world).translation - knee;
+                                std::size_t frame) const {
+    if (!places_.has(side + "lower_leg")) return -1.0;
+    const Vec3d knee = place(side + "lower_leg", frame).translation;
+    const Vec3d way = place(side + "foot", frame).translation - knee;
     const double along = dot(point - knee, way) / dot(way, way);
     if (along < 0.0 || along > 1.0) return -1.0;
     constexpr double kCalf = 0.378 / (2.0 * kPi);
@@ -121,7 +141,7 @@ class Flesh {
     return radius - norm(point - knee - way * along);
   }
 
-  SkeletonMotion motion_;
+  const Places& places_;
   double size_;
 };
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/generate.hpp>
+
+#include "moving_body.hpp"
+#include "table.hpp"
+
+namespace shigusa::bench {
+
+// A person's links, placed by the angles of an exported table and the body's own numbers.
+class PlacedLinks {
+ public:
+  PlacedLinks(const BodyModel& body, const Table& table);
+
+  [[nodiscard]] int frames() const { return static_cast<int>(base_.size()); }
+  // A link's frame in the world; kBaseLink is allowed.
+  [[nodiscard]] const Transformd& at(int link, int frame) const;
+  // The axis (world) of a freedom.
+  [[nodiscard]] Vec3d axis(int dof, int frame) const;
+
+ private:
+  const BodyModel& body_;
+  std::vector<Transformd> base_;                // (frames)
+  std::vector<std::vector<Transformd>> links_;  // [frame][dof]
+};
+
+// The pieces of a person's motion: links, loads of the goals, what pushes the hands that rest.
+// Hinges are those that hold no foot that stands, so that what the floor gives to each foot does
+// not matter.
+[[nodiscard]] MovingBody pieces_of(const BodyModel& body, const PlacedLinks& links,
+                                   const Task& task, const Candidate& candidate);
+
+}  // namespace shigusa::bench
