@@ -444,7 +444,10 @@ Result<Candidate> MotionPlayer::Made::play(const Parameters& values) {
 // The image of the motion that the other side's values make; none where the body has no image.
 Result<std::optional<Candidate>> MotionPlayer::Made::reflect(const Parameters& values) {
   if (!other) {
-    SHG_TRY_ASSIGN(other, MotionPlayer::of(mirrored_task(task)));
+    // a body that stands on the foot of the task's one side has no other: it is the image itself
+    Result<MotionPlayer> made = MotionPlayer::of(mirrored_task(task));
+    if (!made) return std::optional<Candidate>{};
+    other = std::move(*made);
   }
   const Made& there = *other->made_;
   Parameters source = mirrored_values(planner->plan(), there.planner->plan(), values);

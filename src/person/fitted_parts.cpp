@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "fitted_parts.hpp"
+
 #include <algorithm>
 #include <initializer_list>
 #include <string>

@@ -3,12 +3,6 @@
 #include "human_builder.hpp"
 
 namespace shigusa {
-namespace {
-
-// Share of an upper arm that may lie within the trunk.
-constexpr double kGrownOn = 0.5;
-
-}  // namespace
 
 void HumanBuilder::add_capsule(BodyPart part, const Part& on) {
   for (Capsule& capsule : part_capsules(part, person_, frames_, settings_.stature)) {
@@ -65,12 +59,7 @@ void HumanBuilder::add_arm_capsules(Side side) {
   add_capsule(upper, parts.upper);
   body_.capsules.back().grown_on = true;
   if (person_.parts[upper]) {
-    // where it is out of the trunk for certain it may get into it
-    Capsule outer = body_.capsules.back();
-    outer.grown_on = false;
-    outer.from += (outer.to - outer.from) * kGrownOn;
-    outer.radius += (outer.to_radius - outer.radius) * kGrownOn;
-    body_.capsules.push_back(std::move(outer));
+    body_.capsules.push_back(beyond_trunk(body_.capsules.back()));
   }
   add_capsule(of_side(BodyPart::left_forearm, side), parts.fore);
   if (whole()) {

@@ -2,6 +2,7 @@
 #include "part_shapes.hpp"
 
 #include "body/anthropometry.hpp"
+#include "body/capsules.hpp"
 #include "core/check.hpp"
 #include "landmark_points.hpp"
 #include "segment_mass.hpp"
@@ -178,6 +179,14 @@ PartShape part_shape(BodyPart part, const Landmarks& person, const HumanFrames& 
     return head_shape(part, person, frames, frame, stature);
   }
   return trunk_shape(part, person, frame, stature);
+}
+
+Capsule beyond_trunk(Capsule upper_arm) {
+  constexpr double kGrownOn = 0.5;  // share of it that may lie within the trunk
+  upper_arm.grown_on = false;
+  upper_arm.from += (upper_arm.to - upper_arm.from) * kGrownOn;
+  upper_arm.radius += taper_of(upper_arm) * kGrownOn;
+  return upper_arm;
 }
 
 std::vector<Capsule> part_capsules(BodyPart part, const Landmarks& person,

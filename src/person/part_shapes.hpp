@@ -32,6 +32,9 @@ namespace shigusa {
 [[nodiscard]] std::vector<Capsule> part_capsules(BodyPart part, const Landmarks& person,
                                                  const HumanFrames& frames, double stature);
 
+// Of a capsule along an upper arm the outer part, which is out of the trunk for certain.
+[[nodiscard]] Capsule beyond_trunk(Capsule upper_arm);
+
 // The pieces that a person's trunk is, from below: one where the spine has no joints.
 [[nodiscard]] std::vector<BodyPart> trunk_parts(const Landmarks& person);
 

@@ -2,6 +2,7 @@
 // The mesh tells soles and skull, which joints alone would leave to a guess.
 #include <algorithm>
 
+#include "fitted_parts.hpp"
 #include "person_measurer.hpp"
 
 namespace shigusa {

@@ -42,7 +42,8 @@ using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
 // - A shape that is called a hand, of a forearm that no body follows, is a link.
 // - Efforts are what actuators and actuatorfrcrange allow; a joint that no actuator drives, or one
 //   without a limit, has none.
-// - Masses are the file's or by the density of its shapes, and what collides is boxed in. Meshes,
+// - Masses are the file's or by the density of its shapes, of shapes the simple ones are kept, what
+// collides apart from what does not. Meshes,
 //   height fields, sites, tendons, sensors, key frames and skins are left out.
 // - What is not given is as in MuJoCo 3: angles in degrees, limits wherever there is a range.
 // - Sliding joints, and those that an equality makes follow another, are kept at 0, with a doubt.

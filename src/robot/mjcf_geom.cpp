@@ -69,6 +69,12 @@ Vec3d half_sizes(Shape shape, const Vec3d& s) {
   }
 }
 
+Robot::Shape::Kind kind_of(Shape shape) {
+  using Kind = Robot::Shape::Kind;
+  if (shape == Shape::sphere) return Kind::ball;
+  return shape == Shape::capsule || shape == Shape::cylinder ? Kind::cylinder : Kind::box;
+}
+
 Mat3d diagonal(const Vec3d& d) { return {{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}}; }
 
 Mat3d turned(const Mat3d& r, const Mat3d& inertia) { return r * inertia * transpose(r); }
@@ -83,14 +89,14 @@ Vec3d read_size(MjcfFiles& files, MjcfValues& values, const MjcfPart& part, cons
   if (values.numbers(part, "size", size, least) == 0) {
     files.wrong(part.element, say("shape_without_size", kind.name));
   }
-  geom.place = values.place(part);
+  Transformd& place = geom.shape.place;
+  place = values.place(part);
   if (between) {
     const Vec3d from{ends[0], ends[1], ends[2]};
     const Vec3d to{ends[3], ends[4], ends[5]};
     const double length = norm(to - from);
     if (!(length > 0.0)) files.wrong(part.element, say("fromto_one_point"));
-    geom.place = {length > 0.0 ? turned_to((from - to) * (1.0 / length)) : Mat3d{},
-                  (from + to) * 0.5};
+    place = {length > 0.0 ? turned_to((from - to) * (1.0 / length)) : Mat3d{}, (from + to) * 0.5};
     size = kind.sizes == 2 ? std::array{size[0], 0.5 * length, 0.0}
                            : std::array{size[0], size[0], 0.5 * length};
   }
@@ -121,11 +127,13 @@ MjcfGeom read_geom(MjcfFiles& files, MjcfValues& values, const MjcfPart& part) {
     if (kind.name != type || values.has(part, "mesh")) continue;
     const Vec3d size = read_size(files, values, part, kind, geom);
     geom.solid = true;
-    geom.half = half_sizes(kind.shape, size);
+    geom.shape.half = half_sizes(kind.shape, size);
+    geom.shape.kind = kind_of(kind.shape);
     const Solid body = solid(kind.shape, size);
     const double mass = !weighs ? 0.0 : given >= 0.0 ? given : density * body.volume;
-    geom.mass = LinkMass::of(mass, geom.place.translation,
-                             turned(geom.place.rotation, diagonal(body.moments * mass)));
+    const Transformd& place = geom.shape.place;
+    geom.mass = LinkMass::of(mass, place.translation,
+                             turned(place.rotation, diagonal(body.moments * mass)));
     return geom;
   }
   const bool mesh = type == "mesh" || type == "sdf" || values.has(part, "mesh");

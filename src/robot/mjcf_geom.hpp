@@ -14,9 +14,8 @@ struct MjcfGeom {
   bool solid = false;     // a shape that is read: no mesh, plane or height field
   bool mesh = false;      // a mesh, whose shape would have a mass
   bool collides = false;  // with anything
-  Vec3d half{};           // m, half the sizes of the box around it, own frame
-  Transformd place;       // of the own frame
-  LinkMass mass;          // in the frame of its element
+  Robot::Shape shape;  // in the frame of its element; a capsule is a cylinder, an ellipsoid a box
+  LinkMass mass;       // in the frame of its element
 };
 
 [[nodiscard]] MjcfGeom read_geom(MjcfFiles& files, MjcfValues& values, const MjcfPart& part);

@@ -18,6 +18,11 @@ bool is_joint(const XmlElement& element) {
   return is(element, "joint") || is(element, "freejoint");
 }
 
+bool is_tame(std::span<const Vec3d> points) {
+  return std::all_of(points.begin(), points.end(),
+                     [](const Vec3d& v) { return is_within(v, kMjcfMaxValue); });
+}
+
 // An element that may name the class of what stands in it, within one of that class.
 MjcfPart in_class(const XmlElement& element, std::string_view childclass) {
   const char* named = element.attribute("childclass");
@@ -341,9 +346,13 @@ void ModelReader::add_masses(const std::vector<Inside>& content, const Vec3d& sh
       shapes.add(
           LinkMass::of(own.mass, each.frame * own.com, turn * own.inertia * transpose(turn)));
     }
-    if (!geom.collides) continue;
-    for (const Vec3d& corner : box_corners(geom.half)) {
-      link.corners.push_back(each.frame * (geom.place * corner) - shift);
+    Robot::Shape shape = geom.shape;
+    shape.place = each.frame * shape.place;
+    shape.place.translation += -shift;
+    if (geom.collides) {
+      link.collides.push_back(shape);
+    } else if (is_tame(shape.corners())) {
+      link.shown.push_back(shape);
     }
   }
   if (!inertial && settings.from_geoms) inertial = shapes;
@@ -407,16 +416,14 @@ void ModelReader::scale_masses() {
 
 // Numbers that the file's own came to.
 Result<void> ModelReader::check_numbers() const {
-  const auto tame = [](const Vec3d& v) { return is_within(v, kMjcfMaxValue); };
   std::vector<bool> good;
   for (const Robot::Link& link : robot_.links) {
-    good.push_back(abs(link.mass) <= kMjcfMaxValue && tame(link.com) &&
-                   is_within(link.inertia, kMjcfMaxValue) &&
-                   std::all_of(link.corners.begin(), link.corners.end(), tame));
+    good.push_back(abs(link.mass) <= kMjcfMaxValue && is_within(link.com, kMjcfMaxValue) &&
+                   is_within(link.inertia, kMjcfMaxValue) && is_tame(link.corners()));
   }
   for (const Robot::Joint& joint : robot_.joints) {
     const auto child = index(joint.child);
-    good[child] = good[child] && tame(joint.origin.translation);
+    good[child] = good[child] && is_within(joint.origin.translation, kMjcfMaxValue);
   }
   const auto bad = std::find(good.begin(), good.end(), false);
   if (bad == good.end()) return {};

@@ -104,6 +104,21 @@ std::array<Vec3d, 8> box_corners(const Vec3d& half) {
   return corners;
 }
 
+std::array<Vec3d, 8> Robot::Shape::corners() const {
+  std::array<Vec3d, 8> corners = box_corners(half);
+  for (Vec3d& corner : corners) corner = place * corner;
+  return corners;
+}
+
+std::vector<Vec3d> Robot::Link::corners() const {
+  std::vector<Vec3d> all;
+  for (const Shape& shape : collides) {
+    const auto eight = shape.corners();
+    all.insert(all.end(), eight.begin(), eight.end());
+  }
+  return all;
+}
+
 void doubt_about(const std::vector<std::string>& names, const OfOne& one, const OfMany& many,
                  std::vector<Message>& doubts) {
   if (names.empty()) return;

@@ -17,12 +17,27 @@ namespace shigusa {
 // A robot as files describe it: links that joints hold together. Metres, kilograms, radians, in the
 // file's own axes.
 struct Robot {
+  // A simple shape of a link, as large as a box: that box, the cylinder along its z or the ball in
+  // it.
+  struct Shape {
+    enum class Kind { box, cylinder, ball };
+    Kind kind = Kind::box;
+    Vec3d half{};        // m, half the sizes of the box, own frame
+    Transformd place{};  // of the own frame, link frame
+
+    // The corners of the box (m, link frame), as box_corners numbers them.
+    [[nodiscard]] std::array<Vec3d, 8> corners() const;
+  };
   struct Link {
     std::string name;                                // unique
     double mass = 0.0;                               // kg; 0 where the file has none
     Vec3d com{};                                     // m, link frame
     Mat3d inertia{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the com, link axes
-    std::vector<Vec3d> corners;  // m, link frame: of boxes around what it collides with
+    std::vector<Shape> collides;  // what it collides with, as far as shapes are simple
+    std::vector<Shape> shown;     // what it looks like, the same
+
+    // Corners of boxes around what it collides with (m, link frame).
+    [[nodiscard]] std::vector<Vec3d> corners() const;
   };
   struct Joint {
     std::string name;      // unique

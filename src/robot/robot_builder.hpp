@@ -6,11 +6,23 @@
 #include <string>
 #include <vector>
 
+#include "body/skin.hpp"
 #include "core/index.hpp"
 #include "robot/robot.hpp"
 #include "robot_joints.hpp"
 
 namespace shigusa {
+
+// A hand reaches at least this far beyond the wrist, as a share of the stature.
+inline constexpr double kLeastHand = 0.01;
+
+// Where a robot's head is in the posture of PlacedRobot (m, world).
+struct RobotHead {
+  Vec3d joint{};  // where it turns
+  Vec3d top{};
+  int group = -1;          // of links, that it goes with
+  bool own_joint = false;  // one that the file has
+};
 
 // The sole of a robot's foot in the posture of PlacedRobot: corners in its world (m), at one
 // height, counter-clockwise from above.
@@ -87,11 +99,30 @@ class RobotBuilder {
   // The frame in the hand that is the effector.
   [[nodiscard]] int hand_link(std::size_t side) const;
   void add_hand(std::size_t side);
-  void add_capsule(const std::string& name, int link, const Vec3d& from, const Vec3d& to,
-                   double radius);
+  [[nodiscard]] RobotHead head() const;
 
-  // As a person's of that stature, which is all that the file's meshes would tell.
+  // Parts that nothing should pass through: by the shapes that links collide with, else by those
+  // that they are drawn with, else, where there are only meshes, as a person's of that stature.
   void add_capsules();
+  void add_part(BodyPart part, int group, const Landmarks& person);
+  void add_trunk_parts(const Landmarks& person, const std::vector<int>& groups);
+  void add_limb_parts(std::size_t side, const Landmarks& person);
+  // The robot as a person where every angle is 0; no waist yet.
+  [[nodiscard]] Landmarks landmarks(const std::vector<SkinVertex>& skin) const;
+  // Adds the joints of the waist, those at one place as one; the groups of links above them, the
+  // pelvis's first.
+  [[nodiscard]] std::vector<int> add_waist(Landmarks& person) const;
+  [[nodiscard]] Vec3d fingertip(std::size_t side, const std::vector<SkinVertex>& skin) const;
+  // Points of all links' shapes; the node of each is its link.
+  [[nodiscard]] std::vector<SkinVertex> skin() const;
+  // The points without those of limbs of which shapes cover less than half: a motor or a sensor
+  // tells nothing of the rest.
+  [[nodiscard]] std::vector<SkinVertex> without_stubs(const Landmarks& person,
+                                                      std::vector<SkinVertex> skin) const;
+  [[nodiscard]] PartShapes fitted(const Landmarks& person,
+                                  const std::vector<SkinVertex>& skin) const;
+  // The links that a part's last joint moves; `part` as in PersonLimb::begins.
+  [[nodiscard]] int group_before(const PersonLimb& limb, std::size_t part) const;
 
   // Nodes stand where joints turn, so that a skeleton of them moves as the robot does. They grow
   // from the pelvis.

@@ -38,9 +38,10 @@ LinkEnd end_of(const Robot& robot, int link) {
   constexpr double kForearm = F::kForearm / F::kUpperArm;
   const Robot::Link& l = robot.links[index(link)];
   Vec3d mean{};
-  for (const Vec3d& c : l.corners) mean += c * (1.0 / static_cast<double>(l.corners.size()));
+  const std::vector<Vec3d> corners = l.corners();
+  for (const Vec3d& c : corners) mean += c * (1.0 / static_cast<double>(corners.size()));
   double length = 0.0;
-  for (const Vec3d& c : l.corners) length = max(length, dot(c, normalized(mean, {})));
+  for (const Vec3d& c : corners) length = max(length, dot(c, normalized(mean, {})));
   if (length > max(norm(l.com), kShortest) && norm(mean) > kAside * length) {
     return {normalized(mean) * length, say("where_shapes_end")};
   }
@@ -63,7 +64,9 @@ LinkEnd end_of(const Robot& robot, int link) {
 void move_frame(Robot& robot, int link, const Vec3d& by) {
   Robot::Link& moved = robot.links[index(link)];
   moved.com = moved.com - by;
-  for (Vec3d& corner : moved.corners) corner = corner - by;
+  for (auto* shapes : {&moved.collides, &moved.shown}) {
+    for (Robot::Shape& shape : *shapes) shape.place.translation += -by;
+  }
   for (Robot::Joint& joint : robot.joints) {
     if (joint.parent == link) joint.origin.translation += -by;
     if (joint.child == link) joint.origin.translation += joint.origin.rotation * by;
@@ -79,8 +82,8 @@ void add_ankle(Robot& robot, int foot, const Robot::Joint& knee, int fixed) {
   const Vec3d along = normalized(at(foot).translation - from);
   double sole = 0.0;
   // a foot that is no more than its shank's end has the shapes of that
-  const int shaped = robot.links[index(foot)].corners.empty() ? knee.child : foot;
-  for (const Vec3d& corner : robot.links[index(shaped)].corners) {
+  const int shaped = robot.links[index(foot)].collides.empty() ? knee.child : foot;
+  for (const Vec3d& corner : robot.links[index(shaped)].corners()) {
     sole = max(sole, dot(at(shaped) * corner - from, along));
   }
   Robot::Joint& joint = robot.joints[index(fixed)];

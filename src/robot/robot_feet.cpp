@@ -103,7 +103,8 @@ RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed, const std::v
   std::vector<Vec3d> corners;
   for (const int link : links) {
     const auto i = index(link);
-    for (const Vec3d& corner : robot.links[i].corners) corners.push_back(placed.links[i] * corner);
+    for (const Vec3d& corner : robot.links[i].corners())
+      corners.push_back(placed.links[i] * corner);
   }
   const double length = F::kFootLength * stature;
   const double half = 0.5 * F::kFootBreadth * stature;

@@ -16,11 +16,6 @@ namespace {
 using F = StatureFractions;
 
 constexpr std::array<const char*, 2> kSides{"left_", "right_"};
-// A gripper's frame is at least this far beyond the wrist, as a share of the stature.
-constexpr double kLeastHand = 0.01;
-// From between the shoulders up to the head's joint and the vertex, of robots without a neck.
-constexpr double kHeadJoint = 0.09;
-constexpr double kVertex = 1.0 - F::kShoulderHeight;
 
 }  // namespace
 
@@ -65,30 +60,6 @@ void RobotBuilder::add_hand(std::size_t side) {
                              robot_.links[index(hands_[side])].name, link,
                              local(link, placed_.links[index(hands_[side])].translation),
                              dof_of(arm.joints[arm.begins[1]])});
-}
-
-void RobotBuilder::add_capsule(const std::string& name, int link, const Vec3d& from,
-                               const Vec3d& to, double radius) {
-  if (norm(to - from) > 0.0) {
-    body_.capsules.push_back(
-        {name, link, local(link, from), local(link, to), radius * body_.stature});
-  }
-}
-
-void RobotBuilder::add_capsules() {
-  const Vec3d hips = (hip(0) + hip(1)) * 0.5;
-  const Vec3d shoulders = (shoulder(0) + shoulder(1)) * 0.5;
-  const Vec3d inset = normalized(shoulders - hips) * (kTrunkRadius * body_.stature);
-  add_capsule("trunk", link_of(person_.chest), hips, shoulders - inset, kTrunkRadius);
-  for (const std::size_t side : {kRight, 1 - kRight}) {
-    const std::string prefix = kSides[side];
-    const PersonLimb& leg = person_.legs[side];
-    const int thigh = moving_[index(of_joint_[index(leg.joints[leg.begins[1] - 1].joint)])].outer;
-    add_capsule(prefix + "thigh", link_of_[index(thigh)], knee(side), hip(side), kThighRadius);
-    const Effector& hand = body_.effectors[side == kRight ? 0 : 1];
-    add_capsule(prefix + "hand", hand.link, wrist(side), origin(hand.link) + hand.point,
-                kForearmRadius);
-  }
 }
 
 void RobotBuilder::add_nodes() {
@@ -158,24 +129,10 @@ void RobotBuilder::add_chain(const std::vector<PersonJoint>& joints) {
 }
 
 void RobotBuilder::add_head() {
-  const Vec3d shoulders = (shoulder(0) + shoulder(1)) * 0.5;
-  const int chest = group_[index(person_.chest)];
-  const Vec3d top = shoulders + Vec3d{0.0, kVertex * body_.stature, 0.0};
-  if (person_.neck.empty()) {
-    const Vec3d joint = shoulders + Vec3d{0.0, kHeadJoint * body_.stature, 0.0};
-    const int head = add_node(free_name("head"), node_of_[index(chest)], chest, joint);
-    add_node("", head, chest, top, true);
-    return;
-  }
-  const int group = moving_[index(of_joint_[index(person_.neck.back().joint)])].outer;
-  int head = node_of_[index(group)];
-  if (person_.neck.size() == 1) {
-    head = add_node(free_name("head"), head, group,
-                    shoulders + Vec3d{0.0, kHeadJoint * body_.stature, 0.0});
-  }
-  const Vec3d above =
-      origin(link_of_[index(group)]) + Vec3d{0.0, 0.5 * kVertex * body_.stature, 0.0};
-  add_node("", head, group, top.y > above.y ? top : above, true);
+  const RobotHead head = this->head();
+  int node = node_of_[index(head.group)];
+  if (!head.own_joint) node = add_node(free_name("head"), node, head.group, head.joint);
+  add_node("", node, head.group, head.top, true);
 }
 
 void RobotBuilder::add_hand_nodes(std::size_t side) {

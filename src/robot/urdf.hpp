@@ -20,7 +20,7 @@ inline constexpr int kUrdfMaxDepth = 64;  // of elements in one another
 // Lengths, masses and moments beyond this are refused.
 inline constexpr double kUrdfMaxValue = 1e6;
 
-// The part of a URDF file that a motion needs: links with masses and simple collision shapes,
+// The part of a URDF file that a motion needs: links with masses and simple shapes,
 // joints. Meshes, materials, sensors and what simulators add are left out. As a text (write_xml) it
 // gives the same robot as the file.
 [[nodiscard]] Result<XmlElement> reduced_urdf(std::string_view text, std::string_view name);
@@ -33,8 +33,8 @@ inline constexpr double kUrdfMaxValue = 1e6;
 // Sliding, planar, floating and mimic joints are kept at 0, with a doubt.
 [[nodiscard]] Result<Robot> parse_urdf(std::string_view text, std::string_view name);
 
-// The robot as a URDF file that parse_urdf reads as the same robot, its angles to a few 1e-16; a
-// link's corners are written as the boxes that they are of, by eights. Doubts are not written.
+// The robot as a URDF file that parse_urdf reads as the same robot, its angles to a few 1e-16.
+// Doubts are not written.
 [[nodiscard]] std::string write_urdf(const Robot& robot);
 
 }  // namespace shigusa

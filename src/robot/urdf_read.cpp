@@ -21,6 +21,10 @@ constexpr std::string_view kJointTypes[] = {"revolute", "continuous", "prismatic
 
 bool is_tame(double x) { return abs(x) <= kUrdfMaxValue; }
 bool is_tame(const Vec3d& v) { return is_within(v, kUrdfMaxValue); }
+bool is_tame(const Robot::Shape& shape) {
+  const auto corners = shape.corners();
+  return std::all_of(corners.begin(), corners.end(), [](const Vec3d& v) { return is_tame(v); });
+}
 
 // R = Rz(yaw) Ry(pitch) Rx(roll)
 Mat3d turned(const Vec3d& roll_pitch_yaw) {
@@ -182,21 +186,28 @@ class UrdfReader {
     Robot::Link& to = robot_.links.emplace_back();
     to.name = name;
     for (const XmlElement& child : link.children) {
-      if (child.name == "collision") SHG_TRY(add_corners(child, to));
-    }
-    for (const Vec3d& corner : to.corners) {
-      if (!is_tame(corner)) {
-        return fail_at(link, name_, say("shape_beyond", name, kUrdfMaxValue));
+      if (child.name == "visual") {
+        // what a robot looks like refuses nothing
+        const Result<Robot::Shape> shape = shape_of(child);
+        if (shape && is_tame(*shape)) to.shown.push_back(*shape);
+      } else if (child.name == "collision") {
+        SHG_TRY_ASSIGN(const Robot::Shape shape, shape_of(child));
+        if (!is_tame(shape)) {
+          return fail_at(link, name_, say("shape_beyond", name, kUrdfMaxValue));
+        }
+        to.collides.push_back(shape);
       }
     }
     const XmlElement* inertial = link.child("inertial");
     return inertial == nullptr ? Result<void>{} : take_mass(*inertial, to);
   }
 
-  // Corners of a box around a collision shape, link frame.
-  Result<void> add_corners(const XmlElement& collision, Robot::Link& to) const {
-    const XmlElement& shape = collision.child("geometry")->children[0];
+  // The shape of a <collision> or <visual>.
+  [[nodiscard]] Result<Robot::Shape> shape_of(const XmlElement& element) const {
+    const XmlElement& shape = element.child("geometry")->children[0];
+    using Kind = Robot::Shape::Kind;
     Vec3d half{};
+    Kind kind = Kind::box;
     if (shape.name == "box") {
       if (shape.attribute("size") == nullptr) return fail_at(shape, name_, say("box_no_size"));
       SHG_TRY_ASSIGN(const Vec3d size, vector(shape, "size"));
@@ -204,14 +215,15 @@ class UrdfReader {
     } else {
       SHG_TRY_ASSIGN(const double radius, number(shape, "radius"));
       half = {radius, radius, radius};
+      kind = Kind::ball;
     }
     if (shape.name == "cylinder") {
+      kind = Kind::cylinder;
       SHG_TRY_ASSIGN(const double length, number(shape, "length"));
       half.z = 0.5 * length;
     }
-    SHG_TRY_ASSIGN(const Transformd at, place_of(collision));
-    for (const Vec3d& corner : box_corners(half)) to.corners.push_back(at * corner);
-    return {};
+    SHG_TRY_ASSIGN(const Transformd at, place_of(element));
+    return Robot::Shape{kind, half, at};
   }
 
   Result<void> take_mass(const XmlElement& inertial, Robot::Link& to) const {

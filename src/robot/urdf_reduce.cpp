@@ -19,7 +19,8 @@ constexpr std::pair<std::string_view, std::string_view> kKept[] = {
     {"inertial", "origin"},  {"inertial", "mass"},    {"inertial", "inertia"},
     {"link", "collision"},   {"collision", "origin"}, {"collision", "geometry"},
     {"geometry", "box"},     {"geometry", "sphere"},  {"geometry", "cylinder"},
-    {"geometry", "capsule"}, {"joint", "origin"},     {"joint", "parent"},
+    {"geometry", "capsule"}, {"link", "visual"},      {"visual", "origin"},
+    {"visual", "geometry"},  {"joint", "origin"},     {"joint", "parent"},
     {"joint", "child"},      {"joint", "axis"},       {"joint", "limit"},
     {"joint", "mimic"}};
 
@@ -79,8 +80,9 @@ class Reducer {
       SHG_TRY(count(child));
       SHG_TRY_ASSIGN(XmlElement kept, reduce(child));
       // a mesh is not read
-      const XmlElement* geometry = kept.name == "collision" ? kept.child("geometry") : nullptr;
-      if (kept.name == "collision" && (geometry == nullptr || geometry->children.empty())) continue;
+      const bool shape = kept.name == "collision" || kept.name == "visual";
+      const XmlElement* geometry = shape ? kept.child("geometry") : nullptr;
+      if (shape && (geometry == nullptr || geometry->children.empty())) continue;
       reduced.children.push_back(std::move(kept));
     }
     return reduced;

@@ -27,17 +27,24 @@ std::string origin(const Transformd& x) {
                      numbers(roll_pitch_yaw(x.rotation)));
 }
 
-// The box that eight corners of a link are of, as box_corners numbers them.
-std::string box(const Vec3d* corners) {
-  const Vec3d x = corners[1] - corners[0];
-  const Vec3d y = corners[2] - corners[0];
-  const Vec3d z = corners[4] - corners[0];
-  const Vec3d size{norm(x), norm(y), norm(z)};
-  if (!(size.x > 0.0) || !(size.y > 0.0) || !(size.z > 0.0)) return {};
-  const Transformd place{{x * (1.0 / size.x), y * (1.0 / size.y), z * (1.0 / size.z)},
-                         (corners[0] + corners[7]) * 0.5};
-  return fmt::format("<collision>{}<geometry><box size=\"{}\"/></geometry></collision>",
-                     origin(place), numbers(size));
+// A shape as what it is for: "collision" or "visual"; nothing of one without a size.
+std::string element(const char* name, const Robot::Shape& shape) {
+  using Kind = Robot::Shape::Kind;
+  const Vec3d& half = shape.half;
+  if (!(half.x > 0.0) || !(half.y > 0.0) || !(half.z > 0.0)) return {};
+  std::string geometry;
+  switch (shape.kind) {
+    case Kind::box:
+      geometry = fmt::format("<box size=\"{}\"/>", numbers(half * 2.0));
+      break;
+    case Kind::cylinder:
+      geometry = fmt::format("<cylinder radius=\"{}\" length=\"{}\"/>", half.x, 2.0 * half.z);
+      break;
+    case Kind::ball:
+      geometry = fmt::format("<sphere radius=\"{}\"/>", half.x);
+      break;
+  }
+  return fmt::format("<{0}>{1}<geometry>{2}</geometry></{0}>", name, origin(shape.place), geometry);
 }
 
 void write_link(const Robot::Link& link, std::string& text) {
@@ -50,7 +57,8 @@ void write_link(const Robot::Link& link, std::string& text) {
                    "ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/></inertial>",
                    numbers(link.com), link.mass, i.cx.x, i.cx.y, i.cx.z, i.cy.y, i.cy.z, i.cz.z);
   }
-  for (std::size_t k = 0; k + 8 <= link.corners.size(); k += 8) text += box(&link.corners[k]);
+  for (const Robot::Shape& shape : link.collides) text += element("collision", shape);
+  for (const Robot::Shape& shape : link.shown) text += element("visual", shape);
   text += "</link>\n";
 }
 

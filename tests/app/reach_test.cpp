@@ -125,7 +125,7 @@ TEST_F(Reach, TellsInWordsWhereAPersonCouldNotStand) {
   };
   const ProgramRun behind = reach({"--character", "human", "--goal", "right_hand=-0.2,1,-1.5"});
   EXPECT_EQ(behind.exit_code, 3);
-  EXPECT_THAT(behind.err, testing::HasSubstr("by no motion that this body could make"));
+  EXPECT_THAT(behind.err, testing::HasSubstr("no motion was found that this body could make"));
   EXPECT_THAT(behind.out, testing::HasSubstr("the floor would have to press"));
   EXPECT_LT(least_mm(), -100.0);
   const ProgramRun ahead = reach({"--character", "human", "--goal", "right_hand=-0.2,1.2,0.5"});

@@ -8,6 +8,7 @@
 #include <shigusa/generate.hpp>
 
 #include "kinematics/forward_kinematics.hpp"
+#include "kinematics/penetration.hpp"
 #include "support/exported.hpp"
 #include "support/robot_file.hpp"
 #include "support/work_folder.hpp"
@@ -99,6 +100,46 @@ TEST_F(RobotCharacter, TableHasTheFilesJointsAndTheRootsPlace) {
     EXPECT_THAT(names, HasSubstr(name));
   }
   EXPECT_THAT(names, testing::Not(HasSubstr("left_finger torque")));
+}
+
+// How deep (m) a limb's line is in a box, at the worst moment.
+double depth_of_line(const ExportedMotion& motion, const std::string& from, const std::string& to,
+                     const Obstacle& box) {
+  double deepest = -1e9;
+  for (int f = 0; f < motion.frames(); ++f) {
+    const Vec3d a = motion.at(from, f);
+    const Vec3d b = motion.at(to, f);
+    for (int k = 0; k <= 20; ++k) {
+      const Vec3d p = a + (b - a) * (0.05 * k);
+      deepest = max(deepest, -obstacle_distance(box, Mat3d{}, p));
+    }
+  }
+  return deepest;
+}
+
+TEST_F(RobotCharacter, IsNotToldToBePossibleWithItsForearmInABox) {
+  const Task free = make_task(file_, {}).value();
+  const Candidate straight = generate(free).value().candidates.at(0);
+  const ExportedMotion way(export_candidate(free, straight, FileFormat::bvh).value(), 0.01);
+  int possible = 0;
+  for (const double share : {0.2, 0.4, 0.6}) {
+    const Vec3d elbow = way.at_end("right_lower_arm");
+    const Vec3d at = elbow + (way.at_end("right_wrist") - elbow) * share;
+    TaskFile boxed = file_;
+    boxed.obstacles = {{"box", at - Vec3d{0.0, 0.03, 0.0}, {}, {0.08, 0.08, 0.08}}};
+    const Task task = make_task(boxed, {}).value();
+    const GenerateResult generation = generate(task).value();
+    for (const Candidate& candidate : generation.candidates) {
+      if (candidate.judgement.verdict != Verdict::possible) continue;
+      ++possible;
+      const ExportedMotion motion(export_candidate(task, candidate, FileFormat::bvh).value(), 0.01);
+      for (const auto& [from, to] : {std::pair("right_upper_arm", "right_lower_arm"),
+                                     std::pair("right_lower_arm", "right_wrist")}) {
+        EXPECT_LT(depth_of_line(motion, from, to, boxed.obstacles[0]), 0.02) << share << from;
+      }
+    }
+  }
+  EXPECT_GT(possible, 0);
 }
 
 TEST_F(RobotCharacter, HasNoMirrorImage) {

@@ -166,8 +166,8 @@ TEST(Mjcf, WhatOnlyShowsIsNoSole) {
   const Robot robot =
       read(two_bodies("<geom size=\"0.1\"/><geom size=\"1\" contype=\"0\" conaffinity=\"0\"/>"
                       "<geom type=\"mesh\" mesh=\"x\"/>"));
-  ASSERT_EQ(robot.links[1].corners.size(), 8u);
-  EXPECT_NEAR(robot.links[1].corners[7].x, 0.1, kRounding);
+  ASSERT_EQ(robot.links[1].corners().size(), 8u);
+  EXPECT_NEAR(robot.links[1].corners()[7].x, 0.1, kRounding);
 }
 
 TEST(Mjcf, MassOfMeshesIsMissedWithADoubt) {
@@ -197,7 +197,7 @@ TEST(Mjcf, FramesStandBetweenABodyAndWhatItHas) {
       read(two_bodies("<joint/><frame pos=\"1 0 0\" euler=\"0 0 90\"><geom size=\"0.1 0.2 0.3\" "
                       "type=\"box\" mass=\"2\" pos=\"1 0 0\"/></frame>"));
   expect_near(robot.links[1].com, {1, 1, 0});
-  expect_near(robot.links[1].corners[7], {1 - 0.2, 1 + 0.1, 0.3});
+  expect_near(robot.links[1].corners()[7], {1 - 0.2, 1 + 0.1, 0.3});
 }
 
 TEST(Mjcf, WhatIsWrongIsToldWithItsLine) {
@@ -356,9 +356,9 @@ TEST(Mjcf, RobotIsTheSameAsUrdf) {
       EXPECT_EQ(others_link.mass, link.mass);
       EXPECT_EQ(others_link.com, link.com);
       expect_near(others_link.inertia, link.inertia);
-      ASSERT_EQ(others_link.corners.size(), link.corners.size());
-      for (std::size_t k = 0; k < link.corners.size(); ++k) {
-        expect_near(others_link.corners[k], link.corners[k]);
+      ASSERT_EQ(others_link.corners().size(), link.corners().size());
+      for (std::size_t k = 0; k < link.corners().size(); ++k) {
+        expect_near(others_link.corners()[k], link.corners()[k]);
       }
     }
   }

@@ -95,8 +95,8 @@ Vec3d hand_of(const Robot& robot, const char* side) {
 TEST(RobotEnds, AHandIsNeverNearerThanItsForearmsCentreOfMass) {
   Robot robot = small_robot(false);
   for (const char* side : kSides) {
-    const auto corners = box_corners({0.03, 0.03, 0.03});
-    link_of(robot, side + std::string("forearm")).corners = {corners.begin(), corners.end()};
+    link_of(robot, side + std::string("forearm")).collides = {
+        {Robot::Shape::Kind::box, {0.03, 0.03, 0.03}, {}}};
   }
   const Robot whole = with_hands(robot);
   const Robot plain = with_hands(small_robot(false));
@@ -148,7 +148,7 @@ TEST(RobotEnds, AFootsMassTellsItsSoleWhereShapesDoNot) {
   Robot robot = small_robot();
   for (const char* side : kSides) {
     Robot::Link& sole = link_of(robot, side + std::string("sole"));
-    sole.corners.clear();
+    sole.collides.clear();
     sole.com = {0.03, 0, -0.04};
     const auto inertia = [&](double a, double b) { return sole.mass / 12.0 * (a * a + b * b); };
     sole.inertia = {

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "robot/robot.hpp"
+
+namespace shigusa {
+
+// Points all over the surface of a shape (m, link frame), evenly about `apart` (m) from each other,
+// but no more than `most` along an edge; none of a shape without a size.
+[[nodiscard]] std::vector<Vec3d> surface_points(const Robot::Shape& shape, double apart, int most);
+
+}  // namespace shigusa
