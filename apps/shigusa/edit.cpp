@@ -49,16 +49,12 @@ Result<void> check_folder(const EditOptions& options) {
 }
 
 // The folder that the edit goes to, made: the one that the user gives, or else a new "edit-1",
-// "edit-2", … or "mirror-1", … beside the result, which no other program has.
-Result<fs::path> make_folder(const EditOptions& options) {
+// "edit-2", … or "mirror-1", … beside the result, which is `own` then.
+Result<fs::path> make_folder(const EditOptions& options, std::optional<EditFolder>& own) {
   fs::path folder = options.out;
-  for (int k = 1; options.out.empty(); ++k) {
-    folder = folder_of(options) / fmt::format("{}-{}", options.mirror ? "mirror" : "edit", k);
-    std::error_code error;
-    if (fs::create_directory(folder, error)) break;
-    if (error && error != std::errc::file_exists) {
-      return fail(ErrorCode::io, "cannot make this folder: " + error.message(), folder.string());
-    }
+  if (options.out.empty()) {
+    SHG_TRY_ASSIGN(own, EditFolder::make(folder_of(options), options.mirror ? "mirror" : "edit"));
+    folder = own->path();
   }
   SHG_TRY(prepare_out(folder));
   return folder;
@@ -133,13 +129,10 @@ Result<int> edit(const EditOptions& options) {
     return fail(error.code, error.message.text + hint, (by_call ? "--set " : "") + place);
   }
   RunInfo info = replay_info(options.mirror ? "mirror" : "edit", begin);
-  SHG_TRY_ASSIGN(const fs::path folder, make_folder(options));
-  Result<int> delivered = deliver({stored.task, task, *generation, std::move(info)},
-                                  {.folder = folder, .settings = settings, .json = options.json});
-  // a folder in which nothing could be written goes again
-  std::error_code ignored;
-  if (!delivered && options.out.empty()) fs::remove(folder, ignored);
-  return delivered;
+  std::optional<EditFolder> own;
+  SHG_TRY_ASSIGN(const fs::path folder, make_folder(options, own));
+  return deliver({stored.task, task, *generation, std::move(info)},
+                 {.folder = folder, .settings = settings, .json = options.json});
 }
 
 // The options that edit and mirror have in common.

@@ -53,8 +53,8 @@ struct CheckRun {
 
 /// Checks a data set: of every shard the bytes by their SHA-256, its plan and its tasks; of a drawn
 /// share of the tasks, the same each time, all numbers, by making them again; and whether the
-/// index, where there is one, is whole and of these shards. One problem does not end it. Fails on a
-/// folder without a plan or shards, and where it is cancelled.
+/// index and the statistics, where they are there, are whole and of these shards. One problem does
+/// not end it. Fails on a folder without a plan or shards, and where it is cancelled.
 [[nodiscard]] Result<CheckRun> check_dataset(const std::filesystem::path& folder,
                                              const CheckSettings& settings = {});
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <shigusa/generate.hpp>
 #include <shigusa/progress.hpp>
 #include <shigusa/result_file.hpp>
@@ -81,6 +83,26 @@ struct Layer;
 /// Takes task and parameters to the other side (see mirrored). The facts about files stay, and
 /// are of the motions before.
 [[nodiscard]] Result<void> mirror_result(StoredResult& stored);
+
+/// A new folder for what an edit gives, "edit-1", "edit-2", … While this lives no other program
+/// takes it. Goes again where nothing was written into it.
+class EditFolder {
+ public:
+  /// Makes the first that is not there yet within a folder, or takes one that a killed program left
+  /// without a result.
+  [[nodiscard]] static Result<EditFolder> make(const std::filesystem::path& within,
+                                               std::string_view name);
+  EditFolder(EditFolder&&) noexcept;             ///< takes over the folder
+  EditFolder& operator=(EditFolder&&) noexcept;  ///< takes over the folder
+  ~EditFolder();
+
+  [[nodiscard]] const std::filesystem::path& path() const;  ///< its whole path
+
+ private:
+  struct Held;
+  explicit EditFolder(std::unique_ptr<Held> held);
+  std::unique_ptr<Held> held_;
+};
 
 /// A result as it would be read back from its file.
 [[nodiscard]] StoredResult stored_result(const TaskFile& file, const GenerateResult& generation);

@@ -9,6 +9,7 @@
 #include <set>
 #include <shigusa/dataset_check.hpp>
 #include <shigusa/dataset_merge.hpp>
+#include <shigusa/file.hpp>
 #include <shigusa/random.hpp>
 #include <system_error>
 
@@ -16,6 +17,7 @@
 #include "core/index.hpp"
 #include "index_reader.hpp"
 #include "shard_list.hpp"
+#include "shard_statistics.hpp"
 #include "task_rows.hpp"
 
 namespace shigusa {
@@ -47,6 +49,7 @@ struct Check {
   // tasks that are made again together, of shards that are open
   std::vector<Replay> waiting{};
   std::list<ShardReader> open{};
+  DatasetStatistics statistics{};  // of the shards that are whole
 
   void tell(std::string file, std::string says) {
     ++run.problem_count;
@@ -218,6 +221,10 @@ Result<void> check_shard(Check& check, std::uint64_t number) {
     return {};
   }
   check.sums[number] = shard->head().sha256;
+  Table splits = splits_table();
+  if (const auto added = add_shard_numbers(*shard, check.plan, check.statistics, splits); !added) {
+    check.tell(name, added.error().to_string());
+  }
   check.open.push_back(*std::move(shard));
   const std::size_t many = kTasksOfThread * index(thread_count(check.settings.threads));
   const TaskRange tasks = check.plan.tasks_of(number);
@@ -243,29 +250,48 @@ void check_index(Check& check) {
   const Result<IndexHead> head = verified_index(path);
   if (!head) return check.tell(kIndexName, head.error().message.text);
   if (head->plan != check.plan.digest()) return check.tell(kIndexName, "is of another plan");
-  Table listed{kShardsTable,
-               {{.name = "shard", .type = ElementType::u64},
-                {.name = "sha256", .type = ElementType::text, .text_size = kSumSize}}};
-  if (const auto read = read_index(path, listed); !read) {
-    return check.tell(kIndexName, read.error().to_string());
-  }
-  const auto numbers = listed["shard"].as<std::uint64_t>();
-  const std::vector<std::string> sums = listed["sha256"].texts();
+  const Result<std::vector<ListedShard>> list = listed_shards(path);
+  if (!list) return check.tell(kIndexName, list.error().to_string());
   std::set<std::uint64_t> there(check.shards.there.begin(), check.shards.there.end());
-  for (std::size_t k = 0; k < std::min(numbers.size(), sums.size()); ++k) {
-    const std::uint64_t shard = numbers[k];
-    const auto own = check.sums.find(shard);
-    if (there.erase(shard) == 0) {
-      check.tell(kIndexName, fmt::format("has {}, which is not there", shard_name(shard)));
-    } else if (own != check.sums.end() && own->second != sums[k]) {
-      check.tell(kIndexName, fmt::format("was made of another {}: merge again", shard_name(shard)));
+  for (const ListedShard& shard : *list) {
+    const auto own = check.sums.find(shard.number);
+    if (there.erase(shard.number) == 0) {
+      check.tell(kIndexName, fmt::format("has {}, which is not there", shard_name(shard.number)));
+    } else if (own != check.sums.end() && own->second != shard.sha256) {
+      check.tell(kIndexName,
+                 fmt::format("was made of another {}: merge again", shard_name(shard.number)));
     }
   }
-  if (numbers.size() != head->shards) check.tell(kIndexName, "lists other shards than its head");
+  if (list->size() != head->shards) check.tell(kIndexName, "lists other shards than its head");
   if (there.empty()) return;
   check.tell(kIndexName,
              fmt::format("is without {} of the shards that are there, {} the first: merge again",
                          there.size(), shard_name(*there.begin())));
+}
+
+// Whether a text of statistics tells that number of shards.
+bool is_of_shards(const std::string& text, std::size_t shards) {
+  const Json json = Json::parse(text, nullptr, false);
+  const auto count = json.is_object() ? json.find("shards") : json.end();
+  return count == json.end() || *count == Json(shards);
+}
+
+// Compares the file of statistics with those of the shards, where no fault of index or shards is
+// told already.
+void check_statistics(Check& check) {
+  if (check.run.problem_count > 0) return;
+  const std::filesystem::path path = check.folder / kStatisticsName;
+  std::error_code failed;
+  if (!std::filesystem::exists(path, failed)) {
+    if (check.run.index) check.tell(kStatisticsName, "is not there: merge again");
+    return;
+  }
+  const Result<std::string> text = read_text_file(path, kShardFileMaxBytes);
+  if (!text) return check.tell(kStatisticsName, text.error().message.text);
+  const std::size_t shards = check.shards.there.size();
+  if (!check.run.index && !is_of_shards(*text, shards)) return;
+  if (*text == format_statistics(check.plan, check.shards, check.statistics)) return;
+  check.tell(kStatisticsName, "has other numbers than the shards that are there: merge again");
 }
 
 }  // namespace
@@ -295,6 +321,7 @@ Result<CheckRun> check_dataset(const std::filesystem::path& folder, const CheckS
                                  shard_name(plan.shards() - 1)));
   }
   check_index(check);
+  check_statistics(check);
   check.run.shards = check.shards.there.size();
   check.run.missing = std::move(check.shards.missing);
   check.run.seconds = std::chrono::duration<double>(Clock::now() - begin).count();

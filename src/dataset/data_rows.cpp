@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "shard_form.hpp"
 #include "shard_list.hpp"
 #include "task_rows.hpp"
 
@@ -71,13 +72,24 @@ Result<void> join_motions(ShardRows& rows, std::size_t others, const std::string
       }
       rows.motions.push_back(
           {motion, task->second, rows_of(goals, number), rows_of(obstacles, number)});
+      const DataMotion& one = rows.motions.back();
+      if (std::max(one.goals.size(), one.obstacles.size()) > kMostOfTask) {
+        return fail(ErrorCode::parse,
+                    fmt::format("has more than {} goals or obstacles of a task", kMostOfTask),
+                    place);
+      }
     }
   }
   std::stable_sort(rows.motions.begin(), rows.motions.end(),
                    [](const DataMotion& a, const DataMotion& b) {
                      return std::pair(a.number(), a.rank()) < std::pair(b.number(), b.rank());
                    });
-  return {};
+  const auto twice = std::adjacent_find(rows.motions.begin(), rows.motions.end(),
+                                        [](const DataMotion& a, const DataMotion& b) {
+                                          return a.number() == b.number() && a.rank() == b.rank();
+                                        });
+  if (twice == rows.motions.end()) return {};
+  return fail(ErrorCode::parse, fmt::format("has the motion {} twice", twice->id()), place);
 }
 
 }  // namespace
@@ -189,6 +201,7 @@ Result<ShardRows> read_rows(const DataFolder& data, std::uint64_t shard,
     rows.tables.push_back(std::move(table));
   }
   rows.tasks = &rows.tables.front();
+  SHG_TRY(check_tasks(*rows.tasks, rows.head, shard_name(shard)));
   const std::size_t others = rows.tables.size();
   SHG_TRY_ASSIGN(const std::vector<std::string> paths, reader.motion_tables());
   for (const std::string& path : paths) {

@@ -22,7 +22,7 @@ int find_name(const std::vector<std::string>& names, std::string_view name) {
 std::vector<int> parents_of(const Table& table, const std::vector<std::string>& names) {
   std::vector<int> parents;
   for (const std::string& parent : *table.names_of("node_parents")) {
-    parents.push_back(find_name(names, parent));
+    parents.push_back(parent.empty() ? -1 : find_name(names, parent));
   }
   return parents;
 }

@@ -163,15 +163,6 @@ Result<Handle> create_on_disk(const std::filesystem::path& path, std::size_t use
   return file;
 }
 
-Result<Handle> open_file(const std::filesystem::path& path) {
-  be_quiet();
-  const Handle access = new_list(H5P_FILE_ACCESS);
-  H5Pset_file_locking(access.id(), false, true);
-  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
-  if (!file) return failed("read", path.string());
-  return file;
-}
-
 Result<Handle> create_group(const Handle& file, const std::string& path) {
   const Handle creation = new_list(H5P_GROUP_CREATE);
   H5Pset_obj_track_times(creation.id(), false);
@@ -232,39 +223,6 @@ Result<void> write_number(const Handle& object, const char* name, std::uint64_t 
   return {};
 }
 
-Result<std::string> read_text(const Handle& object, const char* name) {
-  const Handle attribute(H5Aopen(object.id(), name, H5P_DEFAULT), H5Aclose);
-  if (!attribute) return failed("read an attribute", name);
-  const Handle stored(H5Aget_type(attribute.id()), H5Tclose);
-  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0) {
-    return fail(ErrorCode::parse, "must be a text", name);
-  }
-  std::string text(H5Tget_size(stored.id()), '\0');
-  if (H5Aread(attribute.id(), stored.id(), text.data()) < 0) {
-    return failed("read an attribute", name);
-  }
-  text.resize(std::min(text.size(), text.find('\0')));
-  return text;
-}
-
-Result<std::vector<std::string>> read_texts(const Handle& object, const char* name) {
-  std::vector<std::string> texts;
-  if (H5Aexists(object.id(), name) <= 0) return texts;
-  const Handle attribute(H5Aopen(object.id(), name, H5P_DEFAULT), H5Aclose);
-  const Handle stored(H5Aget_type(attribute.id()), H5Tclose);
-  const Handle space(H5Aget_space(attribute.id()), H5Sclose);
-  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0) {
-    return fail(ErrorCode::parse, "must be texts", name);
-  }
-  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-  Column column{.name = name, .type = ElementType::text, .text_size = H5Tget_size(stored.id())};
-  column.bytes.resize(static_cast<std::size_t>(std::max<hssize_t>(0, count)) * column.text_size);
-  if (count > 0 && H5Aread(attribute.id(), stored.id(), column.bytes.data()) < 0) {
-    return failed("read an attribute", name);
-  }
-  return column.texts();
-}
-
 Result<void> write_long_text(const Handle& group, const char* name, const std::string& text) {
   const Handle creation = new_list(H5P_DATASET_CREATE);
   H5Pset_obj_track_times(creation.id(), false);
@@ -279,25 +237,6 @@ Result<void> write_long_text(const Handle& group, const char* name, const std::s
     return failed("write a text", name);
   }
   return {};
-}
-
-Result<std::string> read_long_text(const Handle& group, const char* name) {
-  constexpr std::size_t kMost = std::size_t{16} << 20;
-  const Handle dataset(H5Dopen2(group.id(), name, H5P_DEFAULT), H5Dclose);
-  if (!dataset) return failed("read a text", name);
-  const Handle stored(H5Dget_type(dataset.id()), H5Tclose);
-  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
-  const bool one = H5Sget_simple_extent_npoints(space.id()) == 1;
-  if (H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0 || !one ||
-      H5Tget_size(stored.id()) > kMost) {
-    return fail(ErrorCode::parse, "must be a text", name);
-  }
-  std::string text(H5Tget_size(stored.id()), '\0');
-  if (H5Dread(dataset.id(), stored.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) {
-    return failed("read a text", name);
-  }
-  text.resize(std::min(text.size(), text.find('\0')));
-  return text;
 }
 
 Result<void> describe(const Handle& dataset, const Column& column) {

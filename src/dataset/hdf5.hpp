@@ -13,6 +13,8 @@
 
 #include "table.hpp"
 
+// Writers of HDF5, by its own library. Files are read by hdf5_reader.hpp, as a stranger may have
+// made them.
 namespace shigusa::hdf5 {
 
 // An object of HDF5, closed when this goes.
@@ -60,7 +62,6 @@ void be_quiet();
 // No times are in it, and nobody is kept from opening it meanwhile.
 [[nodiscard]] Result<Handle> create_on_disk(const std::filesystem::path& path,
                                             std::size_t user_bytes);
-[[nodiscard]] Result<Handle> open_file(const std::filesystem::path& path);
 
 // A group within a file, with the groups that it is in.
 [[nodiscard]] Result<Handle> create_group(const Handle& file, const std::string& path);
@@ -70,16 +71,12 @@ void be_quiet();
                                        const std::vector<std::string>& texts);
 [[nodiscard]] Result<void> write_number(const Handle& object, const char* name,
                                         std::uint64_t number);
-[[nodiscard]] Result<std::string> read_text(const Handle& object, const char* name);
-// None where the object has no such list.
-[[nodiscard]] Result<std::vector<std::string>> read_texts(const Handle& object, const char* name);
 
 // Adds a column's unit, meaning and words to its dataset.
 [[nodiscard]] Result<void> describe(const Handle& dataset, const Column& column);
 // A text of any length, as a dataset: an attribute has no room for more than 64 kB.
 [[nodiscard]] Result<void> write_long_text(const Handle& group, const char* name,
                                            const std::string& text);
-[[nodiscard]] Result<std::string> read_long_text(const Handle& group, const char* name);
 [[nodiscard]] Result<void> write_column(const Handle& group, const Column& column);
 
 // The dataset of a column with `rows` rows, which are to be written in parts; the column's own rows

@@ -4,20 +4,19 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <optional>
 #include <shigusa/dataset.hpp>
 
-#include "hdf5.hpp"
+#include "hdf5_reader.hpp"
 #include "io/descriptor.hpp"
 #include "io/sha256.hpp"
 #include "shard_file.hpp"
+#include "shard_form.hpp"
 
 namespace shigusa {
 namespace {
-
-// A table of more bytes is read otherwise.
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 
 // The text between `key` and the end of its line; empty where there is none.
 std::string value_of_line(std::string_view text, std::string_view key) {
@@ -39,36 +38,6 @@ std::optional<IndexHead> parse_index_head(std::string_view bytes) {
   }
   if (format_index_head(head) != bytes) return std::nullopt;
   return head;
-}
-
-// Fills in a column's shape, its numbers and what it says.
-Result<void> read_column(const hdf5::Handle& group, const std::string& table, Column& column) {
-  const std::string place = table + "/" + column.name;
-  const hdf5::Handle dataset(H5Dopen2(group.id(), column.name.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!dataset) return hdf5::failed("read", place);
-  const hdf5::Handle space(H5Dget_space(dataset.id()), H5Sclose);
-  const int rank = H5Sget_simple_extent_ndims(space.id());
-  if (rank < 1) return fail(ErrorCode::parse, "must have rows", place);
-  std::vector<hsize_t> sides(static_cast<std::size_t>(rank));
-  H5Sget_simple_extent_dims(space.id(), sides.data(), nullptr);
-  column.shape.assign(sides.begin() + 1, sides.end());
-  if (column.row_size() > 0 && sides[0] > kMostBytes / column.row_size()) {
-    return fail(ErrorCode::unsupported,
-                fmt::format("has more than the {} bytes that are read at once", kMostBytes), place);
-  }
-  column.bytes.resize(sides[0] * column.row_size());
-  const hdf5::Handle type = hdf5::type_of(column, false);
-  if (!column.bytes.empty() &&
-      H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, column.bytes.data()) < 0) {
-    return hdf5::failed("read", place);
-  }
-  for (const auto& [attribute, into] :
-       {std::pair{"unit", &column.unit}, std::pair{"description", &column.says}}) {
-    if (H5Aexists(dataset.id(), attribute) <= 0) continue;
-    SHG_TRY_ASSIGN(*into, hdf5::read_text(dataset, attribute));
-  }
-  SHG_TRY_ASSIGN(column.words, hdf5::read_texts(dataset, "words"));
-  return {};
 }
 
 }  // namespace
@@ -97,15 +66,33 @@ Result<IndexHead> verified_index(const std::filesystem::path& path) {
   return *head;
 }
 
-Result<void> read_index(const std::filesystem::path& path, Table& table) {
-  SHG_TRY_ASSIGN(const hdf5::Handle file, hdf5::open_file(path));
-  const hdf5::Handle group(H5Gopen2(file.id(), table.path.c_str(), H5P_DEFAULT), H5Gclose);
-  if (!group) return hdf5::failed("read", path.string() + ": " + table.path);
-  for (auto& [what, list] : table.names) {
-    SHG_TRY_ASSIGN(list, hdf5::read_texts(group, what.c_str()));
+Result<std::vector<ListedShard>> listed_shards(const std::filesystem::path& path) {
+  Descriptor file = open_at(AT_FDCWD, path.c_str(), O_RDONLY | O_NONBLOCK);
+  if (!file) return refused(path, "read", errno);
+  SHG_TRY_ASSIGN(const hdf5::Reader reader,
+                 hdf5::Reader::open(hdf5::Source(std::move(file), kHeadSize)));
+  SHG_TRY_ASSIGN(const hdf5::Object group, reader.object(kShardsTable));
+  SHG_TRY_ASSIGN(const hdf5::Reader::Entries entries, reader.entries(group));
+  const Column number{.name = "shard", .type = ElementType::u64};
+  const Column sum{.name = "sha256", .type = ElementType::text, .text_size = kSumSize};
+  std::vector<Column> columns;
+  for (const Column& wanted : {number, sum}) {
+    const auto entry = std::find_if(entries.begin(), entries.end(),
+                                    [&](const auto& one) { return one.first == wanted.name; });
+    if (entry == entries.end()) return fail(ErrorCode::parse, "is not there", wanted.name);
+    SHG_TRY_ASSIGN(hdf5::StoredColumn stored, reader.column(entry->second, wanted.name));
+    if (!same_column(stored.column, wanted) || stored.rows > kDatasetMaxShards) {
+      return fail(ErrorCode::parse, "has another form than this program writes", wanted.name);
+    }
+    SHG_TRY_ASSIGN(stored.column.bytes, reader.rows(stored, {}));
+    columns.push_back(std::move(stored.column));
   }
-  for (Column& column : table.columns) SHG_TRY(read_column(group, table.path, column));
-  return {};
+  const auto numbers = columns[0].as<std::uint64_t>();
+  const std::vector<std::string> sums = columns[1].texts();
+  if (numbers.size() != sums.size()) return fail(ErrorCode::parse, "has unlike columns", "");
+  std::vector<ListedShard> list;
+  for (std::size_t k = 0; k < sums.size(); ++k) list.push_back({numbers[k], sums[k]});
+  return list;
 }
 
 }  // namespace shigusa

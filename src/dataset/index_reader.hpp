@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <shigusa/result.hpp>
 #include <string>
-
-#include "table.hpp"
+#include <vector>
 
 namespace shigusa {
 
@@ -29,8 +28,12 @@ struct IndexHead {
 inline constexpr const char* kShardsTable = "/shards";
 inline constexpr std::size_t kSumSize = 64;  // of a SHA-256 in digits
 
-// Reads a table of an index. Of `table` must be there its path, its columns' names and types and
-// the names of its lists; all else is filled in. HDF5 is not to be called by two threads at once.
-[[nodiscard]] Result<void> read_index(const std::filesystem::path& path, Table& table);
+// A shard as an index lists it.
+struct ListedShard {
+  std::uint64_t number = 0;
+  std::string sha256;
+};
+// The list of an index that a stranger may have made.
+[[nodiscard]] Result<std::vector<ListedShard>> listed_shards(const std::filesystem::path& path);
 
 }  // namespace shigusa

@@ -15,6 +15,7 @@
 #include "hdf5.hpp"
 #include "index_writer.hpp"
 #include "shard_list.hpp"
+#include "shard_statistics.hpp"
 #include "splits.hpp"
 #include "statistics.hpp"
 #include "task_rows.hpp"
@@ -62,17 +63,13 @@ Table shards_table() {
             .text_size = kSumSize}}};
 }
 
-// Whether a table of tasks, or of what belongs to them, has the columns that this program knows.
+// Whether a table of tasks, or of what belongs to them, has the columns that this program knows and
+// no others.
 bool is_known(const Table& table) {
   for (const Table& known : empty_tables()) {
     if (known.path == table.path) return same_columns(known, table);
   }
-  const auto has = [&table](const char* name, ElementType type) {
-    const Column* column = table.find(name);
-    return column != nullptr && column->type == type && column->shape.empty();
-  };
-  return has("task", ElementType::u64) && has("score", ElementType::f64) &&
-         has("verdict", ElementType::u8) && has("words", ElementType::text);
+  return true;
 }
 
 // Notes the rows that a shard has of a table; how many.
@@ -94,23 +91,6 @@ Result<std::size_t> note_table(Merge& merge, const ShardReader& shard, const std
   return tasks.rows();
 }
 
-// Whether a shard has one row for each of its tasks, in their order.
-Result<void> check_tasks(const Table& tasks, const ShardHead& head,
-                         const std::filesystem::path& folder) {
-  const auto numbers = tasks.find("task")->as<std::uint64_t>();
-  bool whole = numbers.size() == head.tasks.last - head.tasks.first;
-  for (std::size_t k = 0; whole && k < numbers.size(); ++k) {
-    whole = numbers[k] == head.tasks.first + k;
-  }
-  if (whole) return {};
-  return fail(ErrorCode::parse, "has other tasks than its head tells",
-              (folder / shard_name(head.shard)).string());
-}
-
-std::vector<std::string> names_of(std::span<const char* const> names) {
-  return {names.begin(), names.end()};
-}
-
 // Reads a shard: its sum, its numbers, its splits.
 Result<void> add_shard(Merge& merge, std::uint64_t number, RowWriter& shards, RowWriter& splits) {
   SHG_TRY_ASSIGN(const ShardReader shard, open_shard(merge.plan, merge.folder, number));
@@ -119,24 +99,14 @@ Result<void> add_shard(Merge& merge, std::uint64_t number, RowWriter& shards, Ro
   for (const std::string& path : paths) {
     SHG_TRY_ASSIGN(const std::size_t rows, note_table(merge, shard, path));
     if (!path.starts_with(kMotionsGroup)) continue;
-    SHG_TRY(merge.statistics.add_motions(shard, path));
     motions += rows;
   }
-  SHG_TRY_ASSIGN(const Table tasks, read_columns(shard, kTasksTable, names_of(kTaskColumns)));
-  SHG_TRY_ASSIGN(const Table goals, read_columns(shard, kGoalsTable, names_of(kGoalColumns)));
-  SHG_TRY_ASSIGN(const Table missed, read_columns(shard, kMissedTable, names_of(kMissedColumns)));
-  SHG_TRY(check_tasks(tasks, shard.head(), merge.folder));
   Table parts = splits_table();
-  add_splits(tasks, goals, merge.plan.people() > 0, parts);
-  merge.statistics.add_tasks(tasks, parts);
-  merge.statistics.add_goals(goals);
-  merge.statistics.add_missed(missed);
+  SHG_TRY(add_shard_numbers(shard, merge.plan, merge.statistics, parts));
   splits.add(parts);
   SHG_TRY(splits.flush());
   if (merge.axes.empty()) {
-    SHG_TRY_ASSIGN(const hdf5::Handle file, hdf5::open_file(merge.folder / shard_name(number)));
-    const hdf5::Handle root(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose);
-    SHG_TRY_ASSIGN(merge.axes, hdf5::read_text(root, "axes"));
+    SHG_TRY_ASSIGN(merge.axes, shard.axes());
   }
   std::error_code failed;
   Table& row = shards.rows();
@@ -264,16 +234,6 @@ Result<void> write_index(Merge& merge, const hdf5::Handle& file) {
   return {};
 }
 
-std::string statistics_text(const Merge& merge) {
-  Json json{{"format", "shigusa data set, statistics"},
-            {"version", kDatasetVersion},
-            {"plan_sha256", merge.plan.digest()},
-            {"shards", merge.shards.there.size()},
-            {"missing_shards", merge.shards.missing.size()}};
-  json.update(json_of(merge.statistics));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 std::string card_text(const Merge& merge) {
   std::vector<Table> motions;
   for (const auto& [path, whole] : merge.tables) {
@@ -302,7 +262,8 @@ Result<MergeRun> merge_dataset(const std::filesystem::path& folder, const MergeS
   }
   SHG_TRY_ASSIGN(IndexFile index, IndexFile::create(folder / kIndexName));
   SHG_TRY(write_index(merge, index.file()));
-  SHG_TRY(write_file(folder / kStatisticsName, statistics_text(merge)));
+  SHG_TRY(write_file(folder / kStatisticsName,
+                     format_statistics(merge.plan, merge.shards, merge.statistics)));
   SHG_TRY(write_file(folder / kCardName, card_text(merge)));
   MergeRun run{.shards = merge.shards.there.size(),
                .missing = std::move(merge.shards.missing),

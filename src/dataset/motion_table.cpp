@@ -10,15 +10,13 @@
 #include "criteria/built_in_criteria.hpp"
 #include "criteria/replay.hpp"
 #include "kinematics/forward_kinematics.hpp"
+#include "motion_columns.hpp"
 #include "rollout/reach_problem.hpp"
 #include "task/plan_of.hpp"
 #include "task_rows.hpp"
 
 namespace shigusa {
 namespace {
-
-constexpr std::size_t kFrames = kMotionSteps + 1;
-constexpr std::size_t kWordsSize = 64;
 
 // The freedoms in the order that the body has them standing on its right foot, or of a robot the
 // file's joints.
@@ -121,20 +119,14 @@ MotionTable::MotionTable(const TaskFile& file, const Task& task,
   describe();
 }
 
-Column& MotionTable::column(Column made) {
-  table_.columns.push_back(std::move(made));
-  return table_.columns.back();
-}
-
 // The columns, and the lists of names that say what their numbers are of.
 void MotionTable::describe() {
-  const std::vector<std::string> criteria = criterion_names();
   const std::vector<std::string> nodes = node_names(task_.body);
   std::vector<std::string> dofs;
   for (const DataDof& dof : dofs_) dofs.push_back(dof.name);
   table_.names = {{"joints", dofs},
                   {"parameters", parameters_},
-                  {"criteria", criteria},
+                  {"criteria", criterion_names()},
                   {"nodes", nodes},
                   {"node_parents", node_parents(task_.body, nodes)},
                   {"feet", feet_}};
@@ -146,83 +138,7 @@ void MotionTable::describe() {
   // bodies of one name that differ in this are no rows of one table
   table_.path = fmt::format("{}/{}-{:06x}", kMotionsGroup, stem_of(file_.character.source),
                             hash.value() & 0xFFFFFF);
-  column({.name = "task", .type = ElementType::u64, .says = "number of the task"});
-  column({.name = "rank", .type = ElementType::u8, .says = "of the task's candidates, from 1"});
-  column({.name = "score", .says = "weighted sum of the penalties; less is better"});
-  column({.name = "penalties",
-          .shape = {criteria.size()},
-          .says = "of `criteria`; NaN where the score does without"});
-  column({.name = "verdict",
-          .type = ElementType::u8,
-          .says = "whether the body could make the motion",
-          .words = all_words<Verdict>()});
-  column({.name = "words",
-          .type = ElementType::text,
-          .says = "how the motion ends",
-          .text_size = kWordsSize});
-  column({.name = "duration_s", .unit = "s"});
-  column({.name = "error_m", .unit = "m", .says = "the farthest that a goal is missed by"});
-  column({.name = "turn_error_rad",
-          .unit = "rad",
-          .says = "the most that a goal's turn is missed by"});
-  column({.name = "knee_flexion_rad", .unit = "rad", .says = "at the end, mean of the knees"});
-  column({.name = "trunk_lean_rad", .unit = "rad", .says = "at the end, forwards above 0"});
-  column({.name = "trunk_turn_rad", .unit = "rad", .says = "at the end, to the left above 0"});
-  column({.name = "elbow_swivel_rad", .unit = "rad", .says = "at the end, outwards above 0"});
-  column({.name = "stoop_squat_index",
-          .says = "at the end: below 30 a full squat, above 90 a full stoop; NaN of who stays up"});
-  column({.name = "most_loaded_share", .says = "of its strength, of the joint that needs most"});
-  column({.name = "balance_m",
-          .unit = "m",
-          .says = "the least that the plumb line of the centre of mass is inside the feet"});
-  column({.name = "parameters",
-          .shape = {parameters_.size()},
-          .says = "of `parameters`, which the motion is made from; NaN where locked"});
-  for (const DatasetSeries series : series_) describe_series(series);
-}
-
-void MotionTable::describe_series(DatasetSeries series) {
-  const std::size_t nodes = task_.body.nodes().size();
-  const std::string name(word_of(series));
-  switch (series) {
-    case DatasetSeries::angles:
-      column({name, ElementType::f32, {kFrames, dofs_.size()}, "rad", "of `joints`"});
-      break;
-    case DatasetSeries::torques:
-      column({name, ElementType::f32, {kFrames, dofs_.size()}, "N m", "of `joints`"});
-      break;
-    case DatasetSeries::nodes:
-      column({name,
-              ElementType::f32,
-              {kFrames, nodes, 4},
-              "",
-              "quaternions xyzw of `nodes`, each in its parent; 0, 0, 0, 1 where the body stands "
-              "upright with arms hanging"});
-      column({"root_m", ElementType::f32, {kFrames, 3}, "m", "place of the first node"});
-      column({"offsets_m", ElementType::f32, {nodes, 3}, "m", "of `nodes`, each in its parent"});
-      break;
-    case DatasetSeries::positions:
-      column({name, ElementType::f32, {kFrames, nodes, 3}, "m", "of `nodes`, in the world"});
-      break;
-    case DatasetSeries::centre_of_mass:
-      column({name, ElementType::f32, {kFrames, 3}, "m", "in the world"});
-      break;
-    case DatasetSeries::pressure:
-      column({name,
-              ElementType::f32,
-              {kFrames, 2},
-              "m",
-              "x and z of the centre of pressure on the floor"});
-      break;
-    case DatasetSeries::contacts:
-      column({name,
-              ElementType::u8,
-              {kFrames, feet_.size()},
-              "",
-              "of `feet`, what it stands on",
-              {"air", "sole", "forefoot"}});
-      break;
-  }
+  add_motion_columns(series_, table_);
 }
 
 std::uint64_t MotionTable::row_size() const {
@@ -290,7 +206,7 @@ void MotionTable::add_series(DatasetSeries series, const Candidate& candidate) {
     case DatasetSeries::torques: {
       const auto count = index(motion.clip.dofs);
       const auto& numbers = series == DatasetSeries::angles ? motion.clip.angles : motion.torques;
-      for (std::size_t f = 0; f < kFrames; ++f) {
+      for (std::size_t f = 0; f < kDataFrames; ++f) {
         for (const DataDof& dof : dofs_) {
           into.push(dof.sign * numbers[f * count + index(dof.dof)]);
         }
@@ -350,7 +266,7 @@ void MotionTable::add_nodes(const Candidate& candidate, bool turns) {
 void MotionTable::add_pressure(const Candidate& candidate) {
   Column& into = table_["pressure"];
   if (task_.body.feet().empty()) {
-    for (std::size_t k = 0; k < 2 * kFrames; ++k) into.push(kNoNumber);
+    for (std::size_t k = 0; k < 2 * kDataFrames; ++k) into.push(kNoNumber);
     return;
   }
   // with the loads in its hands, and on the feet that stand

@@ -32,13 +32,11 @@ class MotionTable {
 
  private:
   void describe();
-  void describe_series(DatasetSeries series);
   void add_series(DatasetSeries series, const Candidate& candidate);
   void add_nodes(const Candidate& candidate, bool turns);
   void add_pressure(const Candidate& candidate);
   void add_contacts(const Candidate& candidate);
   void add_parameters(const Candidate& candidate);
-  Column& column(Column made);
 
   const TaskFile& file_;
   const Task& task_;

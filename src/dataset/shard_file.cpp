@@ -13,11 +13,13 @@
 #include "hdf5.hpp"
 #include "io/descriptor.hpp"
 #include "io/sha256.hpp"
+#include "shard_form.hpp"
+#include "stored_table.hpp"
+#include "task_rows.hpp"
 
 namespace shigusa {
 namespace {
 
-using hdf5::failed;
 using hdf5::Handle;
 
 constexpr std::string_view kTitle = "shigusa data set, shard";
@@ -67,62 +69,12 @@ bool is_digest(const std::string& text) {
   return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-// The column of a dataset, without its numbers.
-Result<Column> column_of(const Handle& dataset, const std::string& name,
-                         std::vector<hsize_t>& sides) {
-  Column column{.name = name};
-  const Handle stored(H5Dget_type(dataset.id()), H5Tclose);
-  const Handle space(H5Dget_space(dataset.id()), H5Sclose);
-  const int rank = H5Sget_simple_extent_ndims(space.id());
-  if (rank < 1 || rank > 4) return fail(ErrorCode::parse, "must have one to four sides", name);
-  sides.resize(static_cast<std::size_t>(rank));
-  H5Sget_simple_extent_dims(space.id(), sides.data(), nullptr);
-  const std::size_t size = H5Tget_size(stored.id());
-  const H5T_class_t kind = H5Tget_class(stored.id());
-  if (kind == H5T_STRING && H5Tis_variable_str(stored.id()) == 0) {
-    column.type = ElementType::text;
-    column.text_size = size;
-  } else if (kind == H5T_INTEGER) {
-    column.type = size == 1   ? ElementType::u8
-                  : size == 2 ? ElementType::u16
-                  : size == 4 ? ElementType::u32
-                              : ElementType::u64;
-  } else if (kind == H5T_FLOAT) {
-    column.type = size == 4 ? ElementType::f32 : ElementType::f64;
-  } else {
-    return fail(ErrorCode::parse, "must be numbers or texts", name);
-  }
-  column.shape.assign(sides.begin() + 1, sides.end());
-  for (const auto& [attribute, into] :
-       {std::pair{"unit", &column.unit}, std::pair{"description", &column.says}}) {
-    if (H5Aexists(dataset.id(), attribute) <= 0) continue;
-    SHG_TRY_ASSIGN(*into, hdf5::read_text(dataset, attribute));
-  }
-  SHG_TRY_ASSIGN(column.words, hdf5::read_texts(dataset, "words"));
-  return column;
-}
-
-herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
-}
-Result<std::vector<std::string>> names_in_group(const Handle& group, const std::string& path) {
-  std::vector<std::string> names;
-  if (H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add_name, &names) < 0) {
-    return failed("read a group", path);
-  }
-  return names;
-}
-
-herr_t add_attribute(hid_t, const char* name, const H5A_info_t*, void* names) {
-  return add_name(0, name, nullptr, names);
-}
-
 }  // namespace
 
 struct ShardReader::Open {
-  Handle file;
+  hdf5::Reader reader;
   std::string path;
+  StoredTables tables;
 };
 
 ShardReader::ShardReader(std::unique_ptr<Open> open, ShardHead head)
@@ -151,6 +103,10 @@ Result<std::string> format_shard(const ShardHead& head, const std::string& plan_
     SHG_TRY(write_table(file, table));
   }
   SHG_TRY_ASSIGN(std::string image, hdf5::image_of(file));
+  return with_head(head, std::move(image));
+}
+
+std::string with_head(const ShardHead& head, std::string image) {
   ShardHead whole = head;
   whole.sha256 = sha256(head_text(head) + image);
   image.insert(0, format_head(whole));
@@ -211,73 +167,48 @@ Result<ShardReader> ShardReader::open(const std::filesystem::path& path) {
       sha256(head_text(*head) + bytes.substr(kHeadSize)) != head->sha256) {
     return damaged("its bytes are not those that it was written with");
   }
-  auto open = std::make_unique<Open>();
-  open->path = path.string();
-  SHG_TRY_ASSIGN(open->file, hdf5::open_file(path));
-  return ShardReader(std::move(open), *head);
+  SHG_TRY_ASSIGN(hdf5::Reader reader,
+                 told_of(path.string(), hdf5::Reader::open(hdf5::Source(bytes.substr(kHeadSize)))));
+  SHG_TRY_ASSIGN(StoredTables tables, told_of(path.string(), stored_tables(reader)));
+  return ShardReader(
+      std::make_unique<Open>(Open{std::move(reader), path.string(), std::move(tables)}), *head);
 }
 
 Result<std::string> ShardReader::plan_text() const {
-  const Handle root(H5Gopen2(open_->file.id(), "/", H5P_DEFAULT), H5Gclose);
-  return hdf5::read_long_text(root, "plan");
+  return told_of(open_->path, open_->reader.text("/plan"));
+}
+
+Result<std::string> ShardReader::axes() const {
+  SHG_TRY_ASSIGN(const hdf5::Object root, told_of(open_->path, open_->reader.object("/")));
+  return told_of(open_->path, hdf5::text_of(root, "axes"));
 }
 
 Result<std::vector<std::string>> ShardReader::motion_tables() const {
   std::vector<std::string> paths;
-  if (H5Lexists(open_->file.id(), "/motions", H5P_DEFAULT) <= 0) return paths;
-  const Handle group(H5Gopen2(open_->file.id(), "/motions", H5P_DEFAULT), H5Gclose);
-  if (!group) return failed("read", open_->path + ": /motions");
-  SHG_TRY_ASSIGN(const std::vector<std::string> names, names_in_group(group, "/motions"));
-  for (const std::string& name : names) paths.push_back("/motions/" + name);
+  for (const auto& [path, table] : open_->tables) {
+    if (path.starts_with(kMotionsGroup)) paths.push_back(path);
+  }
   return paths;
 }
 
 Result<Table> ShardReader::table(const std::string& path, const std::vector<std::string>& columns,
                                  const RowRange& rows) const {
   const std::string place = open_->path + ": " + path;
-  const Handle group(H5Gopen2(open_->file.id(), path.c_str(), H5P_DEFAULT), H5Gclose);
-  if (!group) return failed("read", place);
-  Table table{.path = path};
-  std::vector<std::string> lists;
-  H5Aiterate2(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add_attribute, &lists);
-  for (const std::string& list : lists) {
-    SHG_TRY_ASSIGN(std::vector<std::string> names, hdf5::read_texts(group, list.c_str()));
-    table.names.emplace_back(list, std::move(names));
-  }
+  const auto stored = open_->tables.find(path);
+  if (stored == open_->tables.end()) return fail(ErrorCode::parse, "is not there", place);
   std::vector<std::string> wanted = columns;
   if (wanted.empty()) {
-    SHG_TRY_ASSIGN(wanted, names_in_group(group, path));
+    for (const hdf5::StoredColumn& one : stored->second.columns) wanted.push_back(one.column.name);
   }
+  Table table = stored->second.names;
   for (const std::string& name : wanted) {
-    const Handle dataset(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!dataset) return failed("read", place + "/" + name);
-    std::vector<hsize_t> sides;
-    SHG_TRY_ASSIGN(Column column, column_of(dataset, name, sides));
-    const hsize_t first = std::min<hsize_t>(rows.first, sides[0]);
-    const hsize_t last = std::min<hsize_t>(rows.last.value_or(sides[0]), sides[0]);
-    std::vector<hsize_t> start(sides.size(), 0);
-    std::vector<hsize_t> count = sides;
-    start[0] = first;
-    count[0] = last > first ? last - first : 0;
-    const std::size_t size = count[0] * column.row_size();
-    if (size > kShardFileMaxBytes * 4) {
-      return fail(ErrorCode::parse, fmt::format("has {} bytes, which no shard has", size),
-                  place + "/" + name);
-    }
-    column.bytes.resize(size);
-    if (size > 0) {
-      const Handle all(H5Dget_space(dataset.id()), H5Sclose);
-      H5Sselect_hyperslab(all.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
-      const Handle here(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
-                        H5Sclose);
-      const Handle type = hdf5::type_of(column, false);
-      if (H5Dread(dataset.id(), type.id(), here.id(), all.id(), H5P_DEFAULT, column.bytes.data()) <
-          0) {
-        return failed("read", place + "/" + name);
-      }
-    }
+    const hdf5::StoredColumn* const one = stored->second.find(name);
+    if (one == nullptr) return fail(ErrorCode::parse, "is not there", place + "/" + name);
+    Column column = one->column;
+    SHG_TRY_ASSIGN(column.bytes, told_of(place + "/" + name, open_->reader.rows(*one, rows)));
     table.columns.push_back(std::move(column));
   }
+  SHG_TRY(told_of(place, check_values(table)));
   return table;
 }
 

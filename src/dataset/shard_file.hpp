@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hdf5_reader.hpp"
 #include "io/descriptor.hpp"
 #include "table.hpp"
 
@@ -49,27 +50,30 @@ inline constexpr std::size_t kShardFileMaxBytes = std::size_t{256} << 20;
 // shard.
 [[nodiscard]] Result<std::optional<ShardHead>> read_head(const std::filesystem::path& path);
 
-// Rows of a table, the last one not among them.
-struct RowRange {
-  std::size_t first = 0;
-  std::optional<std::size_t> last{};  // none: to the end
-};
+// The bytes of a shard's file by what HDF5 has of it.
+[[nodiscard]] std::string with_head(const ShardHead& head, std::string image);
 
-// A shard that is open for reading. HDF5 is not to be called by two threads at once.
+using hdf5::RowRange;
+
+// A shard that is open for reading, which a stranger may have made: what it holds are the tables
+// that this program writes, of numbers that may stand there.
 class ShardReader {
  public:
-  // Fails on a file whose bytes are not those that its head tells.
+  // Fails on a file whose bytes are not those that its head tells, and on tables of another form.
   [[nodiscard]] static Result<ShardReader> open(const std::filesystem::path& path);
   ShardReader(ShardReader&&) noexcept;
   ShardReader& operator=(ShardReader&&) noexcept;
   ~ShardReader();
 
   [[nodiscard]] const ShardHead& head() const { return head_; }
+  // The sentence about the shard's axes.
+  [[nodiscard]] Result<std::string> axes() const;
   // The plan's text, as DatasetPlan::text.
   [[nodiscard]] Result<std::string> plan_text() const;
   // The paths of the motions' tables, sorted.
   [[nodiscard]] Result<std::vector<std::string>> motion_tables() const;
-  // A table with these of its columns, or all; and of these only rows first to last.
+  // A table with these of its columns, or all; and of these only rows first to last. Fails on
+  // numbers that cannot stand there.
   [[nodiscard]] Result<Table> table(const std::string& path,
                                     const std::vector<std::string>& columns = {},
                                     const RowRange& rows = {}) const;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "io/staging.hpp"
+#include "shard_form.hpp"
 #include "task_rows.hpp"
 
 namespace shigusa {
@@ -25,11 +26,6 @@ std::optional<std::uint64_t> number_in(const std::string& name) {
   const auto [stop, code] = std::from_chars(name.data() + kBegin.size(), end, number);
   if (code != std::errc{} || stop != end || shard_name(number) != name) return std::nullopt;
   return number;
-}
-
-bool same_column(const Column& a, const Column& b) {
-  return a.name == b.name && a.type == b.type && a.shape == b.shape && a.text_size == b.text_size &&
-         a.words == b.words;
 }
 
 }  // namespace
@@ -92,6 +88,16 @@ Result<Table> read_columns(const ShardReader& shard, const std::string& path,
                 shard_name(shard.head().shard) + ": " + path);
   }
   return table;
+}
+
+Result<void> check_tasks(const Table& tasks, const ShardHead& head, const std::string& place) {
+  const auto numbers = tasks.find("task")->as<std::uint64_t>();
+  bool whole = numbers.size() == head.tasks.last - head.tasks.first;
+  for (std::size_t k = 0; whole && k < numbers.size(); ++k) {
+    whole = numbers[k] == head.tasks.first + k;
+  }
+  if (whole) return {};
+  return fail(ErrorCode::parse, "has other tasks than its head tells", place);
 }
 
 bool same_columns(const Table& a, const Table& b) {

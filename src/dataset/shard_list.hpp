@@ -29,6 +29,10 @@ struct ShardList {
 [[nodiscard]] Result<Table> read_columns(const ShardReader& shard, const std::string& path,
                                          const std::vector<std::string>& columns);
 
+// Fails where a table of tasks has not one row for each task of the shard, in their order.
+[[nodiscard]] Result<void> check_tasks(const Table& tasks, const ShardHead& head,
+                                       const std::string& place);
+
 // Whether two tables, whatever their rows, have the same columns and lists of names.
 [[nodiscard]] bool same_columns(const Table& a, const Table& b);
 

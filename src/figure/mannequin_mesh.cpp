@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "mannequin_mesh.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "core/bytes.hpp"
 #include "core/index.hpp"
+#include "core/json_memory.hpp"
 #include "mannequin_data.hpp"
 #include "mannequin_unpacker.hpp"
 

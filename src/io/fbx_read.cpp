@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "core/index.hpp"
+#include "core/json_memory.hpp"
 #include "core/say.hpp"
 #include "fbx_place.hpp"
 #include "glb.hpp"

@@ -285,7 +285,7 @@ Result<GltfNumbers> GltfAccessors::declared(const GltfJson& accessor, const std:
                                             int components, AccessorContent content) const {
   constexpr std::array kTypes{"", "SCALAR", "", "VEC3", "VEC4"};
   const char* type = components == 16 ? "MAT4" : kTypes[static_cast<std::size_t>(components)];
-  if (!accessor.contains("type") || accessor["type"] != type) {
+  if (!accessor.contains("type") || !is_text(accessor["type"], type)) {
     return wrong(place, say("accessor_type", type));
   }
   const auto count = whole(accessor, "count", 0);

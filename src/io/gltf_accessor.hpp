@@ -3,7 +3,6 @@
 
 #include <deque>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <shigusa/result.hpp>
 #include <span>
@@ -11,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/json_memory.hpp"
 #include "glb.hpp"
 #include "json_splice.hpp"
 #include "unpack.hpp"

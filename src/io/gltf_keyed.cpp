@@ -2,12 +2,12 @@
 #include "gltf_keyed.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "core/index.hpp"
+#include "core/json_memory.hpp"
 
 namespace shigusa {
 namespace {

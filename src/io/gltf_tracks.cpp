@@ -113,11 +113,11 @@ Result<GltfTrackKeys> read_track_keys(const GltfJson& sampler, int components,
   }
   const auto kind = sampler.find("interpolation");
   if (kind != sampler.end()) {
-    if (*kind == "STEP") {
+    if (is_text(*kind, "STEP")) {
       keys.interpolation = Interpolation::step;
-    } else if (*kind == "CUBICSPLINE") {
+    } else if (is_text(*kind, "CUBICSPLINE")) {
       keys.interpolation = Interpolation::cubic;
-    } else if (*kind != "LINEAR") {
+    } else if (!is_text(*kind, "LINEAR")) {
       return fail(ErrorCode::parse,
                   say("interpolation",
                       kind->dump(-1, ' ', true, GltfJson::error_handler_t::replace).substr(0, 40)));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <shigusa/message.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/json_memory.hpp"
 #include "io/gltf.hpp"
 
 namespace shigusa {

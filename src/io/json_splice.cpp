@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "core/json_memory.hpp"
 #include "core/text.hpp"
 
 namespace shigusa {

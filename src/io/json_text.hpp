@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <shigusa/result.hpp>
 #include <string_view>
+
+#include "core/json_memory.hpp"
 
 namespace shigusa {
 

@@ -27,6 +27,12 @@ std::string new_name() {
   return fmt::format("{}{:08x}{:08x}{}", kPrefix, random(), random(), kSuffix);
 }
 
+struct FolderCloser {
+  void operator()(DIR* folder) const { closedir(folder); }
+};
+
+}  // namespace
+
 bool is_staging_name(std::string_view name) {
   if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return false;
   if (name.size() <= kPrefix.size() + kSuffix.size()) return false;
@@ -34,12 +40,6 @@ bool is_staging_name(std::string_view name) {
   name.remove_suffix(kSuffix.size());
   return name.size() <= kDigits && name.find_first_not_of("0123456789abcdef") == name.npos;
 }
-
-struct FolderCloser {
-  void operator()(DIR* folder) const { closedir(folder); }
-};
-
-}  // namespace
 
 std::vector<std::string> names_in(const Descriptor& folder) {
   std::vector<std::string> names;

@@ -12,6 +12,9 @@ namespace shigusa {
 // The names in a folder, but for "." and ".."; none where it cannot be read.
 [[nodiscard]] std::vector<std::string> names_in(const Descriptor& folder);
 
+// Whether a name is one that a Staging has.
+[[nodiscard]] bool is_staging_name(std::string_view name);
+
 // Removes what killed programs left in a folder, of what Staging makes there.
 void remove_leftovers(const Descriptor& folder);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <shigusa/result.hpp>
 #include <string>
 #include <string_view>
 
 #include "core/c_locale.hpp"
+#include "core/json_memory.hpp"
 #include "core/say.hpp"
 
 namespace shigusa {

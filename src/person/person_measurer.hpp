@@ -71,6 +71,8 @@ class PersonMeasurer {
   void read_soles();
   [[nodiscard]] SoleOutline outline_of(const std::vector<Vec3d>& flesh, const Vec3d& ankle,
                                        const Vec3d& ahead) const;
+  [[nodiscard]] Vec3d left_of(const Vec3d& ahead) const;
+  [[nodiscard]] SoleOutline broadened(const SoleOutline& sole, double breadth) const;
   void widen_peg(Side side);
   [[nodiscard]] std::optional<Vec3d> skull_by_mesh() const;
   void fit_parts();

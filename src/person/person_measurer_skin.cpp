@@ -16,6 +16,8 @@ constexpr double kTipOfFoot = 0.5;
 constexpr double kForwards = 0.5;
 // A sole shorter than this share of an average foot is a peg.
 constexpr double kPeg = 0.5;
+// A sole of less than this of an average breadth is a sheet.
+constexpr double kSheet = 0.1;
 // The least level share of a direction that is a foot's.
 constexpr double kLevel = 0.3;
 // The middle of the head, where its vertex is, as a share of how broad and how deep it is.
@@ -82,11 +84,23 @@ void PersonMeasurer::read_soles() {
   }
 }
 
+// The left of who looks that way, also in mirrored files.
+Vec3d PersonMeasurer::left_of(const Vec3d& ahead) const {
+  return cross(up_, ahead) * (dot(cross(up_, ahead_), left_) < 0.0 ? -1.0 : 1.0);
+}
+
+// The same sole, that broad.
+SoleOutline PersonMeasurer::broadened(const SoleOutline& sole, double breadth) const {
+  const Vec3d half = normalized(left_of(sole[0] - sole[1]), left_) * (0.5 * breadth);
+  const Vec3d tip = (sole[0] + sole[3]) * 0.5;
+  const Vec3d heel = (sole[1] + sole[2]) * 0.5;
+  return {tip + half, heel + half, heel - half, tip - half};
+}
+
 // Corners of the sole, at the height of its lowest vertex; file units.
 SoleOutline PersonMeasurer::outline_of(const std::vector<Vec3d>& flesh, const Vec3d& ankle,
                                        const Vec3d& ahead) const {
-  const double hand = dot(cross(up_, ahead_), left_) < 0.0 ? -1.0 : 1.0;  // of mirrored files
-  const Vec3d left = cross(up_, ahead) * hand;
+  const Vec3d left = left_of(ahead);
   const double low = range_along(flesh, up_).low;
   const double layer = low + kSoleLayer * max(dot(ankle, up_) - low, 0.0);
   std::vector<Vec3d> sole;
@@ -115,9 +129,13 @@ void PersonMeasurer::widen_peg(Side side) {
   if (!l.sole) return;
   SoleOutline& sole = *l.sole;
   const double length = F::kFootLength * stature_;
-  if (norm(sole[0] - sole[1]) >= kPeg * length) return;
-  const Vec3d half = normalized(sole[0] - sole[3], left_) *
-                     (0.5 * max(norm(sole[0] - sole[3]), F::kFootBreadth * stature_));
+  const double breadth = F::kFootBreadth * stature_;
+  if (norm(sole[0] - sole[1]) >= kPeg * length) {
+    if (norm(sole[0] - sole[3]) < kSheet * breadth) sole = broadened(sole, breadth);
+    return;
+  }
+  const Vec3d half =
+      normalized(sole[0] - sole[3], left_) * (0.5 * max(norm(sole[0] - sole[3]), breadth));
   const Vec3d toe = l.toe - l.ankle;
   const Vec3d ahead = normalized(toe - up_ * dot(toe, up_), ahead_);
   const Vec3d below = l.ankle + up_ * dot(sole[0] - l.ankle, up_);

@@ -171,6 +171,25 @@ TEST_F(DatasetCheck, AnyByteOfTheIndexThatIsChangedIsFound) {
   }
 }
 
+TEST_F(DatasetCheck, AnyByteOfTheStatisticsThatIsChangedIsFound) {
+  ASSERT_TRUE(merge_dataset(folder_.path()));
+  const std::string whole = folder_.get(kStatisticsName);
+  for (const std::size_t at : {std::size_t{0}, whole.size() / 3, whole.size() - 2}) {
+    std::string damaged = whole;
+    damaged[at] = damaged[at] == '1' ? '2' : '1';
+    folder_.put(kStatisticsName, damaged);
+    const CheckRun run = checked();
+    ASSERT_EQ(run.problem_count, 1u) << at;
+    EXPECT_EQ(run.problems.front().file, kStatisticsName);
+  }
+  folder_.put(kStatisticsName, whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(checked().problem_count, 1u) << "cut short";
+  std::filesystem::remove(folder_ / kStatisticsName);
+  EXPECT_EQ(checked().problem_count, 1u) << "gone";
+  folder_.put(kStatisticsName, whole);
+  EXPECT_EQ(checked().problem_count, 0u);
+}
+
 TEST_F(DatasetCheck, NumberThatNoSearchGaveIsFoundByMakingItsTaskAgain) {
   change_shard(1, [](std::vector<Table>& tables) {
     Column& angles = tables.front()["angles"];

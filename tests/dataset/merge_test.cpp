@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "dataset/index_reader.hpp"
+#include "dataset/index_tables.hpp"
 #include "dataset/splits.hpp"
 #include "dataset/statistics.hpp"
 #include "dataset/task_rows.hpp"
@@ -23,6 +24,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing_support::made;
 using testing_support::plan_of_json;
+using testing_support::read_index;
 using testing_support::small_plan;
 using testing_support::WorkFolder;
 

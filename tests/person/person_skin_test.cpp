@@ -173,6 +173,22 @@ TEST(PersonSkin, PegsBearTheBodyOnFeet) {
   EXPECT_NEAR(sole[0].y, 0.0, 1e-6);
 }
 
+// On a sole without breadth nobody stands, and no file may say so of a person.
+TEST(PersonSkin, SheetsBearTheBodyOnFeet) {
+  using F = StatureFractions;
+  const StickFigure figure = standing_figure();
+  for (const Shoe& sheet : {Shoe{.sole = 0.0, .front = 0.2, .back = 0.06, .half = 0.0},
+                            Shoe{.sole = 0.01, .front = 0.16, .back = 0.09, .half = 0.002}}) {
+    const MeasuredPerson person = measured(figure, shoes(figure, sheet));
+    for (const Landmarks::Leg* leg : {&person.landmarks.left_leg, &person.landmarks.right_leg}) {
+      const SoleOutline& sole = *leg->sole;
+      EXPECT_NEAR(sole[0].z - sole[1].z, sheet.front + sheet.back, 1e-6);
+      EXPECT_NEAR(sole[0].x - sole[3].x, F::kFootBreadth * person.stature, 1e-6);
+      EXPECT_NEAR(sole[0].x + sole[3].x, 2.0 * leg->ankle.x, 1e-6) << "under the ankle";
+    }
+  }
+}
+
 TEST(PersonSkin, AFootWithoutMeshEndsWithItsShanks) {
   const StickFigure figure = standing_figure();
   Mesh mesh;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Reads the shards of a data set; docs/data.md tells what is in them.
 import { createHash } from 'node:crypto';
-import { access, readdir, readFile } from 'node:fs/promises';
+import { readdir, readFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
-import { File, ready } from 'h5wasm/node';
+import { File, ready } from 'h5wasm';
 
 const HEAD_BYTES = 512; // of plain text, which HDF5 leaves to us
 const MAX_BYTES = 256 * 2 ** 20;
@@ -88,16 +88,33 @@ class Shard {
   }
 }
 
+// Opens the bytes of a file for `use`, which gets it; closes it whatever happens. They lie in memory, where no
+// other file is: a stranger's may name files of this machine as places of its numbers.
+let opened = 0;
+async function withBytes(bytes, use) {
+  const { FS } = await ready;
+  const name = `${opened++}.h5`;
+  FS.writeFile(name, bytes);
+  try {
+    const file = new File(name, 'r');
+    try {
+      return await use(file);
+    } finally {
+      file.close();
+    }
+  } finally {
+    FS.unlink(name);
+  }
+}
+
 // Gives the split of a task by its number, as the folder's index has it: `by` is person or region.
 export async function splitOf(folder, plan, by) {
-  await ready;
   const path = resolve(folder, 'index.h5');
   const merge = `make it by 'shigusa dataset merge ${folder}'`;
-  await access(path).catch(() => {
+  const bytes = await readFile(path).catch(() => {
     throw new Error(`${path}: is not there, and has the splits; ${merge}`);
   });
-  const file = new File(path, 'r');
-  try {
+  return withBytes(bytes, (file) => {
     if (file.attrs.plan_sha256?.value !== plan) {
       throw new Error(`${path}: is of another plan than the shards; ${merge}`);
     }
@@ -108,21 +125,13 @@ export async function splitOf(folder, plan, by) {
       if (!rows.has(task)) throw new Error(`${path}: has no task ${task}; ${merge}`);
       return splits.word(rows.get(task));
     };
-  } finally {
-    file.close();
-  }
+  });
 }
 
 // Opens a shard for `use`, which gets it; closes it whatever happens.
 export async function withShard(path, use) {
-  await ready;
   const bytes = await readFile(path);
   if (bytes.length > MAX_BYTES) throw new Error(`${path}: has ${bytes.length} bytes; a shard has at most ${MAX_BYTES}`);
   const head = checkedHead(path, bytes);
-  const file = new File(resolve(path), 'r');
-  try {
-    return await use(new Shard(path, head, file));
-  } finally {
-    file.close();
-  }
+  return withBytes(bytes, (file) => use(new Shard(path, head, file)));
 }

@@ -15,6 +15,11 @@
  * time, different objects from several at once; a result keeps what it needs of its character, so
  * either may be freed first.
  *
+ * Every function computes in the arithmetic that results are made of, rounded to nearest and with
+ * numbers near 0 as they are, whatever the host has set; the host's comes back before it returns,
+ * and before a function of the host's is called. Where memory runs out, a function that returns a
+ * status says so (SHIGUSA_OUT_OF_MEMORY), and what was there before stays usable.
+ *
  * Within one SHIGUSA_ABI_VERSION functions and numbers are only added. */
 #ifndef SHIGUSA_H
 #define SHIGUSA_H
@@ -55,7 +60,8 @@ enum {
   SHIGUSA_UNSUPPORTED = 5,      /**< understood, but outside what this build does */
   SHIGUSA_CANCELLED = 6,        /**< stopped before there was anything to give */
   SHIGUSA_OUT_OF_MEMORY = 7,    /**< there was no memory for it */
-  SHIGUSA_FAULT = 8             /**< a fault of the library itself: please report it */
+  SHIGUSA_FAULT = 8,            /**< a fault of the library itself: please report it */
+  SHIGUSA_HOST = 9              /**< a function of the caller's own threw, and the message is its */
 };
 
 /** The reason of the calling thread's last failure, "" if none failed yet. Valid until this
@@ -130,7 +136,7 @@ typedef struct shigusa_result shigusa_result;
 typedef struct shigusa_watch {
   /** Called on the calling thread now and then, with the share of the budget that is used (0..1),
    * motions scored and the lowest score so far; returns 0 to go on, anything else to stop with the
-   * best so far. */
+   * best so far. What it throws ends the call (SHIGUSA_HOST). */
   int32_t (*report)(void* user, double fraction, int32_t evaluations, double best_score);
   void* user; /**< handed to `report` */
 } shigusa_watch;

@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "door.hpp"
 
-#include <cstring>
+#include <exception>
+#include <new>
 #include <string_view>
+#include <system_error>
+
+#include "failure.hpp"
+#include "watch.hpp"
 
 namespace shigusa::door {
 namespace {
 
-// The message has room of its own, so that it is there even where memory is not to be had.
-constexpr std::size_t kMessageBytes = 1024;
-thread_local char last_message[kMessageBytes] = "";
-thread_local Error last_error;  // of what has no Error the text alone is told
+// The exception of a host's own function, in its own words.
+shigusa_status refuse_host(const HostFault& host) noexcept {
+  try {
+    if (host.thrown) std::rethrow_exception(host.thrown);
+  } catch (const std::exception& error) {
+    return refuse(SHIGUSA_HOST, error.what());
+  } catch (...) {
+    // that has no words
+  }
+  return refuse(SHIGUSA_HOST, "the caller's own function threw what is no std::exception");
+}
 
 shigusa_status status_of(ErrorCode code) {
   switch (code) {
@@ -30,34 +42,37 @@ shigusa_status status_of(ErrorCode code) {
   return SHIGUSA_FAULT;
 }
 
-// As many bytes of UTF-8 text as fit, without half a character.
-std::size_t fitting(std::string_view text) {
-  std::size_t size = std::min(text.size(), kMessageBytes - 1);
-  const auto continues = [&](std::size_t at) {
-    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
-  };
-  while (size > 0 && continues(size)) --size;
-  return size;
-}
-
-void keep(std::string_view message) {
-  const std::size_t size = fitting(message);
-  std::memcpy(last_message, message.data(), size);
-  last_message[size] = '\0';
-}
-
 }  // namespace
 
-shigusa_status refuse(shigusa_status status, const char* message) {
-  keep(message);
-  last_error = {};
+shigusa_status refuse(shigusa_status status, const char* message) noexcept {
+  keep_failure(message);
   return status;
 }
 
 shigusa_status refuse(Error error) {
-  keep(error.to_string());
-  last_error = std::move(error);
-  return status_of(last_error.code);
+  const shigusa_status status = status_of(error.code);
+  keep_failure(std::move(error));
+  return status;
+}
+
+shigusa_status refuse_exception() noexcept {
+  constexpr const char* kNoMemory = "out of memory";
+  try {
+    throw;
+  } catch (const HostFault& host) {
+    return refuse_host(host);
+  } catch (const std::bad_alloc&) {
+    return refuse(SHIGUSA_OUT_OF_MEMORY, kNoMemory);
+  } catch (const std::system_error& error) {
+    // threads that the system has no room for
+    const bool full = error.code() == std::errc::resource_unavailable_try_again ||
+                      error.code() == std::errc::not_enough_memory;
+    return refuse(full ? SHIGUSA_OUT_OF_MEMORY : SHIGUSA_FAULT, full ? kNoMemory : error.what());
+  } catch (const std::exception& error) {
+    return refuse(SHIGUSA_FAULT, error.what());
+  } catch (...) {
+    return refuse(SHIGUSA_FAULT, "an unknown fault");
+  }
 }
 
 Result<void> give(std::string text, shigusa_bytes** bytes) {
@@ -73,15 +88,16 @@ uint32_t shigusa_abi_version(void) { return SHIGUSA_ABI_VERSION; }
 
 const char* shigusa_version(void) { return SHIGUSA_VERSION; }
 
-const char* shigusa_message(void) { return shigusa::door::last_message; }
+const char* shigusa_message(void) { return shigusa::door::failure_text(); }
 
 shigusa_status shigusa_failure(shigusa_bytes** json) {
+  using namespace shigusa;
   if (json == nullptr) return SHIGUSA_INVALID_ARGUMENT;
+  const door::OwnArithmetic arithmetic;
   try {
-    using namespace shigusa;
-    const Error& last = door::last_error;
-    const Error text{ErrorCode::invalid_argument, std::string_view(door::last_message), {}};
-    *json = new shigusa_bytes{format_failure(last.message.empty() ? text : last)};
+    const Error* const last = door::failure_error();
+    const Error text{ErrorCode::invalid_argument, std::string_view(door::failure_text()), {}};
+    *json = new shigusa_bytes{format_failure(last == nullptr ? text : *last)};
     return SHIGUSA_OK;
   } catch (...) {
     return SHIGUSA_OUT_OF_MEMORY;

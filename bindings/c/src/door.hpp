@@ -3,13 +3,14 @@
 
 #include <shigusa.h>
 
-#include <new>
 #include <optional>
 #include <shigusa/result.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "arithmetic.hpp"
 
 // The structs behind the handles of shigusa.h.
 
@@ -35,23 +36,28 @@ struct shigusa_result {
 namespace shigusa::door {
 
 // Keeps the text of shigusa_message(), and returns the status of it.
-shigusa_status refuse(shigusa_status status, const char* message);
+shigusa_status refuse(shigusa_status status, const char* message) noexcept;
 // The same, and keeps the error for shigusa_failure().
 shigusa_status refuse(Error error);
+// The status of the exception that is being handled.
+shigusa_status refuse_exception() noexcept;
 
-// The status of `work`, a function to Result<void>: no exception leaves it.
+// The status of `work`, a function of the arithmetic that it runs in to Result<void>: no exception
+// leaves it.
+template <class Work>
+shigusa_status guarded_watched(Work&& work) noexcept {
+  const OwnArithmetic arithmetic;
+  try {
+    Result<void> done = work(arithmetic);
+    return done ? SHIGUSA_OK : refuse(std::move(done).error());
+  } catch (...) {
+    return refuse_exception();
+  }
+}
+// The same of a function of nothing.
 template <class Work>
 shigusa_status guarded(Work&& work) noexcept {
-  try {
-    Result<void> done = work();
-    return done ? SHIGUSA_OK : refuse(std::move(done).error());
-  } catch (const std::bad_alloc&) {
-    return refuse(SHIGUSA_OUT_OF_MEMORY, "out of memory");
-  } catch (const std::exception& error) {
-    return refuse(SHIGUSA_FAULT, error.what());
-  } catch (...) {
-    return refuse(SHIGUSA_FAULT, "an unknown fault");
-  }
+  return guarded_watched([&work](const OwnArithmetic&) { return work(); });
 }
 
 // Refuses null pointers by name.

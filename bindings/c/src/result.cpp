@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <atomic>
 #include <chrono>
 #include <shigusa/edit.hpp>
 #include <shigusa/parallel.hpp>
 
 #include "door.hpp"
+#include "watch.hpp"
 
 using namespace shigusa;
 using namespace shigusa::door;
@@ -24,19 +24,6 @@ Result<Task> task_of(TaskFile& file) {
                 "task: character");
   }
   return make_task(file, {});
-}
-
-// How the caller watches. Stops the search once the caller says so.
-Progress watched_by(const shigusa_watch* watch, std::atomic<bool>& stop) {
-  Progress progress;
-  progress.cancel = &stop;
-  if (watch == nullptr || watch->report == nullptr) return progress;
-  progress.report = [watch, &stop](const ProgressReport& report) {
-    const auto answer =
-        watch->report(watch->user, report.fraction, report.evaluations, report.best_score);
-    if (answer != 0) stop = true;
-  };
-  return progress;
 }
 
 // A result of what `work`, a function of a player and what is stored, generates.
@@ -76,7 +63,7 @@ extern "C" {
 shigusa_status shigusa_generate(const shigusa_character* character, const char* task,
                                 int32_t threads, const shigusa_watch* watch,
                                 shigusa_result** result) {
-  return guarded([&]() -> Result<void> {
+  return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
     SHG_TRY(need("task", task, "result", result));
     if (threads < 0 || threads > kMaxThreads) {
       return fail(ErrorCode::invalid_argument,
@@ -87,9 +74,11 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
     SHG_TRY_ASSIGN(Task asked, task_of(file));
     asked.batch.threads = threads;
     SHG_TRY(check_task(asked));
-    std::atomic<bool> stop{false};
+    Watched watched(watch, arithmetic);
     const auto begin = std::chrono::steady_clock::now();
-    SHG_TRY_ASSIGN(GenerateResult generation, generate(asked, watched_by(watch, stop)));
+    Result<GenerateResult> found = generate(asked, watched.progress());
+    watched.pass_on();
+    SHG_TRY_ASSIGN(GenerateResult generation, std::move(found));
     RunInfo info = search_info(asked, begin);
     *result = new shigusa_result{std::move(file), std::move(asked), std::move(generation),
                                  std::move(info)};
@@ -104,15 +93,17 @@ shigusa_status shigusa_restore(const shigusa_character* character, const char* s
 
 shigusa_status shigusa_restore_watched(const shigusa_character* character, const char* summary,
                                        const shigusa_watch* watch, shigusa_result** result) {
-  return guarded([&]() -> Result<void> {
+  return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
     SHG_TRY(need("summary", summary, "result", result));
     SHG_TRY_ASSIGN(StoredResult stored, parse_result(summary, "result"));
     if (character != nullptr && character->spec.rig) {
       SHG_TRY(attach_rig(stored.task.character, character->spec));
     }
-    std::atomic<bool> stop{false};
+    Watched watched(watch, arithmetic);
     const auto work = [&](MotionPlayer& player, StoredResult& all) {
-      return replay_all(player, all, watched_by(watch, stop));
+      auto played = replay_all(player, all, watched.progress());
+      watched.pass_on();
+      return played;
     };
     return replayed(std::move(stored), "restore", work, result);
   });

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "json_memory.hpp"
+
+#include <sys/mman.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <new>
+
+namespace shigusa {
+namespace {
+
+// Blocks of the system's that are taken: few at a time, one for each value that is being destroyed.
+constexpr std::size_t kMostBlocks = 4096;
+std::array<std::atomic<void*>, kMostBlocks> blocks{};
+std::atomic<int> taken{0};
+
+// Notes a block; false where there is no room.
+bool note(void* block) {
+  for (std::atomic<void*>& place : blocks) {
+    void* none = nullptr;
+    if (place.compare_exchange_strong(none, block)) {
+      ++taken;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool forget(void* block) {
+  for (std::atomic<void*>& place : blocks) {
+    void* own = block;
+    if (place.compare_exchange_strong(own, nullptr)) {
+      --taken;
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void* take_list_memory(std::size_t bytes) {
+  if (void* const memory = ::operator new(bytes, std::nothrow)) return memory;
+  void* const block =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (block == MAP_FAILED) throw std::bad_alloc();
+  if (note(block)) return block;
+  munmap(block, bytes);
+  throw std::bad_alloc();
+}
+
+void give_list_memory(void* memory, std::size_t bytes) noexcept {
+  // the system's blocks begin with a page, and others hardly ever
+  constexpr std::uintptr_t kPage = 4096;
+  const bool page = reinterpret_cast<std::uintptr_t>(memory) % kPage == 0;
+  if (page && memory != nullptr && taken.load(std::memory_order_relaxed) > 0 && forget(memory)) {
+    munmap(memory, bytes);
+  } else {
+    ::operator delete(memory);
+  }
+}
+
+}  // namespace shigusa

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <shigusa/result.hpp>
+#include <string>
+#include <vector>
+
+#include "hdf5_reader.hpp"
+#include "table.hpp"
+
+namespace shigusa {
+
+// The same, but an error is of this place.
+template <class Value>
+Result<Value> told_of(const std::string& place, Result<Value> result) {
+  if (result) return result;
+  Error error = std::move(result).error();
+  error.place = error.place.empty() ? place : place + ": " + error.place;
+  return tl::unexpected(std::move(error));
+}
+
+// A table of a shard, without rows.
+struct StoredTable {
+  Table names;  // with its path alone, and its lists
+  std::vector<hdf5::StoredColumn> columns;
+
+  [[nodiscard]] const hdf5::StoredColumn* find(const std::string& name) const {
+    for (const hdf5::StoredColumn& one : columns) {
+      if (one.column.name == name) return &one;
+    }
+    return nullptr;
+  }
+};
+
+using StoredTables = std::map<std::string, StoredTable>;  // by their paths
+
+// The tables of a shard's file, all of the form that this program writes. Fails where they say that
+// they have more bytes than a shard can.
+[[nodiscard]] Result<StoredTables> stored_tables(const hdf5::Reader& reader);
+
+}  // namespace shigusa

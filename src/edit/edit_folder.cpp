@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/edit.hpp>
+
+#include "document/export_file.hpp"
+#include "io/descriptor.hpp"
+#include "io/staging.hpp"
+
+namespace shigusa {
+
+namespace fs = std::filesystem;
+
+// The folder within is locked while this lives, and so says whose the outer one is.
+struct EditFolder::Held {
+  fs::path path;
+  Descriptor self;
+  Staging staging{self};
+};
+
+EditFolder::EditFolder(std::unique_ptr<Held> held) : held_(std::move(held)) {}
+EditFolder::EditFolder(EditFolder&&) noexcept = default;
+EditFolder& EditFolder::operator=(EditFolder&&) noexcept = default;
+
+EditFolder::~EditFolder() {
+  if (!held_) return;
+  const fs::path path = held_->path;
+  held_.reset();
+  // one in which nothing was written goes again
+  std::error_code not_empty;
+  fs::remove(path, not_empty);
+}
+
+const fs::path& EditFolder::path() const { return held_->path; }
+
+namespace {
+
+// Whether a folder has nothing but what a program that was killed leaves: files of candidates that
+// no summary tells of, and folders of the kind that files are made in.
+bool is_left(const Descriptor& folder) {
+  const std::vector<std::string> names = names_in(folder);
+  return std::all_of(names.begin(), names.end(), [](const std::string& name) {
+    return is_staging_name(name) || (is_result_file(name) && name != kSummaryName);
+  });
+}
+
+// Whether another program has made a folder in it to write from.
+bool is_shared(const Descriptor& folder) {
+  const std::vector<std::string> names = names_in(folder);
+  return std::count_if(names.begin(), names.end(), is_staging_name) > 1;
+}
+
+}  // namespace
+
+Result<EditFolder> EditFolder::make(const fs::path& within, std::string_view name) {
+  for (int k = 1;; ++k) {
+    auto held = std::make_unique<Held>();
+    held->path = within / fmt::format("{}-{}", name, k);
+    std::error_code error;
+    const bool made = fs::create_directory(held->path, error);
+    if (error && error != std::errc::file_exists) {
+      return refused(held->path, "make this folder", error.value());
+    }
+    held->self = open_at(AT_FDCWD, held->path.c_str(), O_RDONLY | O_DIRECTORY);
+    if (!made && (!held->self || !is_left(held->self))) continue;
+    const int reason = held->staging.make();
+    if (reason != 0 && made) return refused(held->path, "write to this folder", reason);
+    // of two that come upon it at once each sees the other, and both go on
+    if (reason == 0 && !is_shared(held->self)) return EditFolder(std::move(held));
+  }
+}
+
+}  // namespace shigusa

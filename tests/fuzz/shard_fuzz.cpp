@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// From the bytes that HDF5 has of a data set's shard, whose sum is made to be right, to the page
+// and the files that are made of it: nothing may crash, hang or fill the memory.
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <shigusa/dataset_check.hpp>
+#include <shigusa/dataset_export.hpp>
+#include <shigusa/dataset_merge.hpp>
+#include <shigusa/dataset_read.hpp>
+#include <shigusa/dataset_show.hpp>
+#include <shigusa/file.hpp>
+#include <string>
+#include <string_view>
+
+#include "dataset/data_rows.hpp"
+#include "dataset/index_reader.hpp"
+
+namespace {
+
+using namespace shigusa;
+
+// The plan that tests/fuzz/shard_corpus is of, and a folder for one shard of it.
+struct Folder {
+  std::filesystem::path path;
+  DatasetPlan plan;
+
+  Folder() : path(made_folder()), plan(DatasetPlan::parse(kText, "plan.json", path).value()) {
+    if (!keep_plan(plan, path)) std::abort();
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  static std::filesystem::path made_folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "shard_fuzz-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) std::abort();
+    return name;
+  }
+  static constexpr std::string_view kText = R"({
+    "tasks": 2, "seed": 7, "shard_tasks": 2, "motions": "all",
+    "series": ["nodes", "contacts"],
+    "task": {"character": {"source": "half_body"}, "candidates": 1, "evaluations": 20,
+             "goals": [{"effector": "right_hand",
+                        "position_m": {"box_m": [[-0.4, 0.6, 0.2], [0.1, 1.5, 0.5]]}}]}})";
+};
+
+// All that is made of a shard that is read.
+void use(const Folder& folder) {
+  (void)show_dataset(folder.path, {.motions = 2});
+  for (const DataFormat format : {DataFormat::csv, DataFormat::npz, DataFormat::humanml3d}) {
+    (void)export_dataset({.from = folder.path,
+                          .to = folder.path / "out",
+                          .format = format,
+                          .force = true,
+                          .series = format == DataFormat::csv});
+  }
+  (void)merge_dataset(folder.path);
+  (void)read_motions(folder.path, [](const DatasetMotion&) {});
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Folder folder;
+  std::string image(reinterpret_cast<const char*>(data), size);
+  const std::filesystem::path path = folder.path / shard_name(0);
+  const ShardHead head{.plan = folder.plan.digest(), .shard = 0, .tasks = folder.plan.tasks_of(0)};
+  if (!write_file(path, with_head(head, std::move(image)))) std::abort();
+  (void)listed_shards(path);
+  const Result<DataFolder> opened = DataFolder::open(folder.path);
+  if (!opened) std::abort();
+  if (read_rows(*opened, 0, folder.plan.series())) use(folder);
+  return 0;
+}
