@@ -47,6 +47,13 @@ Result<void> add_bones(const std::string& text, CharacterSpec& spec) {
 // Fails on options of people from files that are given of others.
 Result<void> check_given(const CharacterOptions& options, const CharacterSpec& spec) {
   const bool of_file = !is_built_in(spec);
+  if (options.sex && is_robot(spec)) {
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("robots cannot have a sex: {} is a robot, whose masses and strengths "
+                            "are of its file",
+                            spec.source),
+                "--sex");
+  }
   const struct {
     const char* name;
     bool given;
@@ -75,6 +82,26 @@ Result<void> check_given(const CharacterOptions& options, const CharacterSpec& s
   return {};
 }
 
+// Options of files that no robot leaves in.
+Result<void> check_files_of_robot(const FileOptions& options, const CharacterSpec& spec) {
+  const struct {
+    const char* name;
+    bool given;
+    const char* what;
+  } of_people[] = {
+      {"--joint-names", options.joint_names.has_value(), "have other joint names than its file's"},
+      {"--one-file", options.one_file, "leave as GLB"},
+      {"--clip", !options.clip.empty(), "leave as GLB or VRMA"},
+      {"--only-this-clip", options.only_this_clip, "leave as GLB"}};
+  for (const auto& option : of_people) {
+    if (!option.given || !is_robot(spec)) continue;
+    return fail(ErrorCode::invalid_argument,
+                fmt::format("robots cannot {}, and {} is a robot", option.what, spec.source),
+                option.name);
+  }
+  return {};
+}
+
 // Options of people from files, who are seldom given.
 void add_file_person_options(CLI::App& c, CharacterOptions& o) {
   const std::string group = heading(OptionGroup::body);
@@ -94,12 +121,14 @@ void add_file_person_options(CLI::App& c, CharacterOptions& o) {
                     "at rest where none does.",
             .form = "FRAME|rest",
             .rare = true});
-  describe(c.add_option("--animation", o.animation),
-           {.group = group,
-            .brief = "A glTF file's animation (default: its first)",
-            .full = "Name or index of a glTF file's animation; its first when not given.",
-            .form = "NAME",
-            .rare = true});
+  describe(
+      c.add_option("--animation", o.animation),
+      {.group = group,
+       .brief = "A glTF file's animation (default: its first)",
+       .full = "Name or index of a glTF file's animation; its first when not given. Of an MJCF "
+               "file, of a keyframe, from which the robot starts.",
+       .form = "NAME",
+       .rare = true});
   describe(c.add_option("--map", o.map)->allow_extra_args(false),
            {.group = group,
             .brief = "The node of the file that a bone is, or a file of them",
@@ -175,7 +204,8 @@ void add_character_options(CLI::App& c, CharacterOptions& o) {
   describe(c.add_option("--mass", o.mass),
            {.group = group,
             .brief = "Mass of the body (default: from stature and sex)",
-            .full = "Mass of the body in kilograms; from stature and sex when not given.",
+            .full = "Mass of the body in kilograms; from stature and sex when not given. Of a "
+                    "robot whose file has no masses: spread over it as a person's.",
             .form = "KILOGRAMS"});
   describe(c.add_option("--sex", o.sex)->check(one_of("sex", all_words<Sex>())),
            {.group = group,
@@ -243,6 +273,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
 
 Result<ExportSettings> export_settings(const FileOptions& options, const CharacterSpec& spec,
                                        ExportSettings usual) {
+  SHG_TRY(check_files_of_robot(options, spec));
   usual.one_file = options.one_file;
   usual.rate = options.fps.value_or(usual.rate);
   usual.clip = options.clip;

@@ -24,6 +24,7 @@ struct ExportOptions {
   std::optional<std::uint64_t> most;
   std::optional<double> fps;
   bool series = false;
+  std::optional<std::size_t> least_frames;
   std::string character;
 };
 
@@ -63,6 +64,7 @@ Result<DataExportSettings> settings_of(const ExportOptions& options) {
                               .most = options.most,
                               .rate = options.fps,
                               .series = options.series,
+                              .least_frames = options.least_frames.value_or(0),
                               .character = options.character,
                               .report = export_reporter(),
                               .cancel = &interrupted()};
@@ -82,6 +84,7 @@ Result<DataExportSettings> settings_of(const ExportOptions& options) {
                 option);
   };
   SHG_TRY(alone(options.series, "--series", DataFormat::csv));
+  SHG_TRY(alone(options.least_frames.has_value(), "--least-frames", DataFormat::humanml3d));
   SHG_TRY(alone(!options.character.empty(), "--character", DataFormat::glb));
   return settings;
 }
@@ -163,6 +166,12 @@ void add_dataset_export(CLI::App& dataset, int& exit_code) {
       {.group = output, .brief = "Frames a second of npz and glb (default 60)", .form = "RATE"});
   describe(c->add_flag("--series", o.series),
            {.group = output, .brief = "Of csv: a file of each motion's series too"});
+  describe(c->add_option("--least-frames", o.least_frames)->check(whole_number(1, 10'000)),
+           {.group = output,
+            .brief = "Of humanml3d: shorter motions hold their last pose",
+            .full = "Of humanml3d: motions of fewer frames hold their last pose up to that; its "
+                    "usual readers leave out those of fewer than 40.",
+            .form = "N"});
   describe(c->add_option("--character", o.character),
            {.group = output,
             .brief = "Of glb: the file of who moves (default: the tasks' own)",

@@ -141,13 +141,24 @@ struct RobotJoint {
   bool slides = false;  ///< the joint moves by a length, not by an angle
 };
 
+/// A joint of a robot's file between the world and the root, which hangs on the world by it.
+struct RootJoint {
+  std::size_t joint = 0;  ///< of RobotFrame::joints
+  Transformd origin;      ///< its frame where it keeps its place, in that of the one before
+  Vec3d axis{1, 0, 0};    ///< unit vector in that frame: it turns about it, or slides along it
+  bool slides = false;    ///< along its axis
+};
+
 /// Tells where a robot is whose body was made from its file. The robot's world has z up and
 /// x ahead; its origin is shigusa's.
 struct RobotFrame {
-  std::string root;                ///< the file's root link
+  std::string root;                ///< the file's root link, or the first below a world
   int link = kBaseLink;            ///< the link that carries it
   Transformd root_in_link;         ///< its frame, in that link's
   std::vector<RobotJoint> joints;  ///< all that move, in the file's order
+  /// Six that carry the root from `world` on, in their order; none: it is free.
+  std::vector<RootJoint> carriers{};
+  Transformd world{};  ///< of such a root: where the world's link is, in the robot's world
 };
 
 /// Where a character's file has a node that the body has elsewhere: goals for it are for this

@@ -73,7 +73,7 @@ struct CharacterSpec {
   /// A-pose its first. In the last three people stand at ease
   std::optional<int> frame{};
   std::optional<std::string>
-      animation{};  ///< of glTF: its name or index; the first for a frame alone
+      animation{};  ///< of glTF: its name or index; the first for a frame alone; of MJCF a keyframe
   std::optional<double>
       seat{};          ///< m, kSeatMin..kSeatMax: height of the seat that the person sits on
   bool heels = false;  ///< they may lift; of the body human, standing, of a file with toes
@@ -118,7 +118,8 @@ inline constexpr FieldTable kFields<CharacterSpec>{
               {.low = kStatureMin, .high = kStatureMax}},
         Field{"mass_kg",
               &CharacterSpec::mass,
-              "That of an average person of the stature when not given.",
+              "That of an average person of the stature when not given. Of a robot whose file has "
+              "no masses: spread over its links as a person's.",
               {.low = kMassMin, .high = kMassMax}},
         Field{"map", &CharacterSpec::map,
               "The nodes of the file that some humanoid bones are: {\"right_hand\": \"Bone_17\"}. "
@@ -155,8 +156,9 @@ inline constexpr FieldTable kFields<CharacterSpec>{
         Field{"animation",
               &CharacterSpec::animation,
               "Of a glTF file: the name or the index of the animation that the frame is of, at 60 "
-              "frames a second; the first when not given.",
-              {.of = may_be_a_persons_file}},
+              "frames a second; the first when not given. Of an MJCF file: the name or the index "
+              "of the keyframe that the robot starts from.",
+              {.of = [](const CharacterSpec& spec) { return !is_built_in(spec); }}},
         Field{"doubts",
               &CharacterSpec::doubts,
               "Of a person with landmarks: guesses of the measuring; of a robot from an MJCF file: "

@@ -83,7 +83,9 @@ struct DataExportSettings {
   std::optional<std::uint64_t> most{};  ///< no more motions than these
   std::optional<double> rate{};         ///< Hz, of formats that let it be asked for
   bool series = false;                  ///< of csv: a file of each motion's series too
-  std::filesystem::path character{};    ///< of glb: who moves; empty: the task's own
+  /// Of humanml3d: shorter motions hold their last pose up to as many frames; 0: none does.
+  std::size_t least_frames = 0;
+  std::filesystem::path character{};  ///< of glb: who moves; empty: the task's own
   std::function<void(const DataExportReport&)> report{};  ///< called now and then
   const std::atomic<bool>* cancel = nullptr;              ///< ends the work once it is true
 };

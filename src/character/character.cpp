@@ -12,6 +12,7 @@
 #include "character_places.hpp"
 #include "character_robot.hpp"
 #include "core/say.hpp"
+#include "io/file_kind.hpp"
 #include "person/at_ease.hpp"
 #include "person/finger_bones.hpp"
 #include "person/landmark_points.hpp"
@@ -127,6 +128,7 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
                             const std::optional<std::filesystem::path>& folder) {
   SHG_TRY(check_person(spec));
   SHG_TRY(check_source(spec));
+  SHG_TRY(check_file_kind(bytes, spec.source));
   if (is_robot(spec)) return load_robot(bytes, spec, folder);
   SHG_TRY_ASSIGN(CharacterFile file, parse_character(std::move(bytes), spec));
   SHG_TRY_ASSIGN(PersonStart found, find_person(file, spec));

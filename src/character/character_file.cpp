@@ -71,7 +71,8 @@ Result<void> parse_gltf_character(std::string& bytes, const CharacterSpec& spec,
   if (*animation) {
     SHG_TRY_ASSIGN(GltfMotion moving,
                    parse_gltf_animation(
-                       bytes, name, {.animation = **animation, .posed = spec.frame.value_or(0)}));
+                       bytes, name,
+                       {.animation = **animation, .posed = spec.frame.value_or(0), .gaps = true}));
     // empty where the animation has no such frame, of which is told when the person is measured
     if (!moving.posed.empty()) {
       character.posed_skin = read_gltf_skin(bytes, name, file, moving.posed).vertices;
@@ -79,6 +80,7 @@ Result<void> parse_gltf_character(std::string& bytes, const CharacterSpec& spec,
     take(std::move(moving.character), character);
     character.motion = std::move(moving.motion.clip);
     character.posed = std::move(moving.posed);
+    character.gaps = std::move(moving.gaps);
     character.doubts = std::move(moving.doubts);
   } else {
     take(std::move(file), character);

@@ -5,6 +5,7 @@
 
 #include "body/skin.hpp"
 #include "character/character_rig.hpp"
+#include "io/gltf_animation.hpp"
 #include "person/measure_person.hpp"
 
 namespace shigusa {
@@ -34,6 +35,7 @@ struct CharacterFile {
   std::optional<FilePose> bound;       // of glTF: in which the mesh was bound, where it is another
   SkeletonClip motion;                 // of BVH, or an animation of glTF; no frames: there is none
   std::vector<int> unread_frames;      // of it, rising: those that are no postures
+  std::vector<GltfGap> gaps;           // of it, of glTF: by node, where it is not known
   std::vector<GltfPlace> posed;        // (nodes) of glTF, in the motion's frame asked for
   HumanoidMap given;                   // by the file itself
   std::vector<Message> doubts;         // of reading
@@ -65,7 +67,8 @@ struct PersonStart {
       frame{};  // that was found, where none was asked for; kRestPose of the rest pose
 };
 
-// Finds and measures the person of a file in the pose that the spec asks for.
-[[nodiscard]] Result<PersonStart> find_person(const CharacterFile& file, const CharacterSpec& spec);
+// Finds and measures the person of a file in the pose that the spec asks for. Frames in which a
+// node that carries the person is not known are added to the unread ones.
+[[nodiscard]] Result<PersonStart> find_person(CharacterFile& file, const CharacterSpec& spec);
 
 }  // namespace shigusa

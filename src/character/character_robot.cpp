@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "character_file.hpp"
 #include "core/say.hpp"
 #include "humanoid_request.hpp"
 #include "robot/mjcf.hpp"
+#include "robot/robot_size.hpp"
 #include "robot/settled_posture.hpp"
 #include "robot/urdf.hpp"
 
@@ -53,6 +56,40 @@ struct RobotFile {
   std::string urdf;
 };
 
+// The key frame that a spec asks for, by its name or its index; null where it asks for none.
+Result<const Robot::Keyframe*> keyframe_of(const Robot& robot, const CharacterSpec& spec) {
+  if (!spec.animation) return nullptr;
+  std::vector<std::string> names;
+  for (const Robot::Keyframe& frame : robot.keyframes) {
+    if (frame.name == *spec.animation) return &frame;
+    names.push_back(shown(frame.name));
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (fmt::format("{}", k) == *spec.animation) return &robot.keyframes[k];
+  }
+  const std::string name = file_name(spec);
+  if (names.empty()) {
+    return fail(ErrorCode::invalid_argument, say("no_keyframes", shown(*spec.animation)), name);
+  }
+  constexpr std::size_t kMost = 10;
+  names.resize(std::min(names.size(), kMost));
+  return fail(ErrorCode::invalid_argument,
+              say("no_keyframe", shown(*spec.animation), fmt::format("{}", fmt::join(names, ", "))),
+              name);
+}
+
+// Puts a robot's joints where the key frame that a spec asks for has them.
+Result<void> take_keyframe(Robot& robot, const CharacterSpec& spec) {
+  SHG_TRY_ASSIGN(const Robot::Keyframe* frame, keyframe_of(robot, spec));
+  if (frame == nullptr) return {};
+  for (const auto& [name, angle] : frame->angles) {
+    for (Robot::Joint& joint : robot.joints) {
+      if (joint.name == name) joint.rest = angle;
+    }
+  }
+  return {};
+}
+
 // Errors name the lines of the file, and not of what is kept of it.
 Result<RobotFile> read_urdf_file(std::string_view bytes, const std::string& name) {
   SHG_TRY_ASSIGN(const XmlElement reduced, reduced_urdf(bytes, name));
@@ -65,26 +102,50 @@ Result<RobotFile> read_mjcf_file(std::string_view bytes, CharacterSpec& spec,
   SHG_TRY_ASSIGN(Robot robot,
                  parse_mjcf(bytes, spec.source, folder ? included_from(*folder) : MjcfInclude{}));
   spec.doubts = std::move(robot.doubts);
+  // results keep the key frame that is asked for
+  SHG_TRY_ASSIGN(const Robot::Keyframe* asked, keyframe_of(robot, spec));
+  std::vector<Robot::Keyframe> kept_frame;
+  if (asked != nullptr) {
+    spec.animation = asked->name;
+    kept_frame.push_back(*asked);
+  }
+  robot.keyframes = std::move(kept_frame);
   std::string urdf = write_urdf(robot);
   SHG_TRY_ASSIGN(Robot kept, parse_urdf(urdf, file_name(spec)));
   return RobotFile{std::move(kept), std::move(urdf)};
 }
 
+// Tells of files that a model lacks before what follows from that.
+auto told_absent(const CharacterSpec& spec) {
+  return [&spec](Error error) { return after_absent(spec.doubts, std::move(error)); };
+}
+
 }  // namespace
 
 Result<void> check_robot_options(const CharacterSpec& spec) {
-  const struct {
-    const char* what;
-    bool given;
-  } persons[] = {{"stature", spec.stature.has_value()},
-                 {"mass", spec.mass.has_value()},
-                 {"extent", spec.extent.has_value()},
-                 {"seat", spec.seat.has_value()},
-                 {"heels", spec.heels},
-                 {"frame", spec.frame.has_value()}};
-  for (const auto& option : persons) {
-    if (!option.given) continue;
-    return fail(ErrorCode::invalid_argument, say("option_of_person", option.what, spec.source),
+  const auto refuse = [&](Message message) {
+    return fail(ErrorCode::invalid_argument, std::move(message), "character");
+  };
+  if (spec.stature) return refuse(say("option_of_person", "stature", spec.source));
+  if (spec.extent) return refuse(say("robot_extent", spec.source));
+  if (spec.seat) return refuse(say("robot_seat", spec.source));
+  if (spec.heels) return refuse(say("robot_heels", spec.source));
+  if (spec.frame) return refuse(say("robot_frame", spec.source));
+  if (spec.sex != Sex::male) return refuse(say("robot_sex", spec.source));
+  return {};
+}
+
+// Whether the masses are what the spec has: a robot's own, or those that it gives.
+static Result<void> check_masses(const Robot& robot, const CharacterSpec& spec) {
+  const auto weighs = [](const Robot::Link& link) { return link.mass > 0.0; };
+  const bool own = std::any_of(robot.links.begin(), robot.links.end(), weighs);
+  if (spec.mass && own) {
+    return fail(ErrorCode::invalid_argument, say("option_of_person", "mass", spec.source),
+                "character");
+  }
+  if (spec.mass && !(*spec.mass >= kMassMin && *spec.mass <= kMassMax)) {
+    return fail(ErrorCode::invalid_argument,
+                say("out_of_range", "mass", *spec.mass, "kg", kMassMin, kMassMax, "kg"),
                 "character");
   }
   return {};
@@ -95,7 +156,10 @@ Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
   const bool mjcf = format_of_file(spec.source) == FileFormat::mjcf;
   SHG_TRY_ASSIGN(RobotFile file, mjcf ? read_mjcf_file(bytes, spec, folder)
                                       : read_urdf_file(bytes, file_name(spec)));
-  SHG_TRY_ASSIGN(const ReadRobot read, read_robot(std::move(file.robot), spec));
+  SHG_TRY(check_masses(file.robot, spec));
+  SHG_TRY(take_keyframe(file.robot, spec));
+  SHG_TRY_ASSIGN(const ReadRobot read,
+                 read_robot(std::move(file.robot), spec).map_error(told_absent(spec)));
   list_bones(
       read.map, [&](std::size_t link) { return read.robot.links[link].name; }, spec);
   spec.urdf = std::move(file.urdf);
@@ -104,12 +168,25 @@ Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
 
 Result<BodyModel> build_robot_character(const CharacterSpec& spec) {
   SHG_TRY_ASSIGN(Robot robot, parse_urdf(*spec.urdf, file_name(spec)));
-  SHG_TRY_ASSIGN(const ReadRobot read, read_robot(std::move(robot), spec));
-  SHG_TRY_ASSIGN(const BodyModel body,
-                 build_robot(read.robot, read.map).map_error(within(spec.source)));
+  SHG_TRY(check_masses(robot, spec));
+  SHG_TRY(take_keyframe(robot, spec));
+  SHG_TRY_ASSIGN(const ReadRobot read,
+                 read_robot(std::move(robot), spec).map_error(told_absent(spec)));
+  SHG_TRY_ASSIGN(const BodyModel body, build_robot(read.robot, read.map, spec.mass)
+                                           .map_error(within(spec.source))
+                                           .map_error(told_absent(spec)));
   BodyDefinition standing = body.definition();
   standing.doubts.insert(standing.doubts.end(), spec.doubts.begin(), spec.doubts.end());
-  standing.start = settled_posture(body, standing.doubts);
+  if (std::optional<Message> size = doubt_of_size(body.stature())) {
+    standing.doubts.push_back(std::move(*size));
+  }
+  if (spec.animation) {
+    SHG_TRY_ASSIGN(standing.start,
+                   keyframe_posture(body, read.robot, *spec.animation, standing.doubts)
+                       .map_error(within(spec.source)));
+  } else {
+    standing.start = settled_posture(body, standing.doubts);
+  }
   return BodyModel(std::move(standing));
 }
 

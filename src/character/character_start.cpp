@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "body/anthropometry.hpp"
 #include "character_file.hpp"
+#include "core/index.hpp"
 #include "core/say.hpp"
 #include "humanoid_request.hpp"
 #include "io/gltf_animation.hpp"
@@ -128,10 +130,10 @@ Result<PersonStart> in_animation(const CharacterFile& file, const CharacterSpec&
   std::vector<SkinVertex> skin = file.posed_skin;
   if (frame != spec.frame.value_or(0)) {
     const std::string& bytes = *file.rig.bytes;
-    SHG_TRY_ASSIGN(
-        const GltfMotion moving,
-        parse_gltf_animation(bytes, spec.source,
-                             {.animation = spec.animation.value_or(""), .posed = frame}));
+    SHG_TRY_ASSIGN(const GltfMotion moving,
+                   parse_gltf_animation(
+                       bytes, spec.source,
+                       {.animation = spec.animation.value_or(""), .posed = frame, .gaps = true}));
     pose.places = moving.posed;
     skin = read_gltf_skin(bytes, spec.source, moving.character, moving.posed).vertices;
   }
@@ -162,9 +164,26 @@ std::optional<PersonStart> in_own_pose(const CharacterFile& file, const Characte
   return std::move(*found);
 }
 
-Result<PersonStart> find_in_gltf(const CharacterFile& file, const CharacterSpec& spec) {
+// Frames in which a bone of the person, or what it hangs on, is not known.
+std::vector<int> unknown_frames(const CharacterFile& file, const HumanoidMap& map) {
+  std::vector<bool> carries(file.skeleton.nodes.size(), false);
+  for (const HumanoidBone bone : kHumanoidBones) {
+    for (int i = map[bone]; i >= 0; i = file.skeleton.nodes[index(i)].parent) {
+      carries[index(i)] = true;
+    }
+  }
+  std::set<int> frames;
+  for (const GltfGap& gap : file.gaps) {
+    for (int f = gap.first; carries[index(gap.node)] && f <= gap.last; ++f) frames.insert(f);
+  }
+  return {frames.begin(), frames.end()};
+}
+
+Result<PersonStart> find_in_gltf(CharacterFile& file, const CharacterSpec& spec) {
   SHG_TRY_ASSIGN(PersonStart rest, measure_at_rest(file, spec));
-  if (file.motion.frames > 0) {
+  if (!file.gaps.empty()) file.unread_frames = unknown_frames(file, rest.map);
+  const bool known = index(file.motion.frames) > file.unread_frames.size();
+  if (file.motion.frames > 0 && (known || spec.frame)) {
     SHG_TRY_ASSIGN(const std::optional<int> frame, frame_of(file, spec));
     const auto at_rest = [&]() -> Result<PersonStart> {
       PersonStart eased = rest;
@@ -220,7 +239,7 @@ Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& 
 
 }  // namespace
 
-Result<PersonStart> find_person(const CharacterFile& file, const CharacterSpec& spec) {
+Result<PersonStart> find_person(CharacterFile& file, const CharacterSpec& spec) {
   return file.rig.format == FileFormat::bvh ? find_in_bvh(file, spec) : find_in_gltf(file, spec);
 }
 

@@ -104,6 +104,9 @@ std::string joints_table() {
   return text;
 }
 
+// Frames that a motion has at least in what reads HumanML3D.
+constexpr std::size_t kReadFrames = 40;
+
 class HumanMl3dWriter : public DataWriter {
  public:
   explicit HumanMl3dWriter(const ExportJob& job) : job_(job), poses_(job.data.plan) {}
@@ -125,23 +128,44 @@ class HumanMl3dWriter : public DataWriter {
         for (int k = 0; k < 3; ++k) numbers.push_back(static_cast<float>(place[k]));
       }
     }
+    constexpr std::size_t kFrame = 3 * kJoints.size();
+    const std::size_t frames = std::max(places.frames(), job_.settings.least_frames);
+    while (!numbers.empty() && numbers.size() < frames * kFrame) {
+      numbers.push_back(numbers[numbers.size() - kFrame]);
+    }
     const std::string id = motion.id();
     SHG_TRY(job_.folder.put("new_joints/" + id + ".npy",
-                            npy::floats(numbers, {places.frames(), kJoints.size(), 3})));
+                            npy::floats(numbers, {frames, kJoints.size(), 3})));
     const std::string caption = caption_of(motion);
     SHG_TRY(job_.folder.put("texts/" + id + ".txt",
                             fmt::format("{}#{}#0.0#0.0\n", caption, tokens_of(caption))));
     ++motions_;
+    if (frames < kReadFrames) ++short_;
     return parts_[static_cast<std::size_t>(split_of(motion, job_.data.plan))].add(id + "\n");
   }
 
   Result<void> finish() override {
     for (LongFile& part : parts_) SHG_TRY(part.finish());
-    return job_.folder.put("README.md",
-                           about_export(job_, motions_) + kAboutHumanMl3d + joints_table());
+    return job_.folder.put("README.md", about_export(job_, motions_) + about_lengths() +
+                                            kAboutHumanMl3d + joints_table());
   }
 
  private:
+  // How many motions the usual readers leave out.
+  [[nodiscard]] std::string about_lengths() const {
+    std::string text = fmt::format(
+        "\nHumanML3D's usual readers leave out motions of fewer than {} frames, which is {} of "
+        "these "
+        "{}. ",
+        kReadFrames, short_, motions_);
+    text += job_.settings.least_frames > 0
+                ? fmt::format("Shorter motions hold their last pose up to {} frames.\n",
+                              job_.settings.least_frames)
+                : fmt::format("With `--least-frames {}` they hold their last pose up to that.\n",
+                              kReadFrames);
+    return text;
+  }
+
   Result<void> begin() {
     constexpr std::array kParts{"train.txt", "val.txt", "test.txt"};
     for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -154,6 +178,7 @@ class HumanMl3dWriter : public DataWriter {
   Poses poses_;
   std::array<LongFile, 3> parts_;  // by Split
   std::uint64_t motions_ = 0;
+  std::uint64_t short_ = 0;  // of fewer frames than readers take
 };
 
 }  // namespace

@@ -52,7 +52,9 @@ npy::Arrays arrays_of(const DataMotion& motion, const NodeMotion& nodes, double 
       {"poses", npy::floats(poses, {frames, 3 * count})},
       {"trans", npy::floats(places, {frames, 3})},
       {"gender", npy::text(motion.task.text("sex"))},
+      // AMASS has both spellings, and its readers one of them
       {"mocap_framerate", npy::number(rate)},
+      {"mocap_frame_rate", npy::number(rate)},
       {"joint_names", npy::texts(nodes.names)},
       {"parents", npy::integers(parents, {count})},
       {"offsets", npy::floats(offsets, {count, 3})},
@@ -80,7 +82,7 @@ there, on shigusa's own skeleton, which is not SMPL's:
 | `poses` | frames × 3·nodes: how each node is turned in its parent, axis times angle (rad) |
 | `trans` | frames × 3: where the first node, the hips, is in the world (m) |
 | `gender` | `male` or `female` |
-| `mocap_framerate` | frames a second |
+| `mocap_framerate`, `mocap_frame_rate` | frames a second, by both of AMASS's spellings |
 
 There are no `betas` and no `dmpls`: the body is no shape of SMPL's. In their place stand
 

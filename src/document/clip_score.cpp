@@ -17,6 +17,7 @@
 #include "dynamics/contact_forces.hpp"
 #include "generate/candidate.hpp"
 #include "generate/posture_meter.hpp"
+#include "io/file_kind.hpp"
 #include "io/gltf_animation.hpp"
 #include "kinematics/fit_clip.hpp"
 #include "motion/low_pass.hpp"
@@ -260,6 +261,7 @@ Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string&
                 "character");
   }
   SHG_TRY(check_clip_name(name));
+  SHG_TRY(check_file_kind(bytes, name));
   SHG_TRY_ASSIGN(MotionFile file, parse_motion(bytes, name, animation));
   const bool own = character.source == name;
   return own ? on_its_person(std::move(file), name, std::move(character), first)

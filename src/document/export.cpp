@@ -145,7 +145,8 @@ Result<void> check_file_settings(const CharacterSpec& character, FileFormat form
     return fail(ErrorCode::invalid_argument,
                 say("long_clip_name", settings.animation.size(), kClipNameMax), "the clip's name");
   }
-  if (settings.names == JointNames::own || !character.rig || !info_of(format).rated) return {};
+  const bool has_own = character.rig || character.urdf;
+  if (settings.names == JointNames::own || !has_own || !info_of(format).rated) return {};
   return fail(ErrorCode::invalid_argument, say("own_joint_names", character.source), "joint names");
 }
 

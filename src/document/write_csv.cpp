@@ -9,6 +9,7 @@
 #include "export_file.hpp"
 #include "io/csv.hpp"
 #include "kinematics/forward_kinematics.hpp"
+#include "robot/root_joints.hpp"
 
 namespace shigusa {
 namespace {
@@ -19,19 +20,42 @@ Vec3d in_robot_world(const Vec3d& point) { return {point.z, point.x, point.y}; }
 constexpr std::array kPoseNames{"root.x [m]", "root.y [m]", "root.z [m]", "root.qx",
                                 "root.qy",    "root.qz",    "root.qw"};
 
-// Where the root link is in each frame.
-void add_root(const BodyModel& body, const Clip& clip, std::vector<CsvColumn>& columns) {
+// (frames) where the root is.
+std::vector<Transformd> root_places(const BodyModel& body, const Clip& clip) {
   const RobotFrame& robot = *body.robot();
-  std::array<CsvColumn, kPoseNames.size()> pose;
-  for (std::size_t k = 0; k < pose.size(); ++k) pose[k].name = kPoseNames[k];
   Kinematics<double> kinematics(body);
-  Quatd before;
+  std::vector<Transformd> places;
   for (int f = 0; f < clip.frames; ++f) {
     forward_kinematics<double>(body, clip.frame(f), kinematics);
     const Mat3d r = kinematics.link_rotation(robot.link) * robot.root_in_link.rotation;
-    const Mat3d turned{in_robot_world(r.cx), in_robot_world(r.cy), in_robot_world(r.cz)};
-    const Vec3d at = in_robot_world(kinematics.point(robot.link, robot.root_in_link.translation));
-    const Quatd q = before = nearer(to_quat(turned), before);
+    places.push_back(
+        {Mat3d{in_robot_world(r.cx), in_robot_world(r.cy), in_robot_world(r.cz)},
+         in_robot_world(kinematics.point(robot.link, robot.root_in_link.translation))});
+  }
+  return places;
+}
+
+// (frames) what the joints between the world and the root are at; none where the root is free, or
+// cannot be carried so.
+std::vector<RootValues> carried(const RobotFrame& robot, const std::vector<Transformd>& root) {
+  std::vector<RootValues> values;
+  if (robot.carriers.empty()) return values;
+  RootValues before{};
+  for (const Transformd& place : root) {
+    const std::optional<RootValues> now = root_values(robot, place, before);
+    if (!now) return {};
+    values.push_back(before = *now);
+  }
+  return values;
+}
+
+void add_pose(const std::vector<Transformd>& places, std::vector<CsvColumn>& columns) {
+  std::array<CsvColumn, kPoseNames.size()> pose;
+  for (std::size_t k = 0; k < pose.size(); ++k) pose[k].name = kPoseNames[k];
+  Quatd before;
+  for (const Transformd& place : places) {
+    const Vec3d& at = place.translation;
+    const Quatd q = before = nearer(to_quat(place.rotation), before);
     const double values[] = {at.x, at.y, at.z, q.x, q.y, q.z, q.w};
     for (std::size_t k = 0; k < pose.size(); ++k) pose[k].values.push_back(values[k]);
   }
@@ -41,11 +65,16 @@ void add_root(const BodyModel& body, const Clip& clip, std::vector<CsvColumn>& c
 // The columns that drive a robot through a motion, in its file's own terms: the root link's place
 // "root.x [m]" … and quaternion "root.qx" … in the robot's world, then "JOINT [rad]" (or "JOINT
 // [m]" where it slides) for all joints that move, in the file's order, then "JOINT torque [N m]"
-// for those that take part.
+// for those that take part. A root that hangs on a world by six joints goes by these, and root.* is
+// where the world is.
 void add_robot_columns(const BodyModel& body, const Motion& motion,
                        std::vector<CsvColumn>& columns) {
   const Clip& clip = motion.clip;
-  add_root(body, clip, columns);
+  const RobotFrame& robot = *body.robot();
+  std::vector<Transformd> root = root_places(body, clip);
+  const std::vector<RootValues> ways = carried(robot, root);
+  if (!ways.empty()) root.assign(root.size(), robot.world);
+  add_pose(root, columns);
   const auto dofs = static_cast<std::size_t>(clip.dofs);
   const auto of_dof = [&](const RobotJoint& joint, const std::vector<double>& all) {
     std::vector<double> values;
@@ -55,10 +84,16 @@ void add_robot_columns(const BodyModel& body, const Motion& motion,
     return values;
   };
   const auto frames = static_cast<std::size_t>(clip.frames);
-  for (const RobotJoint& joint : body.robot()->joints) {
+  const std::size_t first = columns.size();
+  for (const RobotJoint& joint : robot.joints) {
     columns.push_back(
         {joint.name + (joint.slides ? " [m]" : " [rad]"),
          joint.dof < 0 ? std::vector<double>(frames, joint.angle) : of_dof(joint, clip.angles)});
+  }
+  for (std::size_t f = 0; f < ways.size(); ++f) {
+    for (std::size_t k = 0; k < robot.carriers.size(); ++k) {
+      columns[first + robot.carriers[k].joint].values[f] += ways[f][k];
+    }
   }
   for (const RobotJoint& joint : body.robot()->joints) {
     if (joint.dof < 0) continue;

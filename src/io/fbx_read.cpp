@@ -54,6 +54,8 @@ class FbxReader {
   }
 
  private:
+  static constexpr std::array kTurns{"Lcl Rotation", "PreRotation", "PostRotation"};
+
   bool wrong(Message message) {
     error_ = Error{ErrorCode::parse, std::move(message), name_};
     return false;
@@ -132,12 +134,44 @@ class FbxReader {
     return true;
   }
 
+  // Whether a model's own numbers are none, or beyond what is allowed.
+  static bool is_damaged(const Model& model) {
+    const FbxPlace place = place_of(model.properties);
+    bool good = is_within(place.at, kFbxMaxValue) && is_within(place.scale, kFbxMaxValue);
+    for (const char* turns : kTurns) {
+      good = good && is_within(model.properties.vector(turns), kFbxMaxValue);
+    }
+    return !good;
+  }
+
+  // (models) those that are damaged, or hang on such a one, and carry no limb.
+  [[nodiscard]] std::vector<bool> damaged_scenery() const {
+    std::vector<bool> carries(models_.size(), false);
+    bool limbs = false;
+    for (std::size_t i = 0; i < models_.size(); ++i) {
+      if (!is_limb(models_[i].kind)) continue;
+      limbs = true;
+      for (int at = static_cast<int>(i); at >= 0 && !carries[index(at)];
+           at = models_[index(at)].parent) {
+        carries[index(at)] = true;
+      }
+    }
+    std::vector<bool> damaged(models_.size(), false);
+    for (const int i : order_) {
+      const int parent = models_[index(i)].parent;
+      const bool below = parent >= 0 && damaged[index(parent)];
+      damaged[index(i)] = limbs && !carries[index(i)] && (below || is_damaged(models_[index(i)]));
+    }
+    return damaged;
+  }
+
   // Meshes, cameras and lights are no part of the skeleton, unless a bone hangs on them. Nodes
   // keep the models' order.
   void choose_nodes() {
     node_.assign(models_.size(), -1);
+    const std::vector<bool> damaged = damaged_scenery();
     for (std::size_t i = 0; i < models_.size(); ++i) {
-      if (!is_bone(models_[i].kind)) continue;
+      if (!is_bone(models_[i].kind) || damaged[i]) continue;
       for (int at = static_cast<int>(i); at >= 0 && node_[index(at)] < 0;
            at = models_[index(at)].parent) {
         node_[index(at)] = 0;
@@ -229,7 +263,7 @@ class FbxReader {
   }
 
   bool check_turns(const Model& model) {
-    for (const char* turns : {"Lcl Rotation", "PreRotation", "PostRotation"}) {
+    for (const char* turns : kTurns) {
       if (is_within(model.properties.vector(turns), kFbxMaxValue)) continue;
       return wrong(say("turned_more", described(model), kFbxMaxValue));
     }

@@ -46,13 +46,16 @@ Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name
   if (size < kHeader + length) {
     return fail(ErrorCode::parse, say("glb_chunk_ends", size, kHeader + length), place);
   }
-  return bytes.substr(kHeader, length);
+  // some writers fill the chunk up with zeros in place of blanks
+  std::string_view json = bytes.substr(kHeader, length);
+  while (json.ends_with('\0')) json.remove_suffix(1);
+  return json;
 }
 
 Result<GlbParts> glb_parts(std::string_view bytes, std::string_view name) {
   if (!bytes.starts_with("glTF")) return GlbParts{bytes, {}, {}, false};
   SHG_TRY_ASSIGN(const std::string_view json, gltf_text(bytes, name));
-  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + json.size();
+  const std::size_t json_end = kGlbHeader + kGlbChunkHeader + word_at(bytes, kGlbHeader);
   GlbParts parts{json, {}, {}, true};
   std::string_view rest = bytes.substr(json_end, word_at(bytes, 8) - json_end);
   if (rest.size() >= kGlbChunkHeader && rest.substr(4, 4) == kGlbBinary) {

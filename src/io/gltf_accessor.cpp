@@ -372,7 +372,8 @@ Result<GltfPrimitive> GltfAccessors::unpacked(const GltfJson& primitive, const G
   return opened;
 }
 
-Result<std::vector<double>> GltfAccessors::numbers(const GltfJson& index, int components) {
+Result<std::vector<double>> GltfAccessors::numbers(const GltfJson& index, int components,
+                                                   bool any) {
   SHG_TRY_ASSIGN(const GltfNumbers found, open(index, components, AccessorContent::reals));
   const std::string place = fmt::format("accessors[{}]", index.get<std::size_t>());
   const auto per = static_cast<std::size_t>(components);
@@ -385,7 +386,7 @@ Result<std::vector<double>> GltfAccessors::numbers(const GltfJson& index, int co
   for (std::size_t i = 0; i < found.count(); ++i) {
     for (std::size_t k = 0; k < per; ++k) {
       const double value = found.at(i, k);
-      if (!(abs(value) <= kGltfMaxValue)) {
+      if (!any && !(abs(value) <= kGltfMaxValue)) {
         return wrong(place, say("element_range", i, value, -kGltfMaxValue, kGltfMaxValue));
       }
       values.push_back(value);

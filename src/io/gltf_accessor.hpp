@@ -74,8 +74,10 @@ class GltfAccessors {
   // Those of a primitive, from Draco's mesh where one packs it.
   [[nodiscard]] Result<GltfPrimitive> open(const nlohmann::json& primitive,
                                            std::span<const GltfAttribute> wanted);
-  // All numbers of an accessor of reals, element by element.
-  [[nodiscard]] Result<std::vector<double>> numbers(const nlohmann::json& index, int components);
+  // All numbers of an accessor of reals, element by element; `any`: also those that are none, or
+  // too large.
+  [[nodiscard]] Result<std::vector<double>> numbers(const nlohmann::json& index, int components,
+                                                    bool any = false);
 
  private:
   struct View {

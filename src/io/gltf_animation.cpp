@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <shigusa/file.hpp>
 
 #include "core/index.hpp"
@@ -60,6 +61,7 @@ class AnimationReader {
   }
 
   Result<void> read(const AnimationChoice& choice) {
+    told_ = choice.gaps;
     SHG_TRY_ASSIGN(const GltfJson animation, choose(choice.animation));
     SHG_TRY(tracks(animation));
     return sample(choice);
@@ -113,7 +115,13 @@ class AnimationReader {
       }
     }
     for (const GltfJson& channel : animation["channels"]) {
-      SHG_TRY(take(channel, animation["samplers"]));
+      if (Result<void> taken = take(channel, animation["samplers"]); !taken) {
+        if (!told_) return taken;
+        left_out_.push_back(taken.error().message);
+      }
+    }
+    if (!left_out_.empty()) {
+      result_.doubts.push_back(say("tracks_left_out", left_out_.size(), left_out_[0]));
     }
     return {};
   }
@@ -135,14 +143,43 @@ class AnimationReader {
     const bool known = channel.contains("sampler") && channel["sampler"].is_number_unsigned() &&
                        channel["sampler"] < static_cast<std::uint64_t>(samplers.size()) &&
                        samplers[channel["sampler"].get<std::size_t>()].is_object();
-    if (!known) return wrong(say("channel_sampler"));
+    if (!known) return lost(at, say("channel_sampler"));
     const GltfJson& sampler = samplers[channel["sampler"].get<std::size_t>()];
-    Result<GltfTrackKeys> keys =
-        read_track_keys(sampler, path - kPaths.begin() == 1 ? 4 : 3, accessors_);
-    if (!keys) return wrong(keys.error().to_string());
-    duration_ = max(duration_, keys->times.back());
+    std::vector<KeyGap> gaps;
+    Result<GltfTrackKeys> keys = read_track_keys(sampler, path - kPaths.begin() == 1 ? 4 : 3,
+                                                 accessors_, told_ ? &gaps : nullptr);
+    if (!keys) return lost(at, keys.error().to_message());
+    for (const KeyGap& gap : gaps) gaps_.emplace_back(at, gap);
+    duration_ = max(duration_, keys->end);
     tracks_[index(at)][static_cast<std::size_t>(path - kPaths.begin())] = std::move(*keys);
     return {};
+  }
+
+  // A track of a node that cannot be read.
+  Result<void> lost(int node, const Message& why) {
+    constexpr double kEver = std::numeric_limits<double>::infinity();
+    gaps_.emplace_back(node, KeyGap{-1.0, kEver});
+    return wrong(why);
+  }
+
+  // Frames within the gaps between keys.
+  void tell_gaps(double frame_time, int frames) {
+    for (const auto& [node, gap] : gaps_) {
+      const auto within = [&, &gap = gap](int f) {
+        const double time = f * frame_time;
+        return time > gap.after && time < gap.before;
+      };
+      int first = 0;
+      while (first < frames && !within(first)) ++first;
+      int last = first;
+      while (last + 1 < frames && within(last + 1)) ++last;
+      if (first < frames) result_.gaps.push_back({node, first, last});
+    }
+    if (result_.gaps.empty()) return;
+    const GltfGap& gap = result_.gaps[0];
+    result_.doubts.push_back(say("keys_left_out", result_.gaps.size(),
+                                 result_.character.rest.skeleton.nodes[index(gap.node)].name,
+                                 gap.first, gap.last));
   }
 
   Result<void> sample(const AnimationChoice& choice) {
@@ -165,6 +202,7 @@ class AnimationReader {
       SHG_TRY(add_frame(rest, f * clip.frame_time));
       if (f == choice.posed) result_.posed = places(f * clip.frame_time);
     }
+    tell_gaps(clip.frame_time, clip.frames);
     return {};
   }
 
@@ -200,7 +238,10 @@ class AnimationReader {
   std::vector<int> place_;  // (nodes of the file) index in the skeleton, or -1
   std::vector<std::array<GltfTrackKeys, 3>> tracks_;  // (nodes) translation, rotation, scale
   std::vector<Transformd> resting_;
-  double duration_ = 0.0;  // s
+  double duration_ = 0.0;                     // s
+  bool told_ = false;                         // damaged tracks are left out
+  std::vector<std::pair<int, KeyGap>> gaps_;  // by node
+  std::vector<Message> left_out_;             // why tracks are
 };
 
 }  // namespace
@@ -218,7 +259,7 @@ Result<GltfMotion> parse_gltf_animation(std::string_view bytes, std::string_view
   }
   SHG_TRY_ASSIGN(GltfCharacter character, parse_gltf(bytes, name));
   SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
-  GltfMotion result{std::move(character), {}, {}, {}, {}};
+  GltfMotion result{std::move(character), {}, {}, {}, {}, {}};
   result.doubts = result.character.doubts;
   SHG_TRY(AnimationReader(parts, name, result).read(choice));
   return result;

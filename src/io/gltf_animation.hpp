@@ -20,6 +20,14 @@ struct AnimationChoice {
   std::string animation{};   // its name, or its index from 0; empty: the first
   double frame_rate = 60.0;  // Hz, what it is sampled at, > 0
   int posed = 0;             // the frame whose places are kept
+  bool gaps = false;         // damaged tracks and keys are left out; else they are errors
+};
+
+// Frames between which a node's place is not known, as the file's keys there are damaged.
+struct GltfGap {
+  int node = 0;  // of the skeleton
+  int first = 0;
+  int last = 0;
 };
 
 // A character as an animation of its file moves it.
@@ -31,6 +39,7 @@ struct GltfMotion {
   // (nodes) as character.places, in the frame asked for; empty where there is no such frame
   std::vector<GltfPlace> posed;
   std::vector<Message> doubts;  // the character's and the animation's
+  std::vector<GltfGap> gaps{};  // where they are asked for
 };
 
 // A pose of a character's nodes.

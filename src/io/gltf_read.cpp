@@ -31,9 +31,16 @@ struct FileNode {
   bool mesh = false;    // shows one, whatever its index says
   int mesh_index = -1;
   int skin_index = -1;
-  bool joint = false;   // of a skin or of VRM
-  bool needed = false;  // stands in the skeleton
-  bool added = false;   // by add_nodes
+  bool joint = false;     // of a skin or of VRM
+  bool needed = false;    // stands in the skeleton
+  bool added = false;     // by add_nodes
+  bool left_out = false;  // it is damaged, or hangs on one that is
+};
+
+// A node that is damaged, or a skin: -1.
+struct Fault {
+  int node = -1;
+  Error error;
 };
 
 // An index of another list of the file, or -1 where there is none that can be one.
@@ -52,7 +59,13 @@ class GltfReader {
   Result<GltfCharacter> read() {
     if (!version() || !nodes() || !parents() || !joints()) return tl::unexpected<Error>(error_);
     mark_needed();
-    if (!build() || !complete()) return tl::unexpected<Error>(error_);
+    if (!leave_out_faulty() || !build()) return tl::unexpected<Error>(error_);
+    if (!faults_.empty() && !is_person()) return tl::unexpected<Error>(faults_[0].error);
+    if (!faults_.empty()) {
+      result_.doubts.push_back(
+          say("nodes_left_out", faults_.size(), faults_[0].error.to_message()));
+    }
+    if (!complete()) return tl::unexpected<Error>(error_);
     take_meshes();
     take_vrm();
     tell_uneven();
@@ -91,7 +104,7 @@ class GltfReader {
     }
     for (const GltfJson& json : *list) {
       nodes_.emplace_back();
-      if (!read_node(json, count() - 1)) return false;
+      if (!read_node(json, count() - 1)) faults_.push_back({count() - 1, error_});
     }
     return true;
   }
@@ -205,8 +218,11 @@ class GltfReader {
     if (order_.size() == nodes_.size()) return true;
     std::vector<bool> reached(nodes_.size());
     for (const int i : order_) reached[index(i)] = true;
-    const auto first = std::find(reached.begin(), reached.end(), false) - reached.begin();
-    return wrong(described(static_cast<int>(first)), say("own_descendant"));
+    const auto first =
+        static_cast<int>(std::find(reached.begin(), reached.end(), false) - reached.begin());
+    (void)wrong(described(first), say("own_descendant"));
+    faults_.push_back({first, error_});
+    return true;
   }
 
   bool joints() {
@@ -216,13 +232,37 @@ class GltfReader {
       int number = 0;
       for (const GltfJson& skin : *skins) {
         std::vector<int> joints;
-        if (!indices(skin, "joints", fmt::format("skin {}", number++), joints)) return false;
+        if (!indices(skin, "joints", fmt::format("skin {}", number++), joints)) {
+          faults_.push_back({-1, error_});
+          joints.clear();
+        }
         for (const int i : joints) node(i).joint = true;
         result_.skins.push_back({std::move(joints), index_or_none(skin, "inverseBindMatrices")});
       }
     }
     vrm_ = read_vrm_bones(json_, count());
     for (const auto& [name, i] : vrm_.all) node(i).joint = true;
+    return true;
+  }
+
+  // Leaves damaged nodes and what hangs on them out of the skeleton; fails where joints do.
+  bool leave_out_faulty() {
+    for (const Fault& fault : faults_) {
+      if (fault.node < 0) continue;
+      std::vector<int> open{fault.node};
+      while (!open.empty()) {
+        FileNode& each = node(open.back());
+        open.pop_back();
+        if (each.left_out) continue;
+        each.left_out = true;
+        if (each.joint) {
+          error_ = fault.error;
+          return false;
+        }
+        each.needed = false;
+        open.insert(open.end(), each.children.begin(), each.children.end());
+      }
+    }
     return true;
   }
 
@@ -265,7 +305,7 @@ class GltfReader {
   void mark_all() {
     for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
       FileNode& each = node(*i);
-      each.needed = !each.mesh;
+      each.needed = !each.mesh && !each.left_out;
       for (const int child : each.children) each.needed = each.needed || node(child).needed;
     }
   }
@@ -307,7 +347,7 @@ class GltfReader {
       for (int& joint : skin.joints) joint = place_[index(joint)];
     }
     for (int i = 0; i < count(); ++i) {
-      if (node(i).mesh_index < 0) continue;
+      if (node(i).mesh_index < 0 || node(i).left_out) continue;
       const bool skinned =
           node(i).skin_index >= 0 && node(i).skin_index < static_cast<int>(result_.skins.size());
       GltfMeshNode& shown = result_.meshes.emplace_back();
@@ -354,6 +394,7 @@ class GltfReader {
   std::vector<int> place_;  // (nodes of the file) index in the skeleton, or -1
   VrmBones vrm_;
   GltfCharacter result_;
+  std::vector<Fault> faults_;
   Error error_;
 };
 

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/say.hpp"
+#include "io/gltf.hpp"
 #include "io/gltf_json.hpp"
 
 namespace shigusa {
@@ -45,6 +47,39 @@ Result<void> check_times(const std::vector<double>& times) {
     return fail(ErrorCode::parse, say("sampler_times", i, times[i]));
   }
   return {};
+}
+
+// Whether a key has numbers, and of a rotation one that turns.
+bool is_good(const double* values, std::size_t per, bool rotation) {
+  for (std::size_t k = 0; k < per; ++k) {
+    if (!(abs(values[k]) <= kGltfMaxValue)) return false;
+  }
+  const double* v = per > 4 ? values + 4 : values;  // of a spline's three the middle one
+  return !rotation || length_of({v[0], v[1], v[2], v[3]}) >= kShortest;
+}
+
+// Takes the keys that have numbers, `per` of them each, in the order of their times.
+void take_good_keys(const std::vector<double>& times, const std::vector<double>& values,
+                    std::size_t per, bool rotation, GltfTrackKeys& keys,
+                    std::vector<KeyGap>& gaps) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  double last = -1.0;
+  bool open = times.empty();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const bool timed = times[i] >= 0.0 && times[i] <= kGltfMaxValue && times[i] > last;
+    if (timed) keys.end = max(keys.end, times[i]);
+    if (!timed || !is_good(values.data() + i * per, per, rotation)) {
+      open = true;
+      continue;
+    }
+    if (open) gaps.push_back({last, times[i]});
+    open = false;
+    last = times[i];
+    keys.times.push_back(last);
+    const auto from = values.begin() + static_cast<std::ptrdiff_t>(i * per);
+    keys.values.insert(keys.values.end(), from, from + static_cast<std::ptrdiff_t>(per));
+  }
+  if (open) gaps.push_back({last, kNever});
 }
 
 }  // namespace
@@ -106,7 +141,7 @@ Quatd GltfTrackKeys::rotation_at(double time) const {
 }
 
 Result<GltfTrackKeys> read_track_keys(const GltfJson& sampler, int components,
-                                      GltfAccessors& accessors) {
+                                      GltfAccessors& accessors, std::vector<KeyGap>* gaps) {
   GltfTrackKeys keys;
   if (!sampler.contains("input") || !sampler.contains("output")) {
     return fail(ErrorCode::parse, say("sampler_lacks"));
@@ -123,14 +158,22 @@ Result<GltfTrackKeys> read_track_keys(const GltfJson& sampler, int components,
                       kind->dump(-1, ' ', true, GltfJson::error_handler_t::replace).substr(0, 40)));
     }
   }
-  SHG_TRY_ASSIGN(std::vector<double> times, accessors.numbers(sampler["input"], 1));
-  SHG_TRY(check_times(times));
-  SHG_TRY_ASSIGN(std::vector<double> values, accessors.numbers(sampler["output"], components));
+  SHG_TRY_ASSIGN(std::vector<double> times,
+                 accessors.numbers(sampler["input"], 1, gaps != nullptr));
+  if (gaps == nullptr) SHG_TRY(check_times(times));
+  SHG_TRY_ASSIGN(std::vector<double> values,
+                 accessors.numbers(sampler["output"], components, gaps != nullptr));
   const std::size_t per = keys.interpolation == Interpolation::cubic ? 3 : 1;
   const std::size_t needed = times.size() * per * static_cast<std::size_t>(components);
   if (values.size() != needed) {
     return fail(ErrorCode::parse, say("sampler_values", times.size(), values.size(), needed));
   }
+  if (gaps != nullptr) {
+    take_good_keys(times, values, per * static_cast<std::size_t>(components), components == 4, keys,
+                   *gaps);
+    return keys;
+  }
+  keys.end = times.back();
   keys.times = std::move(times);
   keys.values = std::move(values);
   if (components == 4) {

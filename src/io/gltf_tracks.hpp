@@ -16,6 +16,7 @@ struct GltfTrackKeys {
   // (keys × components), of a cubic spline (keys × 3 × components): tangent in, value, tangent out
   std::vector<double> values;
   Interpolation interpolation = Interpolation::linear;
+  double end = 0.0;  // s, of the last key, read or not
 
   [[nodiscard]] Vec3d vector_at(double time) const;
   [[nodiscard]] Quatd rotation_at(double time) const;
@@ -35,8 +36,17 @@ struct GltfTrackKeys {
   [[nodiscard]] double spline(const Between& at, std::size_t components, std::size_t c) const;
 };
 
-// Reads a sampler whose values have 3 or 4 components; these are rotations.
+// Times (s) between which a track is not known, as keys there have values that are none; they may
+// be infinite.
+struct KeyGap {
+  double after = 0.0;
+  double before = 0.0;
+};
+
+// Reads a sampler whose values have 3 or 4 components; these are rotations. Keys with values that
+// are none are left out where `gaps` are asked for, which may leave no key; else they are errors.
 [[nodiscard]] Result<GltfTrackKeys> read_track_keys(const nlohmann::json& sampler, int components,
-                                                    GltfAccessors& accessors);
+                                                    GltfAccessors& accessors,
+                                                    std::vector<KeyGap>* gaps = nullptr);
 
 }  // namespace shigusa

@@ -24,9 +24,14 @@ inline constexpr int kMjcfMaxLinks = 1024;
 // Lengths, masses, moments and angles beyond this are refused.
 inline constexpr double kMjcfMaxValue = 1e6;
 
-// Gives the text of a file that a model includes, by the name that it is included by. A model
-// without such a file is read without it, with a doubt, where the error is ErrorCode::not_found.
+// Gives the text of a file that a model includes, by its path from the model's: a file is looked
+// for beside the one that includes it, then beside the main one. A model without such a file is
+// read without it, with a doubt, where the error is ErrorCode::not_found.
 using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
+
+// The error of a model, after the doubt among those that tells which files it includes were not
+// here.
+[[nodiscard]] Error after_absent(const std::vector<Message>& doubts, Error error);
 
 // Files of that folder and of folders in it; any other is an error.
 [[nodiscard]] MjcfInclude included_from(std::filesystem::path folder);

@@ -30,13 +30,21 @@ MjcfInclude included_from(std::filesystem::path folder) {
   };
 }
 
+Error after_absent(const std::vector<Message>& doubts, Error error) {
+  for (const Message& doubt : doubts) {
+    if (doubt.key != "file_absent" && doubt.key != "files_absent") continue;
+    error.message = say("after_absent", doubt, std::move(error.message));
+  }
+  return error;
+}
+
 MjcfFiles::MjcfFiles(std::string_view text, std::string_view name, const MjcfInclude& include) {
   root_ = parse(text, std::string(name));
   if (root_ == nullptr) return;
   if (root_->name != "mujoco") {
     wrong(*root_, say("no_mjcf", root_->name.substr(0, 60)));
   } else {
-    follow(*root_, include);
+    follow(*root_, include, {});
   }
   if (error_) root_ = nullptr;
 }
@@ -55,21 +63,32 @@ const XmlElement* MjcfFiles::parse(std::string_view text, const std::string& nam
   return files_.back().second.get();
 }
 
-void MjcfFiles::follow(const XmlElement& element, const MjcfInclude& include_file) {
+void MjcfFiles::follow(const XmlElement& element, const MjcfInclude& include_file,
+                       const std::filesystem::path& folder) {
   for (const XmlElement& e : element.children) {
     if (error_) return;
     if (e.name == "include") {
-      include(e, include_file);
+      include(e, include_file, folder);
     } else {
-      follow(e, include_file);
+      follow(e, include_file, folder);
     }
   }
 }
 
-void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_file) {
+void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_file,
+                        const std::filesystem::path& folder) {
   const char* file = element.attribute("file");
   if (file == nullptr || *file == '\0') return wrong(element, say("include_no_file"));
-  const std::string name = file;
+  const XmlElement*& root = included_[&element];
+  if (!include_file) return absent_.push_back(file);
+  // beside the file that includes, then beside the main one
+  std::filesystem::path path = (folder / file).lexically_normal();
+  Result<std::string> text = include_file(path.generic_string());
+  if (!text && text.error().code == ErrorCode::not_found && !folder.empty()) {
+    path = std::filesystem::path(file).lexically_normal();
+    text = include_file(path.generic_string());
+  }
+  const std::string name = path.generic_string();
   const auto same = [&](const auto& each) { return each.first == name; };
   if (std::any_of(files_.begin(), files_.end(), same)) {
     return wrong(element, say("included_twice", shown(name)));
@@ -77,17 +96,24 @@ void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_fi
   if (static_cast<int>(files_.size()) >= kMjcfMaxFiles) {
     return wrong(element, say("files_most", kMjcfMaxFiles));
   }
-  const XmlElement*& root = included_[&element];
-  const Result<std::string> text =
-      include_file ? include_file(name)
-                   : Result<std::string>(fail(ErrorCode::not_found, say("no_files_beside")));
-  if (!text && text.error().code == ErrorCode::not_found) {
-    absent_.push_back(name);
-    return;
-  }
-  if (!text) return wrong(element, say("includes", shown(name), text.error().message));
+  if (!text && text.error().code == ErrorCode::not_found) return absent_.push_back(file);
+  if (!text) return wrong(element, say("includes", shown(file), text.error().message));
   root = parse(*text, name);
-  if (root != nullptr) follow(*root, include_file);
+  if (root != nullptr) follow(*root, include_file, path.parent_path());
+}
+
+Message MjcfFiles::doubt_of_absent() const {
+  constexpr std::size_t kMost = 5;
+  std::vector<std::string> names;
+  for (const std::string& name : absent_) {
+    if (std::find(names.begin(), names.end(), shown(name)) == names.end()) {
+      names.push_back(shown(name));
+    }
+  }
+  if (names.size() == 1) return say("file_absent", names[0]);
+  const bool more = names.size() > kMost;
+  names.resize(std::min(names.size(), kMost));
+  return say("files_absent", fmt::format("{}{}", fmt::join(names, ", "), more ? ", …" : ""));
 }
 
 std::string MjcfFiles::place_of(const XmlElement& element) const {

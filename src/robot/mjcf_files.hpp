@@ -43,21 +43,24 @@ class MjcfFiles {
     if (!error_) error_ = Error{ErrorCode::parse, std::move(message), place_of(at)};
   }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
-  [[nodiscard]] const std::vector<Message>& doubts() const { return doubts_; }
   // The files that are included and were not there.
   [[nodiscard]] const std::vector<std::string>& absent() const { return absent_; }
+  // A sentence of them; there must be one.
+  [[nodiscard]] Message doubt_of_absent() const;
 
  private:
   const XmlElement* parse(std::string_view text, const std::string& name);
-  void follow(const XmlElement& element, const MjcfInclude& include);
-  void include(const XmlElement& element, const MjcfInclude& include);
+  // `folder`: where the file that has the element stands, from the main file's.
+  void follow(const XmlElement& element, const MjcfInclude& include,
+              const std::filesystem::path& folder);
+  void include(const XmlElement& element, const MjcfInclude& include,
+               const std::filesystem::path& folder);
   [[nodiscard]] std::string place_of(const XmlElement& element) const;
 
   std::vector<std::pair<std::string, std::unique_ptr<XmlElement>>> files_;
   const XmlElement* root_ = nullptr;
   std::map<const XmlElement*, const XmlElement*> included_;  // <include>, the other file's root
   std::vector<std::string> absent_;
-  std::vector<Message> doubts_;
   std::size_t tags_ = 0;
   std::optional<Error> error_;
 };

@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "math/axes.hpp"
 #include "mjcf_geom.hpp"
+#include "mjcf_keys.hpp"
 #include "person/humanoid_names.hpp"
 #include "robot/mjcf.hpp"
 
@@ -43,8 +44,10 @@ class ModelReader {
   Result<Robot> read() {
     read_robot();
     if (files_.error()) return tl::unexpected(*files_.error());
-    if (!root_) return no_body();
+    if (!root_) return fail(ErrorCode::parse, say("mjcf_no_body"), name_);
     follow_equalities();
+    mend_limits(robot_);
+    robot_.keyframes = read_keyframes(files_, values_, joint_of_, robot_);
     scale_masses();
     SHG_TRY(check_numbers());
     tell();
@@ -78,7 +81,6 @@ class ModelReader {
   void follow_equalities();
   void scale_masses();
   [[nodiscard]] Result<void> check_numbers() const;
-  [[nodiscard]] tl::unexpected<Error> no_body() const;
   void tell();
 
   MjcfFiles& files_;
@@ -95,6 +97,7 @@ class ModelReader {
   std::vector<std::string> meshes_;   // bodies whose masses are meshes'
   std::vector<std::string> unknown_;  // elements that make bodies and are not read
   std::map<std::string, std::size_t> joints_by_name_;
+  std::map<const XmlElement*, std::size_t> joint_of_;  // the first of an element's
   std::set<std::string> links_taken_;
   std::set<std::string> joints_taken_;
 };
@@ -229,11 +232,13 @@ Vec3d ModelReader::add_joints(const Hung& body, const std::vector<Inside>& joint
   int parent = body.parent;
   std::vector<Robot::Joint> chain;
   std::vector<Vec3d> anchors;
+  std::vector<const XmlElement*> elements;
   for (const Inside& each : joints) {
     const std::vector<Robot::Joint> read = read_joint(each, name);
     const Vec3d anchor = each.frame * values_.vector(each.part, "pos");
     chain.insert(chain.end(), read.begin(), read.end());
     anchors.insert(anchors.end(), read.size(), anchor);
+    elements.insert(elements.end(), read.size(), &each.part.element);
   }
   if (chain.empty()) {
     chain.emplace_back().name = name + "_fixed";
@@ -250,6 +255,7 @@ Vec3d ModelReader::add_joints(const Hung& body, const std::vector<Inside>& joint
     joint.origin.rotation = joint.origin.rotation * turn;
     shift = anchors[k];
     joints_by_name_.emplace(joint.name, robot_.joints.size());
+    if (k < elements.size()) joint_of_.emplace(elements[k], robot_.joints.size());
     joint.name = free_name(joints_taken_, joint.name);
     robot_.joints.push_back(joint);
   }
@@ -317,6 +323,7 @@ void ModelReader::read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball
   const bool endless = !is_finite((*ends)[1] - (*ends)[0]);
   for (double& end : *ends) end = clamp(end, -kFarthest, kFarthest);
   const double length = (*ends)[1] - (*ends)[0];
+  if (!joint.slides && !ball) joint.ends = *ends;
   joint.limited = !endless && (joint.slides || length < kTwoPi);
   if (joint.limited) {
     joint.lower = (*ends)[0];
@@ -416,35 +423,28 @@ void ModelReader::scale_masses() {
 
 // Numbers that the file's own came to.
 Result<void> ModelReader::check_numbers() const {
-  std::vector<bool> good;
-  for (const Robot::Link& link : robot_.links) {
-    good.push_back(abs(link.mass) <= kMjcfMaxValue && is_within(link.com, kMjcfMaxValue) &&
-                   is_within(link.inertia, kMjcfMaxValue) && is_tame(link.corners()));
-  }
+  const auto tame = [](const Vec3d& v) { return is_within(v, kMjcfMaxValue); };
+  const auto beyond = [&](const Sentence<std::string, double>& sentence, const std::string& link) {
+    return fail(ErrorCode::parse,
+                say("maybe_millimetres", say(sentence, shown(link), kMjcfMaxValue)), name_);
+  };
   for (const Robot::Joint& joint : robot_.joints) {
-    const auto child = index(joint.child);
-    good[child] = good[child] && is_within(joint.origin.translation, kMjcfMaxValue);
+    if (tame(joint.origin.translation)) continue;
+    return beyond("body_place_beyond", robot_.links[index(joint.child)].name);
   }
-  const auto bad = std::find(good.begin(), good.end(), false);
-  if (bad == good.end()) return {};
-  const auto link = static_cast<std::size_t>(bad - good.begin());
-  return fail(ErrorCode::parse,
-              say("mjcf_body_beyond", shown(robot_.links[link].name), kMjcfMaxValue), name_);
-}
-
-tl::unexpected<Error> ModelReader::no_body() const {
-  std::string message = "no <body> in <worldbody>";
-  if (!files_.absent().empty()) {
-    message += fmt::format("; it includes {}, which is not here: give that file",
-                           shown(files_.absent()[0]));
+  for (const Robot::Link& link : robot_.links) {
+    if (!is_tame(link.corners())) return beyond("body_size_beyond", link.name);
+    if (!tame(link.com)) return beyond("body_centre_beyond", link.name);
+    if (!(abs(link.mass) <= kMjcfMaxValue)) return beyond("body_mass_beyond", link.name);
+    if (!is_within(link.inertia, kMjcfMaxValue)) return beyond("body_inertia_beyond", link.name);
   }
-  return fail(ErrorCode::parse, std::move(message), name_);
+  return {};
 }
 
 void ModelReader::tell() {
   const auto doubt = [&](const std::vector<std::string>& names, const OfOne& one,
                          const OfMany& many) { doubt_about(names, one, many, robot_.doubts); };
-  doubt(files_.absent(), "file_absent", "files_absent");
+  if (!files_.absent().empty()) robot_.doubts.push_back(files_.doubt_of_absent());
   doubt(unknown_, "element_left_out", "elements_left_out");
   doubt(other_bodies_, "body_apart", "bodies_apart");
   doubt(root_held_by_, "root_held", "roots_held");
@@ -457,7 +457,9 @@ void ModelReader::tell() {
 
 Result<Robot> parse_mjcf(std::string_view text, std::string_view name, const MjcfInclude& include) {
   MjcfFiles files(text, name, include);
-  return ModelReader(files, name).read();
+  Result<Robot> robot = ModelReader(files, name).read();
+  if (robot || files.absent().empty()) return robot;
+  return tl::unexpected(after_absent({files.doubt_of_absent()}, robot.error()));
 }
 
 }  // namespace shigusa

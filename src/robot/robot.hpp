@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <shigusa/body_model.hpp>
 #include <shigusa/landmarks.hpp>
 #include <shigusa/result.hpp>
 #include <shigusa/skeleton.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/say.hpp"
@@ -52,10 +54,20 @@ struct Robot {
     double upper = kPi;    // rad, or m
     bool limited = false;  // by the file, to less than a whole turn
     double effort = 0.0;   // N·m; 0 where the file has none
+    double rest = 0.0;     // rad, or m: the place that the start posture asks for
+    bool floats = false;   // floating or planar: by more than one number
+    // rad, as the file has them, of one that turns
+    std::optional<std::array<double, 2>> ends{};
+  };
+  // A posture that the file has a name for: a key frame of MJCF, a group state of URDF.
+  struct Keyframe {
+    std::string name;
+    std::vector<std::pair<std::string, double>> angles;  // by joint, rad or m; others stay at 0
   };
   std::string name;
   std::vector<Link> links;    // parents before children; the first is the root
   std::vector<Joint> joints;  // in the file's order, one for each link but the root
+  std::vector<Keyframe> keyframes;
   std::vector<Message> doubts;
 };
 
@@ -74,6 +86,10 @@ using OfMany = Sentence<std::size_t, std::string>;
 // first name, as they are shown.
 void doubt_about(const std::vector<std::string>& names, const OfOne& one, const OfMany& many,
                  std::vector<Message>& doubts);
+
+// Reads the limits of a robot's turning joints in degrees where most of them are more than a whole
+// turn, and in radians where most are next to nothing, with a doubt.
+void mend_limits(Robot& robot);
 
 // A name in a message: in quotes, short, and without bytes that a terminal may take amiss.
 [[nodiscard]] std::string shown(std::string_view text);
@@ -126,7 +142,11 @@ void doubt_about(const std::vector<std::string>& names, const OfOne& one, const 
 // - Stature is that of a person with such legs and trunk.
 // - Links without mass weigh nothing, with a doubt.
 //
-// Fails where the map's bones are no chain of turning joints, or no link has a mass.
-[[nodiscard]] Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map);
+// - A link that stands for the world, above a floating joint or a joint of none, is not the root.
+//
+// `mass`: kg, spread over the links as a person's where none has a mass. Fails where the map's
+// bones are no chain of turning joints, or no link has a mass and none is given.
+[[nodiscard]] Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map,
+                                            std::optional<double> mass = std::nullopt);
 
 }  // namespace shigusa

@@ -112,7 +112,7 @@ bool RobotBuilder::bend_still_joints() {
   for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
     Robot::Joint& joint = robot_.joints[j];
     if (!joint.moves || of_joint_[j] >= 0 || still_[j] != 0.0) continue;
-    still_[j] = clamp(0.0, joint.lower, joint.upper);
+    still_[j] = clamp(joint.rest, joint.lower, joint.upper);
     if (still_[j] == 0.0) continue;
     if (joint.slides) {
       joint.origin.translation += joint.origin.rotation * (joint.axis * still_[j]);
@@ -257,6 +257,7 @@ std::string RobotBuilder::unique(const std::string& name) {
 
 Result<void> RobotBuilder::add_masses() {
   body_.masses.assign(body_.dofs.size(), {});
+  if (spread_) spread_mass(*spread_);
   for (std::size_t g = 0; g < members_.size(); ++g) {
     LinkMass sum;
     for (const int link : members_[g]) {
@@ -305,8 +306,9 @@ int RobotBuilder::dof_of(const PersonJoint& joint) const {
   return moving_[index(of_joint_[index(joint.joint)])].dof;
 }
 
-Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map) {
-  return RobotBuilder(robot, map).build();
+Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map,
+                              std::optional<double> mass) {
+  return RobotBuilder(robot, map, mass).build();
 }
 
 }  // namespace shigusa

@@ -40,7 +40,8 @@ struct RobotSole {
 // is 0, in which the frames of all links are parallel.
 class RobotBuilder {
  public:
-  RobotBuilder(const Robot& robot, const HumanoidMap& map) : robot_(robot), map_(map) {}
+  RobotBuilder(const Robot& robot, const HumanoidMap& map, std::optional<double> mass)
+      : robot_(robot), map_(map), spread_(mass) {}
 
   [[nodiscard]] Result<BodyModel> build();
 
@@ -86,6 +87,8 @@ class RobotBuilder {
   void add_dof(Moving& moving, int group, int parent);
   std::string unique(const std::string& name);
   Result<void> add_masses();
+  // Gives the links of a robot without masses those of a person who weighs that (kg).
+  void spread_mass(double mass);
   [[nodiscard]] bool is_within_joint(std::size_t group) const;
 
   [[nodiscard]] int dof_of(const PersonJoint& joint) const;
@@ -138,10 +141,15 @@ class RobotBuilder {
   void add_hand_nodes(std::size_t side);
   void add_foot_nodes(std::size_t side);
   void add_robot_frame();
+  // Looks for a world above the root: where links without mass or shape hang one by one.
+  void find_world(RobotFrame& frame);
+  void tell_of_world(RobotFrame& frame, const std::string& world, const std::string& bolt,
+                     const std::vector<std::string>& floating);
   void tell();
 
   Robot robot_;
   const HumanoidMap& map_;
+  std::optional<double> spread_;  // kg
   PlacedRobot placed_;
   PersonJoints person_;
   std::vector<Moving> moving_;
@@ -161,6 +169,7 @@ class RobotBuilder {
   std::vector<std::string> still_names_;
   std::vector<std::string> weak_;      // freedoms without effort
   std::vector<std::string> massless_;  // links
+  std::vector<std::string> carrying_;  // joints between the world and the root
   BodyDefinition body_;
 };
 

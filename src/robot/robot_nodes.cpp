@@ -162,9 +162,6 @@ void RobotBuilder::add_foot_nodes(std::size_t side) {
 
 void RobotBuilder::add_robot_frame() {
   RobotFrame frame;
-  frame.root = robot_.links[0].name;
-  frame.link = link_of(0);
-  frame.root_in_link = {placed_.links[0].rotation, local(frame.link, placed_.links[0].translation)};
   for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
     const Robot::Joint& joint = robot_.joints[j];
     if (!joint.moves) continue;
@@ -180,6 +177,7 @@ void RobotBuilder::add_robot_frame() {
     to.dof = m.dof;
     to.sign = m.person->sign;
   }
+  find_world(frame);
   body_.robot = std::move(frame);
 }
 
@@ -192,6 +190,7 @@ void RobotBuilder::tell() {
   doubt_about(massless_, "link_massless", "links_massless", body_.doubts);
   if (soles_[0].guessed || soles_[1].guessed) body_.doubts.push_back(say("soles_guessed"));
   if (body_.feet.size() < 2) body_.doubts.push_back(say("foot_in_air"));
+  if (spread_) body_.doubts.push_back(say("mass_spread", *spread_));
 }
 
 }  // namespace shigusa

@@ -9,6 +9,7 @@
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "kinematics/weighted_ik.hpp"
+#include "math/turn_about.hpp"
 
 namespace shigusa {
 namespace {
@@ -22,6 +23,8 @@ constexpr double kHanging = 0.35;
 // … and is raised where its upper arm is further than 45° from hanging.
 constexpr double kRaised = 0.7;
 constexpr double kAlmostStraight = 0.97;
+// An elbow bends ahead where its axis is within 45° of the way across.
+constexpr double kAhead = 0.7;
 
 class Settler {
  public:
@@ -39,6 +42,27 @@ class Settler {
       target.orientation = kinematics_.link_rotation(foot.link);
       feet_.push_back(target);
     }
+  }
+
+  // Plants the feet where they are at these angles, level and as high as they were; false where one
+  // is too far from that.
+  bool plant(const std::vector<double>& angles) {
+    constexpr double kStep = 0.05;             // m, up or down
+    constexpr double kTilted = radians(15.0);  // from level
+    forward_kinematics<double>(body_, angles, kinematics_);
+    for (IkTarget<double>& foot : feet_) {
+      const Vec3d at = kinematics_.point(foot.link, foot.point);
+      const Mat3d& level = foot.orientation;
+      const Mat3d& now = kinematics_.link_rotation(foot.link);
+      // the direction that is up in a foot that stands
+      const Vec3d up = now * transpose_times(level, Vec3d{0, 1, 0});
+      if (abs(at.y - foot.position.y) > kStep || up.y < sin_cos(kTilted).cos) return false;
+      foot.position = {at.x, foot.position.y, at.z};
+      const Vec3d turned = now * transpose_times(level, Vec3d{0, 0, 1});
+      const double yaw = atan2(turned.x, turned.z);
+      foot.orientation = turn_about({0, 1, 0}, yaw) * level;
+    }
+    return true;
   }
 
   // Walks from the angles towards the aim with the feet where they are; false where the feet or the
@@ -94,7 +118,66 @@ class Settler {
     return targets;
   }
 
+  // Turns arms that hang straight so that their elbows bend ahead, and bends them a little: an
+  // elbow that bends aside lifts no hand past its shoulder. Those that bend ahead stay as they are.
+  void bend_ahead(std::vector<double>& angles) {
+    forward_kinematics<double>(body_, angles, kinematics_);
+    for (const Effector& effector : body_.effectors()) {
+      const int elbow = flexion_of(effector);
+      if (elbow == kBaseLink || angles[index(elbow)] >= kStandingElbow) continue;
+      const Vec3d way =
+          kinematics_.origin[index(elbow)] - kinematics_.origin[index(effector.limb_root)];
+      const Vec3d along = normalized(way);
+      const Vec3d& axis = kinematics_.axis[index(elbow)];
+      if (along.y > -kRaised || -axis.x > kAhead) continue;
+      const int turn = turn_of(elbow, along);
+      if (turn == kBaseLink) continue;
+      const Vec3d across = level(Vec3d{-1.0, 0.0, 0.0}, along);
+      const Vec3d now = level(axis, along);
+      const double angle = atan2(dot(along, cross(now, across)), dot(now, across));
+      const bool with = dot(kinematics_.axis[index(turn)], along) > 0.0;
+      turn_to(turn, angles[index(turn)] + (with ? angle : -angle), angles);
+      turn_to(elbow, kStandingElbow, angles);
+    }
+  }
+
+  // Whether the feet are where they were planted.
+  [[nodiscard]] bool stands(const std::vector<double>& angles) {
+    forward_kinematics<double>(body_, angles, kinematics_);
+    return std::all_of(feet_.begin(), feet_.end(), [&](const IkTarget<double>& foot) {
+      return norm(position_error(kinematics_, foot)) < kFlat && tilt(kinematics_, foot) < kFlat;
+    });
+  }
+
  private:
+  // The part of v across a direction.
+  static Vec3d level(const Vec3d& v, const Vec3d& along) { return v - along * dot(v, along); }
+
+  void turn_to(int dof, double angle, std::vector<double>& angles) const {
+    angles[index(dof)] = clamp(angle, body_.dof(dof).lower, body_.dof(dof).upper);
+  }
+
+  // The freedom by which an arm's elbow bends, or kBaseLink.
+  [[nodiscard]] int flexion_of(const Effector& effector) const {
+    for (int d = effector.link; d != effector.limb_root && d != kBaseLink;
+         d = body_.dof(d).parent) {
+      if (body_.dof(d).name.ends_with("elbow.flexion")) return d;
+    }
+    return kBaseLink;
+  }
+
+  // The freedom before the elbow that turns the upper arm about its length, or kBaseLink.
+  [[nodiscard]] int turn_of(int elbow, const Vec3d& along) const {
+    constexpr double kAlong = 0.9;
+    for (int d = body_.dof(elbow).parent; d != kBaseLink; d = body_.dof(d).parent) {
+      const bool arm =
+          body_.dof(d).joint.ends_with("shoulder") || body_.dof(d).joint.ends_with("elbow");
+      if (!arm) return kBaseLink;
+      if (abs(dot(kinematics_.axis[index(d)], along)) > kAlong) return d;
+    }
+    return kBaseLink;
+  }
+
   void advance(const std::vector<IkTarget<double>>& targets, std::span<const double> pull,
                std::vector<double>& angles) {
     if (targets.empty()) {
@@ -131,13 +214,6 @@ class Settler {
     });
   }
 
-  [[nodiscard]] bool stands(const std::vector<double>& angles) {
-    forward_kinematics<double>(body_, angles, kinematics_);
-    return std::all_of(feet_.begin(), feet_.end(), [&](const IkTarget<double>& foot) {
-      return norm(position_error(kinematics_, foot)) < kFlat && tilt(kinematics_, foot) < kFlat;
-    });
-  }
-
   const BodyModel& body_;
   Kinematics<double> kinematics_;
   IkWorkspace<double> workspace_;
@@ -145,6 +221,13 @@ class Settler {
   std::vector<IkTarget<double>> feet_;
   std::vector<std::string> elbows_;  // joints that stretch
 };
+
+// The farthest that two postures are apart (rad).
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0.0;
+  for (std::size_t d = 0; d < a.size(); ++d) most = max(most, abs(a[d] - b[d]));
+  return most;
+}
 
 // Whether every angle of the aim is within its limits.
 bool allowed(const BodyModel& body, const std::vector<double>& aim) {
@@ -155,6 +238,32 @@ bool allowed(const BodyModel& body, const std::vector<double>& aim) {
 }
 
 }  // namespace
+
+Result<std::vector<double>> keyframe_posture(const BodyModel& body, const Robot& robot,
+                                             const std::string& keyframe,
+                                             std::vector<Message>& doubts) {
+  constexpr double kNoted = radians(1.0);
+  std::vector<double> aim(body.start().begin(), body.start().end());
+  for (const RobotJoint& joint : body.robot()->joints) {
+    const auto same = [&](const Robot::Joint& each) { return each.name == joint.name; };
+    const auto found = std::find_if(robot.joints.begin(), robot.joints.end(), same);
+    if (joint.dof < 0 || found == robot.joints.end()) continue;
+    aim[index(joint.dof)] = joint.sign * found->rest;
+  }
+  std::vector<double> angles = aim;
+  for (std::size_t d = 0; d < angles.size(); ++d) {
+    angles[d] = clamp(angles[d], body.dofs()[d].lower, body.dofs()[d].upper);
+  }
+  Settler settler(body);
+  if (!settler.plant(angles)) {
+    return fail(ErrorCode::unsupported, say("keyframe_feet", shown(keyframe)));
+  }
+  if (!settler.stands(angles) && !settler.walk(angles, std::vector<double>(angles))) {
+    return fail(ErrorCode::unsupported, say("keyframe_feet", shown(keyframe)));
+  }
+  if (apart(angles, aim) > kNoted) doubts.push_back(say("keyframe_near", shown(keyframe)));
+  return angles;
+}
 
 std::vector<double> settled_posture(const BodyModel& body, std::vector<Message>& doubts) {
   Settler settler(body);
@@ -173,6 +282,7 @@ std::vector<double> settled_posture(const BodyModel& body, std::vector<Message>&
   }
   const std::vector<IkTarget<double>> arms = settler.hanging(angles);
   if (!arms.empty()) (void)settler.walk(angles, angles, arms);
+  settler.bend_ahead(angles);
   return angles;
 }
 

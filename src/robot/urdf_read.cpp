@@ -44,10 +44,12 @@ class UrdfReader {
   Result<Robot> read(const XmlElement& robot) {
     SHG_TRY_ASSIGN(robot_.name, name_of(robot));
     SHG_TRY(gather(robot));
+    take_states(robot);
     SHG_TRY(take_tree());
     for (const Hung& joint : joints_) {
       SHG_TRY(take_joint(joint));
     }
+    mend_limits(robot_);
     doubt_about(sliding_, "joint_slides", "joints_slide", robot_.doubts);
     doubt_about(mimics_, "joint_follows", "joints_follow", robot_.doubts);
     return std::move(robot_);
@@ -113,10 +115,29 @@ class UrdfReader {
     return Transformd{turned(rpy), at};
   }
 
+  // Named postures, as SRDF has them; those that are not whole are left out.
+  void take_states(const XmlElement& robot) {
+    for (const XmlElement& element : robot.children) {
+      if (element.name != "group_state") continue;
+      Robot::Keyframe frame;
+      bool whole = true;
+      if (const char* name = element.attribute("name")) frame.name = name;
+      for (const XmlElement& joint : element.children) {
+        const char* name = joint.attribute("name");
+        const char* value = joint.attribute("value");
+        const auto number = xml_numbers(value == nullptr ? "" : value, 1);
+        whole = whole && name != nullptr && number && number->size() == 1 && is_tame((*number)[0]);
+        if (whole) frame.angles.emplace_back(name, (*number)[0]);
+      }
+      if (whole) robot_.keyframes.push_back(std::move(frame));
+    }
+  }
+
   // Links and joints by name. Each link hangs on one joint at most.
   Result<void> gather(const XmlElement& robot) {
     std::map<std::string, const XmlElement*> joints;
     for (const XmlElement& element : robot.children) {
+      if (element.name == "group_state") continue;
       SHG_TRY_ASSIGN(const std::string name, name_of(element));
       auto& taken = element.name == "link" ? links_ : joints;
       if (!taken.emplace(name, &element).second) {
@@ -270,6 +291,7 @@ class UrdfReader {
     const bool revolute = type == "revolute";
     const bool mimics = joint.child("mimic") != nullptr;
     to.slides = type == "prismatic";
+    to.floats = type == "floating" || type == "planar";
     to.moves = revolute || to.slides || type == "continuous";
     to.turns = to.moves && !to.slides && !mimics;
     if (mimics) {
@@ -313,6 +335,7 @@ class UrdfReader {
     if (lower > upper) {
       return fail_at(*limit, name_, say("limits_order", to.name, lower, upper));
     }
+    if (!to.slides) to.ends = {lower, upper};
     to.limited = to.slides || upper - lower < kTwoPi;
     if (!to.limited) return {};
     to.lower = lower;

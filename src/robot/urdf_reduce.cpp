@@ -15,14 +15,14 @@ namespace {
 
 // Elements that are kept, each after the one that it stands in.
 constexpr std::pair<std::string_view, std::string_view> kKept[] = {
-    {"robot", "link"},       {"robot", "joint"},      {"link", "inertial"},
-    {"inertial", "origin"},  {"inertial", "mass"},    {"inertial", "inertia"},
-    {"link", "collision"},   {"collision", "origin"}, {"collision", "geometry"},
-    {"geometry", "box"},     {"geometry", "sphere"},  {"geometry", "cylinder"},
-    {"geometry", "capsule"}, {"link", "visual"},      {"visual", "origin"},
-    {"visual", "geometry"},  {"joint", "origin"},     {"joint", "parent"},
-    {"joint", "child"},      {"joint", "axis"},       {"joint", "limit"},
-    {"joint", "mimic"}};
+    {"robot", "link"},       {"robot", "joint"},       {"link", "inertial"},
+    {"inertial", "origin"},  {"inertial", "mass"},     {"inertial", "inertia"},
+    {"link", "collision"},   {"collision", "origin"},  {"collision", "geometry"},
+    {"geometry", "box"},     {"geometry", "sphere"},   {"geometry", "cylinder"},
+    {"geometry", "capsule"}, {"link", "visual"},       {"visual", "origin"},
+    {"visual", "geometry"},  {"joint", "origin"},      {"joint", "parent"},
+    {"joint", "child"},      {"joint", "axis"},        {"joint", "limit"},
+    {"joint", "mimic"},      {"robot", "group_state"}, {"group_state", "joint"}};
 
 // "inf" and "nan" in any case, and numbers of more than kUrdfMaxValue, by their digits.
 bool is_no_limit(std::string_view text) {
@@ -77,7 +77,7 @@ class Reducer {
       }
       if (!contains(kKept, std::pair<std::string_view, std::string_view>(element.name, child.name)))
         continue;
-      SHG_TRY(count(child));
+      if (element.name == "robot") SHG_TRY(count(child));
       SHG_TRY_ASSIGN(XmlElement kept, reduce(child));
       // a mesh is not read
       const bool shape = kept.name == "collision" || kept.name == "visual";

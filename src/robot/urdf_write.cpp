@@ -85,12 +85,22 @@ void write_joint(const Robot& robot, const Robot::Joint& joint, std::string& tex
   text += "</joint>\n";
 }
 
+void write_state(const Robot::Keyframe& frame, std::string& text) {
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "<group_state name=\"{}\">", xml_escaped(frame.name));
+  for (const auto& [joint, angle] : frame.angles) {
+    fmt::format_to(out, "<joint name=\"{}\" value=\"{}\"/>", xml_escaped(joint), angle);
+  }
+  text += "</group_state>\n";
+}
+
 }  // namespace
 
 std::string write_urdf(const Robot& robot) {
   std::string text = fmt::format("<robot name=\"{}\">\n", xml_escaped(robot.name));
   for (const Robot::Link& link : robot.links) write_link(link, text);
   for (const Robot::Joint& joint : robot.joints) write_joint(robot, joint, text);
+  for (const Robot::Keyframe& frame : robot.keyframes) write_state(frame, text);
   return text + "</robot>\n";
 }
 

@@ -70,6 +70,11 @@ Result<void> check_heels(const Task& task) {
   return fail(ErrorCode::invalid_argument, say("no_heels", word_of(task.preset)));
 }
 
+Result<void> check_fingers(const Task& task) {
+  if (!task.body.robot() || task.finger_play == FingerPlay::grip) return {};
+  return fail(ErrorCode::invalid_argument, say("robot_fingers", task.body.name()), "finger_play");
+}
+
 Result<void> check_phases(const Task& task) {
   if (task.phases < 1 || task.phases > kPhasesMax) {
     return fail(ErrorCode::invalid_argument, say("phases_range", task.phases, kPhasesMax));
@@ -147,6 +152,7 @@ Result<void> check_settings(const Task& task) {
   SHG_TRY(check_timing(task));
   SHG_TRY(check_phases(task));
   SHG_TRY(check_heels(task));
+  SHG_TRY(check_fingers(task));
   SHG_TRY(check_gaze(task));
   SHG_TRY(check_obstacles(task));
   return check_criteria(task.criteria);

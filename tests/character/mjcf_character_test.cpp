@@ -6,6 +6,7 @@
 #include <shigusa/export.hpp>
 #include <shigusa/generate.hpp>
 
+#include "robot/mjcf.hpp"
 #include "support/mjcf_file.hpp"
 #include "support/work_folder.hpp"
 
@@ -98,7 +99,72 @@ TEST_F(MjcfCharacter, IncludesItsNeighboursFromItsFileAndNoneFromMemory) {
   CharacterSpec from_memory{.source = "scene.xml"};
   const Result<void> read = load_character(scene, from_memory);
   ASSERT_FALSE(read);
-  EXPECT_THAT(read.error().to_string(), HasSubstr("which is not here: give that file"));
+  EXPECT_THAT(read.error().to_string(), HasSubstr("which is not here: it was read without it"));
+}
+
+// The model with key frames of all its numbers, the free joint's first.
+std::string with_keys(const std::string& model, const std::string& keys) {
+  std::string text = model;
+  return text.insert(text.rfind("</mujoco>"), "<keyframe>" + keys + "</keyframe>");
+}
+
+TEST_F(MjcfCharacter, KeyframeIsTheStart) {
+  const Robot robot = parse_mjcf(research_mjcf(), "humanoid.xml").value();
+  // knees by 30°, as the hinges stand in the file: the ankles and hips take that back
+  const auto numbers = [&](double knee, double elbow) {
+    std::string text = "0 0 1 1 0 0 0";
+    for (const Robot::Joint& joint : robot.joints) {
+      if (!joint.moves) continue;
+      double angle = 0.0;
+      if (joint.name.ends_with("knee")) angle = -knee;
+      if (joint.name.ends_with("hip_y") || joint.name.ends_with("ankle_y")) angle = -0.5 * knee;
+      if (joint.name.ends_with("elbow")) angle = elbow;
+      text += fmt::format(" {}", radians(angle));
+    }
+    return text;
+  };
+  const std::string model =
+      with_keys(research_mjcf(), fmt::format("<key name=\"crouch\" qpos=\"{}\"/><key qpos=\"{}\"/>",
+                                             numbers(40.0, 20.0), numbers(24.0, -30.0)));
+  for (const auto& [key, knee, elbow] :
+       {std::tuple("crouch", 40.0, 20.0), std::tuple("0", 40.0, 20.0),
+        std::tuple("1", 24.0, -30.0)}) {
+    file_.character = {};
+    file_.character.animation = key;
+    const Task task = task_of(model);
+    const auto start = [&](const char* freedom) {
+      return degrees(task.body.start()[static_cast<std::size_t>(*task.body.find_dof(freedom))]);
+    };
+    EXPECT_NEAR(start("left_knee.flexion"), knee, 1.0) << key;
+    EXPECT_NEAR(abs(start("left_elbow.flexion")), abs(elbow), 1.0) << key;
+    // and so it is where the result is read again
+    const TaskFile again = parse_task(format_task(file_), "task.json").value();
+    TaskFile copy = again;
+    const Task same = make_task(copy, "/nowhere").value();
+    EXPECT_EQ(std::vector(same.body.start().begin(), same.body.start().end()),
+              std::vector(task.body.start().begin(), task.body.start().end()));
+  }
+}
+
+TEST_F(MjcfCharacter, KeyframeThatIsNotThereOrDoesNotStandIsToldSo) {
+  const auto refusal = [&](const std::string& model, const char* key) {
+    file_.character = {};
+    file_.character.animation = key;
+    file_.character.source = folder_.put("humanoid.xml", model);
+    file_.goals = {{"right_hand", {-0.2, 0.6, 0.35}}};
+    const Result<Task> task = make_task(file_, {});
+    return task ? "" : task.error().to_string();
+  };
+  EXPECT_THAT(refusal(research_mjcf(), "home"), HasSubstr("no keyframe 'home': the file has none"));
+  const Robot robot = parse_mjcf(research_mjcf(), "humanoid.xml").value();
+  std::string one_leg = "0 0 1 1 0 0 0";
+  for (const Robot::Joint& joint : robot.joints) {
+    if (joint.moves) one_leg += joint.name == "left_hip_y" ? " -1.2" : " 0";
+  }
+  const std::string model =
+      with_keys(research_mjcf(), "<key name=\"kick\" qpos=\"" + one_leg + "\"/>");
+  EXPECT_THAT(refusal(model, "home"), HasSubstr("the file has 'kick'"));
+  EXPECT_THAT(refusal(model, "kick"), HasSubstr("does not stand with both feet flat"));
 }
 
 TEST_F(MjcfCharacter, AnimalOfFourLegsIsRefused) {
@@ -131,7 +197,7 @@ TEST_F(MjcfCharacter, AnimalOfFourLegsIsRefused) {
 TEST_F(MjcfCharacter, UrdfUnderItsEndingIsNamed) {
   CharacterSpec spec{.source = "robot.xml"};
   EXPECT_THAT(load_character("<robot name=\"r\"/>", spec).error().to_string(),
-              HasSubstr("this is no MJCF file"));
+              HasSubstr("this is a URDF file, not a .xml file"));
 }
 
 }  // namespace

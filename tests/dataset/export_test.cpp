@@ -207,6 +207,32 @@ TEST(Export, MotionsWhoseSeriesAreNotKeptAreMadeAgainTheSame) {
   EXPECT_GT(motions, 3);
 }
 
+TEST(Export, HumanMl3dHoldsTheLastPoseWhereThatIsAskedFor) {
+  const MadeSet set(plan_with({"positions"}, "human"));
+  DataExportSettings settings = set.settings(DataFormat::humanml3d);
+  exported(settings);
+  EXPECT_THAT(set.out.get("README.md"), HasSubstr("leave out motions of fewer than 40 frames"));
+  EXPECT_THAT(set.out.get("README.md"), HasSubstr("With `--least-frames 40`"));
+  const DataFolder data = DataFolder::open(set.data.path()).value();
+  for (const std::size_t least : {std::size_t{40}, std::size_t{57}}) {
+    settings.least_frames = least;
+    settings.force = true;
+    exported(settings);
+    EXPECT_THAT(set.out.get("README.md"), HasSubstr(fmt::format("up to {} frames", least)));
+    EXPECT_THAT(set.out.get("README.md"), HasSubstr("which is 0 of these"));
+    for (const DataMotion& motion : read_rows(data, 0, {}).value().motions) {
+      const Floats joints = floats_of(set.out.get("new_joints/" + motion.id() + ".npy"));
+      const auto frames =
+          static_cast<std::size_t>(frames_at(motion.motion.number("duration_s"), 20.0));
+      ASSERT_EQ(joints.shape[0], std::max(frames, least));
+      for (std::size_t k = 0; k < 66; ++k) {
+        EXPECT_EQ(joints.values[(joints.shape[0] - 1) * 66 + k],
+                  joints.values[(frames - 1) * 66 + k]);
+      }
+    }
+  }
+}
+
 TEST(Export, HumanMl3dHasItsJointsFramesAndSentences) {
   const MadeSet set(plan_with({"positions"}, "human"));
   const DataExportRun run = exported(set.settings(DataFormat::humanml3d));

@@ -200,6 +200,24 @@ TEST(Fbx, JointsAreLimbNodesAndWhatTheyHangOn) {
   EXPECT_EQ(read(file.text()).rest.skeleton.find("Body_mesh"), -1);
 }
 
+TEST(Fbx, DamagedSceneryIsLeftOut) {
+  const std::string whole = FbxFile(standing_figure()).text();
+  for (const char* numbers :
+       {"\"Lcl Translation\", \"\", \"A\",1e300,0,0", "\"Lcl Rotation\", \"\", \"A\",0,1e12,0"}) {
+    std::string text = whole;
+    const std::size_t begin = text.find('{', text.find("Objects:")) + 1;
+    text.insert(begin,
+                std::string("\nModel: 77, \"Model::Rock\", \"Null\" {\nProperties70: {\nP: ") +
+                    std::string(numbers).insert(std::string(numbers).find(',') + 1, " \"Lcl\",") +
+                    "\n}\n}\nModel: 78, \"Model::Moss\", \"Null\" {\n}\n");
+    text.insert(text.find('{', text.find("Connections:")) + 1, "\nC: \"OO\",78,77\n");
+    const GltfCharacter character = read(text);
+    expect_figure(character, standing_figure());
+    EXPECT_EQ(character.rest.skeleton.find("Rock"), -1);
+    EXPECT_EQ(character.rest.skeleton.find("Moss"), -1);
+  }
+}
+
 TEST(Fbx, FileWithoutLimbNodesGivesItsOtherModels) {
   FbxFile file(standing_figure());
   file.kind = "Null";

@@ -250,5 +250,51 @@ TEST(GltfAnimationReader, NumbersThatAreNoneAreRefused) {
   EXPECT_THAT(read({.times = {0.0, 1e8}}).error().to_string(), HasSubstr("are allowed"));
 }
 
+Result<GltfMotion> read_with_gaps(const Channel& channel,
+                                  const std::function<void(Json&)>& change = {}) {
+  std::string binary;
+  Json file = two_nodes(channel, binary);
+  if (change) change(file);
+  return parse_gltf_animation(glb(file.dump(), binary), "wave.glb",
+                              {.frame_rate = 10.0, .gaps = true});
+}
+
+TEST(GltfAnimationReader, DamagedKeysAreLeftOutWhereThatIsAskedFor) {
+  const double nan = std::nan("");
+  const auto gap_of = [&](const Channel& channel) {
+    const GltfMotion moving = read_with_gaps(channel).value();
+    EXPECT_EQ(moving.motion.clip.frames, 21);
+    EXPECT_EQ(moving.gaps.size(), 1u);
+    EXPECT_THAT(moving.doubts, testing::Contains(HasSubstr("the first of node 'arm'")));
+    return std::pair(moving.gaps.at(0).first, moving.gaps.at(0).last);
+  };
+  const std::vector<double> times{0.0, 1.0, 2.0};
+  // the frames next to good keys are known
+  EXPECT_EQ(gap_of({times, {0, 0, 0, 1, nan, 0, 0, 1, 0, 0, 1, 0}}), std::pair(1, 19));
+  EXPECT_EQ(gap_of({times, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0}}), std::pair(11, 20));
+  EXPECT_EQ(gap_of({times, {1e20, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0}}), std::pair(0, 9));
+  EXPECT_EQ(gap_of({{0.0, nan, 2.0}, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0}}), std::pair(1, 19));
+  EXPECT_EQ(gap_of({times, {nan, 0, 0, 1, nan, 0, 0, 1, nan, 0, 1, 0}}), std::pair(0, 20));
+  const GltfMotion between =
+      read_with_gaps({times, {0, 0, 0, 1, nan, 0, 0, 1, 0, 0, 1, 0}}).value();
+  const GltfMotion straight = read_with_gaps({{0.0, 2.0}, {0, 0, 0, 1, 0, 0, 1, 0}}).value();
+  for (std::size_t k = 0; k < between.motion.clip.local.size(); ++k) {
+    EXPECT_NEAR(between.motion.clip.local[k].rotation.z, straight.motion.clip.local[k].rotation.z,
+                1e-9);
+  }
+}
+
+TEST(GltfAnimationReader, DamagedTracksAreLeftOutWhereThatIsAskedFor) {
+  const auto lost = [](const std::function<void(Json&)>& change) {
+    const Result<GltfMotion> moving = read_with_gaps({}, change);
+    ASSERT_TRUE(moving) << moving.error().to_string();
+    EXPECT_THAT(moving->doubts, testing::Contains(HasSubstr("1 tracks of the animation")));
+    EXPECT_EQ(moving->gaps.size(), 1u);
+  };
+  lost([](Json& f) { f["animations"][0]["samplers"][0]["output"] = 7; });
+  lost([](Json& f) { f["animations"][0]["samplers"][0]["interpolation"] = "BEZIER"; });
+  lost([](Json& f) { f["animations"][0]["channels"][0]["sampler"] = 5; });
+}
+
 }  // namespace
 }  // namespace shigusa

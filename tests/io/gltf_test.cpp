@@ -6,6 +6,8 @@
 
 #include <shigusa/landmarks.hpp>
 
+#include "io/glb.hpp"
+#include "io/gltf_nodes.hpp"
 #include "person/find_humanoid.hpp"
 #include "person/measure_person.hpp"
 #include "support/gltf_file.hpp"
@@ -168,6 +170,69 @@ TEST(Gltf, GlbIsReadAsItsJson) {
   const GltfCharacter binary = read(glb(json));
   EXPECT_EQ(names(text), names(binary));
   for (const std::string& name : names(text)) EXPECT_EQ(place(text, name), place(binary, name));
+}
+
+// Zeros at the end of a GLB's text, as some writers leave them, are none of the text.
+TEST(Gltf, ZerosAfterTheTextOfAGlbAreLeftOut) {
+  const std::string json = person_gltf().dump();
+  for (const std::size_t zeros : {1, 2, 3, 6}) {
+    std::string padded = json + std::string((4 - (json.size() + zeros) % 4) % 4, ' ');
+    padded += std::string(zeros, '\0');
+    padded.resize((padded.size() + 3) / 4 * 4, '\0');
+    const std::string file = glb(padded);
+    EXPECT_EQ(names(read(file)), names(read(json)));
+    GltfNewNode added;
+    added.name = "more";
+    added.parent = 0;
+    added.translation = {0, 1, 0};
+    const std::string changed = add_nodes(file, "hero.glb", {&added, 1}).value();
+    const GlbParts parts = glb_parts(changed, "hero.glb").value();
+    EXPECT_EQ(parts.json.find('\0'), parts.json.npos) << zeros;
+    EXPECT_EQ(parts.binary, "mesh");
+  }
+}
+
+// The person's file with one more node, and that node's members.
+nlohmann::json with_rock(const char* members) {
+  nlohmann::json file = person_gltf();
+  file["nodes"].push_back(nlohmann::json::parse(members));
+  file["nodes"].back()["name"] = "rock";
+  return file;
+}
+
+TEST(Gltf, DamagedSceneryIsLeftOutWithADoubt) {
+  const std::vector<std::string> whole = names(read(person_gltf().dump()));
+  for (const char* members :
+       {R"({"rotation": [0, 0, 0, 0]})", R"({"translation": [1e30, 0, 0]})",
+        R"({"matrix": [1, 2, 3]})", R"({"children": [9999]})", R"({"scale": "big"})"}) {
+    const GltfCharacter character = read(with_rock(members).dump());
+    EXPECT_EQ(names(character), whole) << members;
+    EXPECT_THAT(character.doubts,
+                testing::Contains(HasSubstr("1 nodes or skins of the file are damaged")))
+        << members;
+  }
+  nlohmann::json circle = with_rock("{}");
+  const auto rock = circle["nodes"].size() - 1;
+  circle["nodes"].back()["children"] = {rock + 1};
+  circle["nodes"].push_back({{"name", "moss"}, {"children", {rock}}});
+  EXPECT_EQ(names(read(circle.dump())), whole);
+  nlohmann::json skins = person_gltf();
+  skins["skins"] = {{{"joints", {9999}}}};
+  EXPECT_EQ(names(read(skins.dump())), whole);
+}
+
+TEST(Gltf, DamagedBonesAreRefused) {
+  // hips, of which a person has no lack, and a neck that a skin binds
+  for (const std::size_t at : {std::size_t{0}, std::size_t{1}}) {
+    nlohmann::json file = person_gltf();
+    const std::string bone = file["nodes"][at]["name"].get<std::string>();
+    file["nodes"][at]["rotation"] = {0, 0, 0, 0};
+    if (at > 0) file["skins"] = {{{"joints", {0, at}}}};
+    const auto read = parse_gltf(file.dump(), "hero.vrm");
+    ASSERT_FALSE(read) << bone;
+    EXPECT_THAT(read.error().to_string(), HasSubstr("quaternion of length 0"));
+    EXPECT_THAT(read.error().to_string(), HasSubstr(bone));
+  }
 }
 
 TEST(Gltf, PersonStandsWhereTheirBvhPutsThem) {

@@ -12,6 +12,7 @@ namespace shigusa {
 namespace {
 
 using namespace testing_support;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
@@ -234,7 +235,11 @@ TEST(Mjcf, WhatIsWrongIsToldWithItsLine) {
 
 TEST(Mjcf, WhatNumbersComeToIsBounded) {
   EXPECT_EQ(error_of(two_bodies("<geom type=\"box\" size=\"900 900 900\"/>")),
-            "r.xml: body 'b' has a place, a size, a mass or an inertia beyond 1e+06");
+            "r.xml: body 'b' has a mass beyond 1e+06 kg; lengths are metres, and this file may be "
+            "in millimetres");
+  EXPECT_THAT(error_of(two_bodies("<body name=\"c\" pos=\"9e5 9e5 0\"><frame pos=\"9e5 0 0\"><body "
+                                  "name=\"d\" pos=\"9e5 0 0\"/></frame></body>")),
+              HasSubstr("body 'd' has a place beyond 1e+06 m"));
   const Robot far = read(two_bodies("<joint type=\"slide\" range=\"5000 9000\"/>"));
   EXPECT_EQ(far.joints[0].lower, 1000.0);
 }
@@ -301,7 +306,36 @@ TEST_F(MjcfIncludes, FilesThatAreNotThereAreDoubts) {
   EXPECT_THAT(read(with_robot).value().doubts,
               Contains(HasSubstr("includes 'sky.xml', which is not here")));
   EXPECT_THAT(read(including("robot.xml")).error().to_string(),
-              HasSubstr("it includes 'robot.xml', which is not here: give that file"));
+              HasSubstr("includes 'robot.xml', which is not here: it was read without it; what "
+                        "follows may come of that: no <body> in <worldbody>"));
+  // the first error may come of what is missing
+  const std::string in_class =
+      "<mujoco><include file=\"a.xml\"/><include file=\"b.xml\"/><worldbody><body><geom "
+      "class=\"of_a\" size=\"1\"/></body></worldbody></mujoco>";
+  EXPECT_THAT(read(in_class).error().to_string(),
+              AllOf(HasSubstr("includes 'a.xml', 'b.xml', which are not here"),
+                    HasSubstr("class 'of_a' is not defined")));
+}
+
+TEST_F(MjcfIncludes, AreLookedForBesideTheFileThatIncludesThem) {
+  std::filesystem::create_directories(work_.path() / "parts" / "deep");
+  work_.put("parts/all.xml",
+            "<mujocoinclude><include file=\"body.xml\"/><include file=\"deep/more.xml\"/>"
+            "</mujocoinclude>");
+  work_.put("parts/body.xml", two_bodies("<joint class=\"c\"/>"));
+  // beside itself, above itself, and, by the older rule, beside the main file
+  work_.put("parts/deep/more.xml",
+            "<mujocoinclude><include file=\"own.xml\"/><include file=\"../up.xml\"/>"
+            "<include file=\"main_one.xml\"/></mujocoinclude>");
+  work_.put("parts/deep/own.xml",
+            "<mujocoinclude><default><default class=\"c\"><joint range=\"-9 9\"/></default>"
+            "</default></mujocoinclude>");
+  work_.put("parts/up.xml", "<mujocoinclude/>");
+  work_.put("main_one.xml", "<mujocoinclude/>");
+  const Result<Robot> robot = read(including("parts/all.xml"));
+  ASSERT_TRUE(robot) << robot.error().to_string();
+  EXPECT_TRUE(robot->doubts.empty());
+  EXPECT_NEAR(degrees(robot->joints[0].upper), 9.0, kRounding);
 }
 
 TEST_F(MjcfIncludes, FilesElsewhereAreRefused) {

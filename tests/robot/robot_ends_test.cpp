@@ -254,5 +254,40 @@ TEST(RobotEnds, ArmsThatStartAheadOrUpHang) {
   }
 }
 
+// The robot with elbows that may be straight and, where all angles are 0, bend `aside` (rad) of
+// ahead, each to its own side. Upper arms turn as far that way and back.
+Robot with_elbows_aside(double aside) {
+  Robot robot = small_robot();
+  for (const char* side : kSides) {
+    const double turned = side[0] == 'l' ? aside : -aside;
+    const SinCos<double> turn = sin_cos(turned);
+    Robot::Joint& yaw = carrier_of(robot, side + std::string("upper_arm"));
+    yaw.origin.rotation = Mat3d{{turn.cos, turn.sin, 0}, {-turn.sin, turn.cos, 0}, {0, 0, 1}};
+    yaw.lower = min(0.0, -turned) - 0.1;
+    yaw.upper = max(0.0, -turned) + 0.1;
+    carrier_of(robot, side + std::string("forearm")).upper = 0.0;
+  }
+  return robot;
+}
+
+TEST(RobotEnds, ElbowsOfHangingArmsBendAhead) {
+  for (const double degrees : {90.0, -60.0, 120.0}) {
+    const BodyModel body = body_of(with_elbows_aside(radians(degrees)));
+    std::vector<Message> doubts;
+    const std::vector<double> start = settled_posture(body, doubts);
+    Kinematics<double> kinematics(body);
+    forward_kinematics<double>(body, start, kinematics);
+    for (const char* side : kSides) {
+      const int elbow = body.find_dof(side + std::string("elbow.flexion")).value();
+      EXPECT_LT(kinematics.axis[index(elbow)].x, -0.9) << side << degrees;
+      EXPECT_NEAR(start[index(elbow)], kStandingElbow, 1e-9) << side << degrees;
+    }
+  }
+  // one that bends ahead by itself stays as it is
+  const BodyModel ahead = body_of(with_elbows_aside(radians(10.0)));
+  std::vector<Message> doubts;
+  EXPECT_EQ(settled_posture(ahead, doubts)[index(*ahead.find_dof("left_elbow.flexion"))], 0.0);
+}
+
 }  // namespace
 }  // namespace shigusa

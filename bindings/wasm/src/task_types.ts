@@ -82,7 +82,8 @@ export interface CharacterSpec {
   source: string;
   /** Standing height. Of a person from a file: scales the file. */
   stature_m?: number;
-  /** That of an average person of the stature when not given. */
+  /** That of an average person of the stature when not given. Of a robot whose file has no masses: spread over its
+   * links as a person's. */
   mass_kg?: number;
   /** The nodes of the file that some humanoid bones are: {"right_hand": "Bone_17"}. Goes before what the file and
    * its names tell. */
@@ -105,7 +106,7 @@ export interface CharacterSpec {
    * of BVH that begins with a T- or an A-pose that one, at ease. */
   frame?: number | 'rest';
   /** Of a glTF file: the name or the index of the animation that the frame is of, at 60 frames a second; the first
-   * when not given. */
+   * when not given. Of an MJCF file: the name or the index of the keyframe that the robot starts from. */
   animation?: string;
   /** Of a person with landmarks: guesses of the measuring; of a robot from an MJCF file: what was left out. */
   doubts?: string[];

@@ -97,6 +97,20 @@ inline constexpr std::array kCharacters{
     MessageText{"heels_of_human",
                 "heels lift of the body human alone: it has all joints of a foot"},
     MessageText{"heels_who_sit", "heels are of people who stand, and these sit"},
+    MessageText{"robot_extent",
+                "robots cannot have an extent: {} is a robot, which has the joints of its file"},
+    MessageText{"robot_seat", "robots cannot sit: {} is a robot, which stands"},
+    MessageText{"robot_heels",
+                "robots cannot lift their heels: {} is a robot, whose feet stay flat"},
+    MessageText{
+        "robot_frame",
+        "robots cannot start from a frame: {} is a robot, whose file has no recorded motion"},
+    MessageText{
+        "robot_fingers",
+        "robots cannot play with their fingers: {} is a robot, whose fingers keep their angles"},
+    MessageText{
+        "robot_sex",
+        "robots cannot have a sex: {} is a robot, whose masses and strengths are of its file"},
 };
 
 }  // namespace shigusa::messages

@@ -15,9 +15,9 @@ inline constexpr std::array kRobots{
     MessageText{"joints_follow",
                 "{} joints, {} the first, follow other joints: they keep the angle 0"},
     MessageText{"file_absent", "the file includes {}, which is not here: it was read without it"},
-    MessageText{
-        "files_absent",
-        "the file includes {} files that are not here, {} the first: it was read without them"},
+    MessageText{"files_absent",
+                "the file includes {}, which are not here: it was read without them"},
+    MessageText{"after_absent", "{}; what follows may come of that: {}"},
     MessageText{"element_left_out", "<{}> is left out"},
     MessageText{"elements_left_out", "{} elements that make bodies, {} the first, are left out"},
     MessageText{"body_apart", "body {} of the world is no part of the robot"},
@@ -33,9 +33,12 @@ inline constexpr std::array kRobots{
     MessageText{"joints_still",
                 "{} joints, {} the first, each is of no limb, or of fingers, toes or face: it "
                 "keeps its angle"},
-    MessageText{"joint_unlimited", "joint {} has no limits in the file: it gets a person's"},
-    MessageText{"joints_unlimited",
-                "{} joints, {} the first, each has no limits in the file: it gets a person's"},
+    MessageText{"joint_unlimited",
+                "joint {} has no limits in the file, or a whole turn: it gets a person's"},
+    MessageText{
+        "joints_unlimited",
+        "{} joints, {} the first, each has no limits in the file, or a whole turn: it gets a "
+        "person's"},
     MessageText{"link_massless",
                 "link {} has no mass in the file, nor what is fixed to it: it weighs nothing"},
     MessageText{"links_massless",
@@ -60,7 +63,11 @@ inline constexpr std::array kRobots{
                 "its limits do not let both feet stand flat as the file places them"},
     MessageText{"straight_knees",
                 "it stands with straight knees: its limits do not let them bend above flat feet"},
-    MessageText{"no_mass", "no link has a mass; a motion is chosen by its torques and needs them"},
+    MessageText{"mjcf_no_body", "no <body> in <worldbody>"},
+    MessageText{
+        "no_mass",
+        "no link has a mass, and a motion is chosen by its torques: give the robot's mass, as by "
+        "--mass 50, which is spread over its links as a person's"},
     MessageText{"no_turning_joint",
                 "no turning joint is the {}; a body needs hips, knees, ankles, shoulders and "
                 "elbows that turn"},
@@ -84,7 +91,6 @@ inline constexpr std::array kRobots{
     MessageText{"include_no_file", "<include> names no file"},
     MessageText{"included_twice", "includes {} a second time; a model has each file once"},
     MessageText{"files_most", "more than {} files"},
-    MessageText{"no_files_beside", "no files beside it"},
     MessageText{"shape_without_size", "a {} without a size"},
     MessageText{"fromto_one_point", "fromto has both ends at one point"},
     MessageText{"size_range", "size is {}; a {} has sizes above 0"},
@@ -97,8 +103,21 @@ inline constexpr std::array kRobots{
     MessageText{"free_joint_within", "a free joint within the robot; only its root is free"},
     MessageText{"joint_type", "type is {}; a joint is a hinge, ball, slide or free"},
     MessageText{"mjcf_axis", "the axis of joint {} is {}; it needs a direction"},
-    MessageText{"mjcf_body_beyond",
-                "body {} has a place, a size, a mass or an inertia beyond {:g}"},
+    MessageText{"body_place_beyond", "body {} has a place beyond {:g} m"},
+    MessageText{"body_size_beyond", "body {} has a size beyond {:g} m"},
+    MessageText{"body_centre_beyond", "body {} has its centre of mass beyond {:g} m"},
+    MessageText{"body_mass_beyond", "body {} has a mass beyond {:g} kg"},
+    MessageText{"body_inertia_beyond", "body {} has an inertia beyond {:g} kg·m²"},
+    MessageText{"maybe_millimetres", "{}; lengths are metres, and this file may be in millimetres"},
+    MessageText{"robot_in_unit",
+                "the robot is {:.2f} m tall: its file may be in {}, not in metres"},
+    MessageText{
+        "robot_too_small",
+        "the robot is {:.3f} m tall: its file may be {:g} times too small, or not in metres"},
+    MessageText{"robot_odd_size", "the robot is {:.2f} m tall: is its file in metres?"},
+    MessageText{"unit_millimetres", "millimetres"},
+    MessageText{"unit_centimetres", "centimetres"},
+    MessageText{"unit_inches", "inches"},
     MessageText{"one_of_two", "{} is {}; allowed are {} and {}"},
     MessageText{"coordinate_global", "coordinate is 'global', which MuJoCo has given up"},
     MessageText{"eulerseq", "eulerseq is {}; it is three of xyzXYZ"},
@@ -136,6 +155,29 @@ inline constexpr std::array kRobots{
     MessageText{"limits_order", "joint '{}' has the limits {} to {}; the lower one comes first"},
     MessageText{"links_most", "more than {} links"},
     MessageText{"joints_most", "more than {} joints"},
+    MessageText{"mass_spread",
+                "no link has a mass in the file: {:g} kg are spread over them as a person's"},
+    MessageText{"root_bolted",
+                "joint {} bolts the robot to the world: its root is taken to be {}, which moves"},
+    MessageText{"root_carried",
+                "{} joints, {} the first, carry the robot: its way is in them, and the root {} "
+                "stays where it is"},
+    MessageText{"root_not_carried",
+                "{} joints, {} the first, cannot carry the robot wherever it goes: they keep their "
+                "places, and the way of the root is that of {}"},
+    MessageText{
+        "limits_in_degrees",
+        "{} joints have limits of more than two turns: the limits are taken to be in degrees"},
+    MessageText{"limits_in_radians",
+                "{} joints have limits of less than 7°: the limits are taken to be in radians"},
+    MessageText{"no_keyframes", "there is no keyframe {}: the file has none"},
+    MessageText{"no_keyframe", "there is no keyframe {}; the file has {}"},
+    MessageText{"keyframe_feet",
+                "in keyframe {} the robot does not stand with both feet flat on one floor: leave "
+                "it out, or give another"},
+    MessageText{
+        "keyframe_near",
+        "the start is near keyframe {}: limits and flat feet do not allow the keyframe itself"},
 };
 
 }  // namespace shigusa::messages
