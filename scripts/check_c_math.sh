@@ -32,6 +32,7 @@ done
 
 if [ -n "$library" ]; then
   symbols=$(nm --undefined-only --format=posix "$library")
+  printf '%s\n' "$symbols" | grep -q ' U ' || { echo "check_c_math: $library needs nothing at all" >&2; exit 1; }
   if printf '%s\n' "$symbols" | grep -E "^($ours|$theirs)[fl]? "; then
     echo "$library needs these functions of the C library"
     bad=1

@@ -29,6 +29,7 @@ read_headers cpp "$docs/Doxyfile"
 # Doxygen 1.9.4 says nothing of an enum's value without a comment
 awk '
   FNR == 1 { value = 0 }
+  /<memberdef / { ++members }
   /<memberdef kind="enum"/ { of = "" }
   /<enumvalue / { value = 1; told = 0; name = "" }
   /<name>/ { gsub(/ *<\/?name>/, ""); if (value) name = $0; else of = $0 }
@@ -37,4 +38,7 @@ awk '
     if (!told) { print "check_docs: no comment on " of "::" name; missing = 1 }
     value = 0
   }
-  END { exit missing }' "$work"/*/*.xml
+  END {
+    if (!members) print "check_docs: Doxygen found no declaration"
+    exit missing || !members
+  }' "$work"/*/*.xml

@@ -39,6 +39,7 @@ lines=$(wc -l <README.ja.md)
 
 commands README.md >"$work/commands"
 [ -s "$work/commands" ] || wrong "README.md shows no command"
+[ -n "$(blocks cpp README.md)" ] || wrong "README.md shows no C++"
 if [ -e "$robot" ]; then
   ln -s "$robot" "$work/g1_29dof.urdf"
 else
@@ -61,5 +62,10 @@ for made in "$work"/out/*/candidate-1.svg; do
   elif ! cmp -s "$made" "$pictures/$name.svg"; then
     wrong "docs/images/readme/$name.svg is not the picture that the command makes now; scripts/make_gallery writes it"
   fi
+done
+# and each picture that it shows was made
+for name in $(grep -o '(docs/images/readme/[^)]*\.svg)' README.md | sed 's/.*\///; s/\.svg)$//' | LC_ALL=C sort -u); do
+  [ -e "$work/out/$name/candidate-1.svg" ] || { [ "$name" = robot ] && [ ! -e "$robot" ]; } ||
+    wrong "no command of README.md makes docs/images/readme/$name.svg"
 done
 exit "$bad"

@@ -4,6 +4,7 @@
 # first line (a script: in its second).
 set -eu
 cd "${1:-$(dirname "$0")/..}"
+find . -name '*.[ch]pp' | grep -q . || { echo "check_spdx: no sources below $(pwd)" >&2; exit 1; }
 
 # every file of ours in which a comment can stand, not what builds leave among them; scripts are known
 # by their first two characters

@@ -19,6 +19,10 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 pages=$(find README.md CONTRIBUTING.md CHANGELOG.md docs -name '*.md' 2>/dev/null | LC_ALL=C sort) || true
+[ -n "$pages" ] || { echo "check_spelling: no pages below $(pwd)" >&2; exit 1; }
+# a word that is wrong: where it is not found, nothing is
+echo 'wrongg' >"$work/canary"
+pages="$pages $work/canary"
 if [ -n "$program" ]; then
   "$program" manual --as markdown >"$work/manual"
   pages="$pages $work/manual"
@@ -39,6 +43,8 @@ fi
     LC_ALL=C grep -nwF -- "$word" /dev/null $pages | cut -d : -f 1,2 | head -n 3 | sed "s|$work/||; s/\$/: $word/"
   done
 } >"$work/found" || true
+grep -q '^canary:1: wrongg$' "$work/found" || { echo "check_spelling: the pages could not be read" >&2; exit 1; }
+sed -i '/^canary:1: wrongg$/d' "$work/found"
 [ -s "$work/found" ] || exit 0
 cat "$work/found"
 echo "check_spelling: mend these words, or add those that are right to $words" >&2

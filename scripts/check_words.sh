@@ -17,6 +17,7 @@ words=$(awk '/^## / { retired = /^## Retired/ } retired && /^\| *`/ { print $0 }
 
 sources=$(find include src apps bindings examples bench tests studio/src \( -name node_modules -o -name dist \) -prune -o -type f \
   \( -name '*.hpp' -o -name '*.h' -o -name '*.cpp' -o -name '*.ts' \) -print 2>/dev/null | LC_ALL=C sort) || true
+[ -n "$sources" ] || { echo "check_words: no sources below $(pwd)" >&2; exit 1; }
 pages=$(find README.md CONTRIBUTING.md docs -name '*.md' ! -path "$glossary" 2>/dev/null | LC_ALL=C sort) || true
 
 # found PLACES-WITH-TEXT MESSAGE: prints them, when there are any

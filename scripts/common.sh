@@ -2,6 +2,7 @@
 # shellcheck shell=bash
 # Read by the commands beside it: goes to the project's root and gives them a few words.
 set -euo pipefail
+shopt -s inherit_errexit # else what fails within $(…) goes on
 called_from=$PWD # paths that a caller gives are meant from there
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DEBIAN_FRONTEND=noninteractive
@@ -22,9 +23,11 @@ quietly() {
   return "$status"
 }
 
+# Where a caller asks whether one of these failed, `set -e` is off within: each step says itself that it ends the function.
+
 # build PRESET CMAKE_OPTION…: configures and builds into build/PRESET
 build() {
-  quietly cmake --preset "$@"
+  quietly cmake --preset "$@" || return
   if [ -t 1 ]; then
     cmake --build "build/$1" --parallel "$jobs"
   else
@@ -36,42 +39,52 @@ build() {
 build_target() {
   local preset=$1
   shift
-  quietly cmake --preset "$preset"
+  quietly cmake --preset "$preset" || return
   quietly cmake --build "build/$preset" --parallel "$jobs" --target "$@" -- --quiet
 }
 
+# whether all that can be tested must be, as .ci/run has it (SHIGUSA_STRICT) where ../shared is there
+strict=
+[ -z "${SHIGUSA_STRICT:-}" ] || [ ! -d ../shared ] || strict=yes
+awk_of_tap=$PWD/scripts/tap.awk
+
 # run_tests PRESET CTEST_OPTION…: what passed or was skipped is only counted, unless on a terminal
 run_tests() {
-  local preset=$1
+  local preset=$1 rooms
   shift
   local ctest=(ctest --preset "$preset" --no-tests=error --no-label-summary --parallel "$jobs" "$@")
   if [ -t 1 ]; then
     "${ctest[@]}"
   else
-    "${ctest[@]}" </dev/null | awk '
-      /^ *Start +[0-9]+: / || /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .* Passed / { next }
-      /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .*\*\*\*Skipped / { ++skipped; next }
-      /^The following tests did not run:/ || /^\t *[0-9]+ - .* \(Skipped\)$/ { next }
-      /tests passed, / && skipped { print skipped " tests skipped what this machine lacks" }
-      { print }'
+    rooms=$(printf '%s\n' tests/*/*_test.cpp | cut -d / -f 2 | LC_ALL=C sort -u | tr '\n' ' ')
+    "${ctest[@]}" </dev/null | awk -v strict="$strict" -v rooms="$rooms" -f scripts/tests_told.awk tests/may_skip.txt -
   fi
+}
+
+# node_tests NODE_OPTION…: of node:test
+node_tests() {
+  node --test --test-reporter=tap --test-reporter-destination=stdout "$@" | awk -v strict="$strict" -f "$awk_of_tap"
 }
 
 # npm_packages FOLDER: what its lock file names, unless it is there already
 npm_packages() {
   local lock
-  lock=$(sha256sum "$1/package-lock.json" | cut -d ' ' -f 1)
+  lock=$(sha256sum "$1/package-lock.json" | cut -d ' ' -f 1) || return
   [ ! -e "$1/node_modules/.lock-$lock" ] || return 0
   say "fetching the npm packages of $1, as locked"
-  quietly npm ci --prefix "$1" --no-audit --no-fund --ignore-scripts
+  quietly npm ci --prefix "$1" --no-audit --no-fund --ignore-scripts || return
   touch "$1/node_modules/.lock-$lock"
 }
 
 # in_parallel FUNCTION ARGUMENT…: the function once for each argument, as many at once as there are
-# cores; fails when one fails, after all are done
+# cores; fails when one fails, after all are done, and where there is no argument
 in_parallel() {
   local function=$1 argument running=0 failed=0
   shift
+  [ $# -gt 0 ] || {
+    echo "in_parallel: nothing for $function to do" >&2
+    return 1
+  }
   for argument in "$@"; do
     if [ "$running" -ge "$jobs" ]; then
       wait -n || failed=1
@@ -88,18 +101,52 @@ in_parallel() {
 }
 
 # run_rooms PRESET ROOM…: the test programs of these rooms, each in as many parts as there are cores. A process
-# for all tests of a part and not one each, which takes sanitizers half a second to begin.
+# for all tests of a part and not one each, which takes sanitizers half a second to begin. Fails where no test of a room
+# ran, as when a filter's name has changed.
 run_rooms() {
-  local preset=$1 room part parts=()
+  local preset=$1 room part parts=() failed=0 counts
   shift
   export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
   export TSAN_OPTIONS=suppressions=$PWD/tests/tsan.supp UBSAN_OPTIONS=print_stacktrace=1
+  counts=$(mktemp)
+  # run_part "ROOM PART"
   run_part() {
+    local log status=0
+    log=$(mktemp)
     RC_PARAMS="seed=42 max_success=30" GTEST_TOTAL_SHARDS=$jobs GTEST_SHARD_INDEX=${1#* } \
-      quietly timeout 1200 "build/$preset/tests/test_${1% *}" --gtest_brief=1
+      timeout 1200 "build/$preset/tests/test_${1% *}" --gtest_brief=1 >"$log" 2>&1 </dev/null || status=$?
+    [ "$status" = 0 ] || cat "$log"
+    sed -nE "s/^\[=+\] ([0-9]+) tests? from .* ran\..*/${1% *} \1/p" "$log" >>"$counts"
+    rm -f "$log"
+    return "$status"
   }
   for room in "$@"; do
     for ((part = 0; part < jobs; ++part)); do parts+=("$room $part"); done
   done
-  in_parallel run_part "${parts[@]}"
+  in_parallel run_part "${parts[@]}" || failed=1
+  awk -f scripts/rooms_ran.awk "$counts" - <<<"$*" || failed=1
+  rm -f "$counts"
+  return "$failed"
+}
+
+# attempt WHAT COMMAND…: the command, and a note of one that fails or, by 77, skips
+attempt() {
+  local what=$1 status=0
+  shift
+  say "$what"
+  "$@" || status=$?
+  case $status in
+    0) ;;
+    77) attempts_skipped+=("$what") ;;
+    *) attempts_failed+=("$what") ;;
+  esac
+}
+attempts_failed=()
+attempts_skipped=()
+
+# tell_attempts NAME: what was skipped and what failed; fails where something did
+tell_attempts() {
+  [ ${#attempts_skipped[@]} -eq 0 ] || printf "$1: skipped: %s\n" "${attempts_skipped[@]}" >&2
+  [ ${#attempts_failed[@]} -eq 0 ] || printf "$1: failed: %s\n" "${attempts_failed[@]}" >&2
+  [ ${#attempts_failed[@]} -eq 0 ]
 }

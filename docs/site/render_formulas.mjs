@@ -17,11 +17,13 @@ const unescaped = (text) => text.replace(/&(amp|lt|gt|quot|#39);/g, (_, name) =>
 
 const [site] = process.argv.slice(2);
 let failed = 0;
+let formulas = 0;
 for (const path of readdirSync(site, { recursive: true }).filter((name) => name.endsWith('.html'))) {
   const before = readFileSync(join(site, path), 'utf8');
   let after = before;
   for (const { pattern, displayMode } of forms) {
     after = after.replace(pattern, (_, formula) => {
+      formulas += 1;
       try {
         const set = katex.renderToString(unescaped(formula), { displayMode, throwOnError: true, strict: 'error' });
         return displayMode ? `<div class="formula">${set}</div>` : set;
@@ -32,6 +34,11 @@ for (const path of readdirSync(site, { recursive: true }).filter((name) => name.
       }
     });
   }
+  if (after.includes('class="arithmatex"')) {
+    console.error(`render_formulas: ${path}: a formula is of neither form`);
+    failed += 1;
+  }
   if (after !== before) writeFileSync(join(site, path), after);
 }
-process.exit(failed === 0 ? 0 : 1);
+if (formulas === 0) console.error(`render_formulas: no formula in ${site}`);
+process.exit(failed === 0 && formulas > 0 ? 0 : 1);

@@ -200,5 +200,35 @@ TEST_P(StandingLandmarks, StandOnTheFloorBetweenTheFeet) {
 
 INSTANTIATE_TEST_SUITE_P(Statures, StandingLandmarks, testing::Values(0.5, 1.5, 1.741, 2.5));
 
+// Written a second time, in degrees and N·m, as the sources that anthropometry.hpp names have them.
+TEST(JointLimits, AreThoseOfTheSources) {
+  struct LimitRow {
+    const JointLimits* limits;
+    double lower_deg, upper_deg, torque_positive, torque_negative;
+  };
+  const LimitRow rows[] = {
+      {&kAnkleFlexion, -50, 40, 45, 150},        {&kKneeFlexion, 0, 145, 100, 230},
+      {&kHipFlexion, -20, 115, 120, 220},        {&kHipAbduction, -25, 45, 110, 110},
+      {&kHipRotation, -45, 45, 50, 50},          {&kShoulderFlexion, -60, 170, 80, 80},
+      {&kShoulderAbduction, -40, 170, 65, 70},   {&kShoulderRotation, -70, 90, 32, 50},
+      {&kElbowFlexion, 0, 150, 70, 55},          {&kFreeHipFlexion, -20, 85, 120, 220},
+      {&kAnkleInversion, -15, 35, 34, 20},       {&kToesFlexion, 0, 58, 4.7, 14.2},
+      {&kSpineFlexion, -25, 80, 150, 240},       {&kSpineLateral, -35, 35, 140, 140},
+      {&kSpineRotation, -45, 45, 75, 75},        {&kNeckFlexion, -22.5, 22.5, 30, 52},
+      {&kNeckLateral, -22.5, 22.5, 36, 36},      {&kNeckRotation, -35, 35, 15, 15},
+      {&kClavicleElevation, -8, 35, 60, 60},     {&kClavicleProtraction, -20, 25, 60, 60},
+      {&kFreeShoulderFlexion, -60, 160, 80, 80}, {&kFreeShoulderAbduction, -40, 145, 65, 70},
+      {&kFreeShoulderRotation, -70, 60, 32, 50}, {&kForearmRotation, -80, 80, 9, 8},
+      {&kWristFlexion, -70, 80, 12.2, 7.1},      {&kWristDeviation, -30, 20, 11, 9.5},
+  };
+  for (const LimitRow& row : rows) {
+    const auto number = &row - rows;
+    EXPECT_DOUBLE_EQ(row.limits->lower, radians(row.lower_deg)) << number;
+    EXPECT_DOUBLE_EQ(row.limits->upper, radians(row.upper_deg)) << number;
+    EXPECT_EQ(row.limits->torque_positive, row.torque_positive) << number;
+    EXPECT_EQ(row.limits->torque_negative, row.torque_negative) << number;
+  }
+}
+
 }  // namespace
 }  // namespace shigusa

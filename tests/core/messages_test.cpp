@@ -61,6 +61,11 @@ TEST(Say, LengthsHaveTheirUnit) {
   EXPECT_EQ(message.values.at(0).unit, "m");
 }
 
+TEST(Say, DoubledBracesAreBraces) {
+  EXPECT_EQ(say("must_be_object").text, "must be an object { … }");
+  EXPECT_EQ(say("points_object", 3).text, "must be an object { … } of at most 3 points");
+}
+
 TEST(Say, ErrorWithinAnotherKeepsItsSentence) {
   const Error error{ErrorCode::parse, say("empty_file"), "hero.glb"};
   const Message message = error.to_message();

@@ -29,6 +29,15 @@ TEST(NearestName, CompletesWords) {
   EXPECT_EQ(nearest_name("right_elbow", known), "right_elbow.weight");
 }
 
+TEST(NearestName, CountsWhatStandsInFront) {
+  EXPECT_EQ(nearest_name("xxxxab", std::vector<std::string>{"ab", "xxxxzz"}), "xxxxzz");
+}
+
+TEST(NearestName, CountsWhatIsMissingAndWhatIsTooMuchOnce) {
+  EXPECT_EQ(nearest_name("abcd", std::vector<std::string>{"abxy", "abcdz"}), "abcdz");
+  EXPECT_EQ(nearest_name("abcdz", std::vector<std::string>{"abcxy", "abcd"}), "abcd");
+}
+
 TEST(NearestName, TakesTheFirstAmongEquals) {
   EXPECT_EQ(nearest_name("_hand", kHands), "left_hand");
 }

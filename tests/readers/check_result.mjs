@@ -45,19 +45,23 @@ async function checkStart(kind, name, placeOf, unit_m) {
   if (!landmarks) return;
   const allowed = Math.max(1e-3, 1e-3 * body.stature_m);
   let worst = 0;
+  let joints = 0;
   for (const side of ['left', 'right']) {
     for (const [joint, bone] of Object.entries(kBones)) {
       const at = await placeOf(`${side}_${bone}`);
       if (!at) continue;
+      ++joints;
       const off = inWorld(at, unit_m).distanceTo(new Vector3(...landmarks[`${side}_${joint}`]));
       worst = Math.max(worst, off);
       expect(off <= allowed, `${name}: the ${side} ${joint} begins ${1e3 * off} mm off by ${kind}`);
     }
   }
+  expect(joints > 0, `${name}: no joint of the start is there by ${kind}`);
   console.log(`${kind} ${name}: begins ${(1e3 * worst).toFixed(4)} mm off`);
 }
 
 function checkGoals(kind, name, candidate, placeOf, unit_m) {
+  expect(candidate.reached.length > 0, `${name}: no goal to look at`);
   for (const goal of candidate.reached) {
     const at = placeOf(goal.joint);
     const off = at ? inWorld(at, unit_m).distanceTo(new Vector3(...goal.reached_m)) : Infinity;
@@ -115,6 +119,8 @@ async function checkMotion(kind, name, motion, candidate, unit_m = 1) {
   }
   const feet = await Promise.all(candidate.contacts.map((c) => motion.node(nodeOf(c))));
   motion.at(0);
+  expect(candidate.reached.length > 0, `${name}: no goal to look at`);
+  expect(feet.length > 0, `${name}: no foot to look at`);
   const first = feet.map((foot) => [place(foot), turn(foot)]);
   let slide = 0;
   let tilt = 0;
@@ -157,8 +163,10 @@ async function checkValid(path, known) {
 const isGltf = /\.(glb|vrm|gltf)$/.test(character);
 const known = isGltf ? await issues(character) : new Map();
 const still = isGltf ? await vertices(character) : [];
+expect(summary.candidates.length > 0, 'there is no candidate');
 for (const candidate of summary.candidates) {
   const { bvh, glb, vrma } = candidate.files;
+  expect(bvh || glb || vrma, 'a candidate has no file that is looked at');
   if (bvh) await checkBvh(bvh, candidate);
   if (glb) {
     const path = join(folder, glb);

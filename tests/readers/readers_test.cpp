@@ -207,6 +207,15 @@ TEST_F(SecondReadersOfOurOwn, ReadAPersonWithAMesh) {
       changed["candidates"][0]["reached"][0]["gltf_node"];
   work_.put("out/summary.json", changed.dump());
   EXPECT_THAT(complaints(person), testing::HasSubstr("a foot slides"));
+  // and of nothing to look at
+  changed = Json::parse(summary);
+  for (const char* list : {"reached", "contacts"}) changed["candidates"][0][list] = Json::array();
+  work_.put("out/summary.json", changed.dump());
+  EXPECT_THAT(complaints(person), testing::AllOf(testing::HasSubstr("no goal to look at"),
+                                                 testing::HasSubstr("no foot to look at")));
+  changed["candidates"] = Json::array();
+  work_.put("out/summary.json", changed.dump());
+  EXPECT_THAT(complaints(person), testing::HasSubstr("there is no candidate"));
   work_.put("out/summary.json", summary);
   file["accessors"][0]["max"] = {0.2f, 0.1f, 0};
   const fs::path other = work_.put(
