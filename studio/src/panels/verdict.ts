@@ -2,7 +2,7 @@
 // The engine's verdict on the motion that is shown: a line at the head of the timeline, and all reasons above the goals.
 import type { Candidate, Reason } from '../../../bindings/wasm/src/types';
 import { postureWords, t } from '../i18n';
-import { detailWords, reasonsWords, verdictWords } from '../i18n/verdict_words';
+import { detailWords, reasonsWords, verdictWords, enoughWords } from '../i18n/verdict_words';
 import { ranking } from '../state/criteria';
 import type { Document, State } from '../state/model';
 import type { Studio } from '../state/studio';
