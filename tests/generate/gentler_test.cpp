@@ -2,6 +2,8 @@
 // Tasks whose first choice would jolt in their usual time.
 #include <gtest/gtest.h>
 
+#include <shigusa/generate.hpp>
+
 #include "core/index.hpp"
 #include "support/random_tasks.hpp"
 #include "task/make_problem.hpp"

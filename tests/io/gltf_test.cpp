@@ -175,7 +175,7 @@ TEST(Gltf, GlbIsReadAsItsJson) {
 // Zeros at the end of a GLB's text, as some writers leave them, are none of the text.
 TEST(Gltf, ZerosAfterTheTextOfAGlbAreLeftOut) {
   const std::string json = person_gltf().dump();
-  for (const std::size_t zeros : {1, 2, 3, 6}) {
+  for (const std::size_t zeros : {1U, 2U, 3U, 6U}) {
     std::string padded = json + std::string((4 - (json.size() + zeros) % 4) % 4, ' ');
     padded += std::string(zeros, '\0');
     padded.resize((padded.size() + 3) / 4 * 4, '\0');
