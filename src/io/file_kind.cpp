@@ -47,8 +47,8 @@ const std::array kForeign{
     ForeignKind{"Vocaloid Motion Data", "kind_mmd", "advice_export"},
     ForeignKind{"ply\n", "kind_mesh", "advice_other"},
     ForeignKind{"solid ", "kind_mesh", "advice_other"},
-    ForeignKind{"\xFF\xFE", "kind_utf16", "advice_utf8"},
-    ForeignKind{"\xFE\xFF", "kind_utf16", "advice_utf8"},
+    ForeignKind{"\xFF\xFE", "kind_utf_sixteen", "advice_utf_eight"},
+    ForeignKind{"\xFE\xFF", "kind_utf_sixteen", "advice_utf_eight"},
 };
 
 std::string_view without_mark(std::string_view text) {

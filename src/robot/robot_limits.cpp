@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Limits of a robot's joints in another unit than the file's format has.
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "core/say.hpp"
 #include "robot/robot.hpp"
@@ -12,7 +14,7 @@ constexpr double kWide = 2.0 * kTwoPi;       // rad: no joint of a limb turns tw
 constexpr double kNarrow = radians(kTwoPi);  // rad: radians that were taken for degrees
 constexpr double kMostDegrees = 360.0;       // more stands for no limit
 constexpr double kPerRadian = 180.0 / kPi;
-constexpr std::size_t kFewest = 4;  // joints that tell a unit
+constexpr std::size_t kFewest = 4;  // joints, and limits that differ, that tell a unit
 
 void set_limits(Robot::Joint& joint, double lower, double upper) {
   joint.limited = upper - lower < kTwoPi;
@@ -26,6 +28,7 @@ void mend_limits(Robot& robot) {
   std::size_t told = 0;
   std::size_t wide = 0;
   std::size_t narrow = 0;
+  std::set<std::pair<double, double>> different;  // the same for all joints stand for no limits
   bool degrees = true;
   for (const Robot::Joint& joint : robot.joints) {
     if (!joint.ends || !joint.turns) continue;
@@ -34,11 +37,12 @@ void mend_limits(Robot& robot) {
     // what stands for no limit
     if (most >= 1000.0) continue;
     ++told;
+    different.emplace(lower, upper);
     degrees = degrees && most <= kMostDegrees;
     if (upper - lower > kWide) ++wide;
     if (upper - lower <= kNarrow) ++narrow;
   }
-  if (told < kFewest) return;
+  if (told < kFewest || different.size() < kFewest) return;
   double unit = 1.0;
   if (2 * wide > told && degrees) unit = 1.0 / kPerRadian;
   if (2 * narrow > told) unit = kPerRadian;

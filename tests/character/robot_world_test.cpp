@@ -271,5 +271,18 @@ TEST(RobotLimits, OfAFewJointsTellNoUnit) {
   EXPECT_THAT(robot.doubts, Each(Not(HasSubstr("degrees"))));
 }
 
+// The same wide limits of all joints stand for none, as models of people from motion capture have.
+TEST(RobotLimits, ThatAreAllAlikeTellNoUnit) {
+  std::string text = RobotFile().text();
+  for (const std::string key : {"lower=\"", "upper=\""}) {
+    for (std::size_t at = text.find(key); at != text.npos; at = text.find(key, at + 1)) {
+      const std::size_t begin = at + key.size();
+      text.replace(begin, text.find('"', begin) - begin, key[0] == 'l' ? "-10" : "10");
+    }
+  }
+  const Robot robot = parse_urdf(text, "r.urdf").value();
+  EXPECT_THAT(robot.doubts, Each(Not(HasSubstr("degrees"))));
+}
+
 }  // namespace
 }  // namespace shigusa
