@@ -136,3 +136,23 @@ fails_with '' 'a target whose finds cannot be kept' fuzz
 rm -r "$tree/tests/fuzz/io_corpus"
 program build/clang-asan/fuzz/io_fuzz 'true'
 fails_with 'io_corpus' 'a target without a corpus' fuzz
+
+# what people reported
+project
+mkdir -p "$tree/tests/checkers"
+cp "$scripts/../tests/checkers/reports.mjs" "$tree/tests/checkers"
+printf 'kind\tfile\n1 one\ta.urdf\n' >"$tree/manifest.tsv"
+reports() {
+  write expected.json "$1"
+  in_project env SHIGUSA_BINARY="$tree/bin/shigusa" "$tree/scripts/check_reports" "$tree/manifest.tsv" "$tree/expected.json"
+}
+entry='"row": "1 one: a.urdf", "run": "body {file}"'
+program bin/shigusa 'echo "{\"stature_m\": 1.7}"; echo "a note on $2" >&2; exit 3'
+passes 'a report as it is to be' reports "[{$entry, \"exit\": 3, \"err\": \"note on .*a.urdf\", \"json\": {\"stature_m\": [1.6, 1.8]}}]"
+fails_with 'exit code 3' 'another exit code' reports "[{$entry}]"
+fails_with 'no /doubt/' 'a word that is not told' reports "[{$entry, \"exit\": 3, \"err\": \"doubt\"}]"
+fails_with 'stature_m is 1.7' 'a number out of its bounds' reports "[{$entry, \"exit\": 3, \"json\": {\"stature_m\": [1.8, 2]}}]"
+fails_with '0 entries for 1 rows' 'a row without an entry' reports '[]'
+fails_with 'no such row' 'an entry without a row' reports "[{$entry, \"exit\": 3}, {\"row\": \"2 two: b\", \"run\": \"\"}]"
+passes 'a report that is expected to fail' reports "[{$entry, \"fails\": \"not yet\"}]"
+fails_with 'take "fails" away' 'a mended report that is marked as failing' reports "[{$entry, \"exit\": 3, \"fails\": \"not yet\"}]"
