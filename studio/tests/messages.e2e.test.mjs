@@ -18,7 +18,7 @@ const wrong = [
   ['key.json', JSON.stringify({ version: 1, goals: [{ effector: 'right_hand', position_m: [0, 1, 0], lod_kg: 1 }] }), /キー「lod_kg」はありません。「load_kg」ですか？/],
   ['far.json', JSON.stringify({ version: 1, goals: [{ effector: 'right_hand', position_m: [0, 'up', 0] }] }), /\[0,"up",0\] です。-100～100 の数 3 個/],
   ['bomb.urdf', '<!DOCTYPE a [<!ENTITY b "c">]><robot/>', /line 1 of bomb\.urdf：定義付きの文書型宣言は読めません/],
-  ['other.urdf', '<mujoco/>', /<robot> のはずの箇所に <mujoco> があります/],
+  ['other.urdf', '<mujoco/>', /MJCF ファイルで、\.urdf ファイルではありません/],
   ['lone.urdf', '<robot name="r"><link name="a"/></robot>', /人型ロボットではありません：.*ノードが一つだけです/],
   ['low.json', JSON.stringify({ version: 1, goals: [{ effector: 'left_foot', position_m: [0.1, 0.02, 0.3] }] }), /左足の目標：高さ 2 cm では足裏が床より 4\.8 cm 下になります。この向きでは 6\.8 cm 以上/],
 ];
