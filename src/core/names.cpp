@@ -43,16 +43,17 @@ std::vector<std::string> words_of(std::string_view name) {
   return words;
 }
 
-// The first name that has the same words in some order, or else begins with them; else empty.
+// The first name that has the same words in some order, or else more than these; else empty.
 std::string_view same_words(std::string_view name, std::span<const std::string> known) {
   const std::vector<std::string> asked = words_of(name);
   if (asked.empty()) return {};
   std::string_view longer;
   for (const std::string& candidate : known) {
-    std::vector<std::string> words = words_of(candidate);
-    const bool begins =
-        words.size() > asked.size() && std::equal(asked.begin(), asked.end(), words.begin());
-    if (begins && longer.empty()) longer = candidate;
+    const std::vector<std::string> words = words_of(candidate);
+    const bool has_all = std::all_of(asked.begin(), asked.end(), [&words](const std::string& word) {
+      return contains(words, word);
+    });
+    if (has_all && longer.empty()) longer = candidate;
     if (std::is_permutation(asked.begin(), asked.end(), words.begin(), words.end())) {
       return candidate;
     }

@@ -347,7 +347,7 @@ void try_longer(const PreparedTask& task, JointProgress& progress, GenerateResul
 constexpr std::uint64_t kOtherNumbers = 0x9e3779b97f4a7c15U;
 
 // Where still nothing is possible, other random numbers search as many motions as the first search
-// did: a fifth of what was spent by then.
+// did: a sixth of what was spent by then.
 void try_other_numbers(const PreparedTask& task, JointProgress& progress, GenerateResult& found) {
   if (task.evaluations || task.pareto || task.own_search || !wants_more(found)) return;
   PreparedTask other = task;

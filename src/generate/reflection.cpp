@@ -12,8 +12,6 @@
 namespace shigusa {
 namespace {
 
-Vec3d across(const Vec3d& p) { return {-p.x, p.y, p.z}; }
-
 // A freedom of the other side, and the sign of its angle there.
 struct Fellow {
   int dof = 0;

@@ -15,7 +15,6 @@ namespace {
 // The posture mode that is not of one side.
 bool turns(std::string_view name) { return name_within_phase(name).starts_with("twist"); }
 
-Vec3d across(const Vec3d& p) { return {-p.x, p.y, p.z}; }
 Quatd across(const Quatd& q) { return {q.x, -q.y, -q.z, q.w}; }
 
 // "right_elbow.weight=3" of "left_elbow.weight=3", "twist_deg=-20" of "twist_deg=20".

@@ -13,6 +13,9 @@ namespace shigusa {
 // "later.left_knee.flexion" of "later.right_knee.flexion"; a name without a side stays.
 [[nodiscard]] std::string mirrored_in_phase(std::string_view name);
 
+// A point of the world on the other side of the body's middle.
+[[nodiscard]] inline Vec3d across(const Vec3d& p) { return {-p.x, p.y, p.z}; }
+
 // Takes a request to the other side of the body's middle, x = 0.
 void mirror_request(Request& request);
 

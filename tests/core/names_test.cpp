@@ -24,6 +24,8 @@ TEST(NearestName, KnowsWordsInAnotherOrderAndCase) {
 }
 
 TEST(NearestName, CompletesWords) {
+  EXPECT_EQ(nearest_name("hand", std::vector<std::string>{"head", "right_hand", "left_hand"}),
+            "right_hand");
   const std::vector<std::string> known{"sway", "squat_deg", "squat_rad", "right_elbow.weight"};
   EXPECT_EQ(nearest_name("squat", known), "squat_deg");
   EXPECT_EQ(nearest_name("right_elbow", known), "right_elbow.weight");
