@@ -4,8 +4,7 @@
 # fails, or makes another picture than the page shows; --record writes the pictures. Fails too where README.ja.md
 # has other commands, other C++ or more than 110 lines; check_prose.sh counts those of README.md.
 #
-# The picture docs/images/readme/NAME.svg is out/NAME/candidate-1.svg. The robot's file is not part of the project:
-# where it is in neither SHIGUSA_SHARED_DIR nor ../shared, its command and picture are left as they are.
+# The picture docs/images/readme/NAME.svg is out/NAME/candidate-1.svg.
 set -eu
 record=
 if [ "$1" = --record ]; then
@@ -14,7 +13,6 @@ if [ "$1" = --record ]; then
 fi
 program=$(realpath "$1")
 cd "${2:-$(dirname "$0")/..}"
-robot=$(realpath -m "${SHIGUSA_SHARED_DIR:-../shared}/characters/unitree_ros__g1_29dof.urdf")
 pictures=$PWD/docs/images/readme
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -40,11 +38,7 @@ lines=$(wc -l <README.ja.md)
 commands README.md >"$work/commands"
 [ -s "$work/commands" ] || wrong "README.md shows no command"
 [ -n "$(blocks cpp README.md)" ] || wrong "README.md shows no C++"
-if [ -e "$robot" ]; then
-  ln -s "$robot" "$work/g1_29dof.urdf"
-else
-  sed -i '/g1_29dof\.urdf/d' "$work/commands"
-fi
+ln -s "$PWD/examples" "$work/examples"
 mkdir "$work/bin"
 ln -s "$program" "$work/bin/shigusa"
 if ! (cd "$work" && PATH=$work/bin:$PATH sh -eu commands) >"$work/said" 2>&1; then
@@ -65,7 +59,7 @@ for made in "$work"/out/*/candidate-1.svg; do
 done
 # and each picture that it shows was made
 for name in $(grep -o '(docs/images/readme/[^)]*\.svg)' README.md | sed 's/.*\///; s/\.svg)$//' | LC_ALL=C sort -u); do
-  [ -e "$work/out/$name/candidate-1.svg" ] || { [ "$name" = robot ] && [ ! -e "$robot" ]; } ||
+  [ -e "$work/out/$name/candidate-1.svg" ] ||
     wrong "no command of README.md makes docs/images/readme/$name.svg"
 done
 exit "$bad"

@@ -49,6 +49,8 @@ struct FileOptions {
   std::optional<std::string> joint_names;
   bool in_place = false;
   bool only_this_clip = false;
+
+  bool operator==(const FileOptions&) const = default;
 };
 
 // The headings of commands in `shigusa --help`.

@@ -128,6 +128,12 @@ Result<int> edit(const EditOptions& options) {
     const std::string hint = by_call ? comma_hint(place.substr(place.find('=') + 1)) : "";
     return fail(error.code, error.message.text + hint, (by_call ? "--set " : "") + place);
   }
+  if (!options.mirror && options.assignments.empty() && options.files == FileOptions{}) {
+    note("edit",
+         "nothing was changed: --set NAME=VALUE changes a parameter, such as squat_deg=60; the "
+         "result's " +
+             std::string(kSummaryName) + " lists them");
+  }
   RunInfo info = replay_info(options.mirror ? "mirror" : "edit", begin);
   std::optional<EditFolder> own;
   SHG_TRY_ASSIGN(const fs::path folder, make_folder(options, own));

@@ -35,7 +35,10 @@ Result<fs::path> page_folder(const std::string& given) {
     if (fs::is_regular_file(folder / "index.html", ignored)) return folder;
   }
   return fail(ErrorCode::not_found,
-              "the page is not built: run scripts/build_studio, or tell its folder by --folder",
+              "the page is not built: run scripts/build_studio in the project's folder, which "
+              "takes some eight "
+              "minutes, and install again what is installed; or tell the folder of a built page by "
+              "--folder",
               "studio");
 }
 

@@ -300,6 +300,16 @@ void note_run(const FinishedRun& run, const Judgement& start) {
   }
 }
 
+// The ending of the candidates' pictures, the easiest one to open; empty where none are written.
+std::string_view picture_ending(const std::vector<FileFormat>& formats) {
+  for (const FileFormat picture : {FileFormat::png, FileFormat::svg, FileFormat::pdf}) {
+    if (std::find(formats.begin(), formats.end(), picture) != formats.end()) {
+      return info_of(picture).endings.front();
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string score_table(const BodyModel& body, const ClipScore& scored) {
@@ -325,11 +335,9 @@ Result<int> deliver(const FinishedRun& run, const Delivery& delivery) {
     print_out("{}", written.summary);
   } else {
     print_out("{}{}", headline(run), candidate_table(run.task.body, generation.candidates, start));
-    const auto& formats = settings.formats;
-    const bool pictures =
-        std::find(formats.begin(), formats.end(), FileFormat::png) != formats.end();
-    for (std::size_t i = 0; pictures && i < generation.candidates.size(); ++i) {
-      print_out("{}\n", (folder / fmt::format("candidate-{}.png", i + 1)).string());
+    const std::string_view ending = picture_ending(settings.formats);
+    for (std::size_t i = 0; !ending.empty() && i < generation.candidates.size(); ++i) {
+      print_out("{}\n", (folder / fmt::format("candidate-{}{}", i + 1, ending)).string());
     }
     print_out("{}\n", (folder / kSummaryName).string());
   }

@@ -12,8 +12,8 @@
 namespace shigusa {
 
 /// The name of `known` that has the words of `name` in any order and case, or else these and more,
-/// or else is nearest by edit distance; empty when none shares a third of it. For messages
-/// about misspelt names.
+/// or else words that begin so or are misspelt so, or else is nearest by edit distance; empty when
+/// none shares a third of it. For messages about misspelt names.
 [[nodiscard]] std::string_view nearest_name(std::string_view name,
                                             std::span<const std::string> known);
 

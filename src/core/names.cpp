@@ -12,21 +12,23 @@ namespace {
 // Names in messages are cut here, so that no input makes a message endless or its work quadratic.
 constexpr std::size_t kLongestName = 80;
 
-// Levenshtein distance.
+// Letters to add, drop or change, and neighbours to swap, till one text is the other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  const std::size_t width = b.size() + 1;
+  std::vector<std::size_t> cost((a.size() + 1) * width);
+  const auto at = [&](std::size_t i, std::size_t j) -> std::size_t& { return cost[i * width + j]; };
+  for (std::size_t i = 0; i <= a.size(); ++i) at(i, 0) = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) at(0, j) = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      row[j] = std::min({above + 1, row[j - 1] + 1, changed});
-      diagonal = above;
+      const std::size_t changed = at(i - 1, j - 1) + (a[i - 1] == b[j - 1] ? 0 : 1);
+      at(i, j) = std::min({at(i - 1, j) + 1, at(i, j - 1) + 1, changed});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        at(i, j) = std::min(at(i, j), at(i - 2, j - 2) + 1);
+      }
     }
   }
-  return row.back();
+  return cost.back();
 }
 
 // The words of a name: "right", "hand" of "Right-hand".
@@ -61,11 +63,48 @@ std::string_view same_words(std::string_view name, std::span<const std::string> 
   return longer;
 }
 
+// Whether a word that was asked for is a word's beginning, or it with a letter in three mistaken.
+bool means(const std::string& asked, const std::string& word) {
+  if (asked.size() < 3) return asked == word;
+  return word.starts_with(asked) || edit_distance(asked, word) * 3 <= asked.size();
+}
+
+// The first name for each of whose words one was asked, in short or misspelt, and the other way
+// round; or else one with more words; else empty.
+std::string_view meant_words(std::string_view name, std::span<const std::string> known) {
+  const std::vector<std::string> asked = words_of(name);
+  std::string_view longer;
+  for (const std::string& candidate : known) {
+    const std::vector<std::string> words = words_of(candidate.substr(0, kLongestName));
+    const bool all = std::all_of(asked.begin(), asked.end(), [&words](const std::string& one) {
+      return std::any_of(words.begin(), words.end(),
+                         [&one](const std::string& word) { return means(one, word); });
+    });
+    if (!all || asked.empty()) continue;
+    if (words.size() == asked.size()) return candidate;
+    if (longer.empty()) longer = candidate;
+  }
+  return longer;
+}
+
+// The same of the body's other side, where nobody said which: "left_hand" beside "right_hand".
+std::string_view of_other_side(std::string_view name, std::string_view nearest,
+                               std::span<const std::string> known) {
+  for (const auto& [side, other] : {std::pair{"right", "left"}, std::pair{"left", "right"}}) {
+    if (!nearest.starts_with(side) || edit_distance(words_of(name).front(), side) <= 2) continue;
+    const std::string wanted = other + std::string(nearest.substr(std::string_view(side).size()));
+    const auto found = std::find(known.begin(), known.end(), wanted);
+    if (found != known.end()) return *found;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string_view nearest_name(std::string_view name, std::span<const std::string> known) {
   const std::string_view cut = name.substr(0, kLongestName);
   if (const std::string_view same = same_words(cut, known); !same.empty()) return same;
+  if (const std::string_view meant = meant_words(cut, known); !meant.empty()) return meant;
   std::string_view best;
   std::size_t best_distance = std::string_view::npos;
   for (const std::string& candidate : known) {
@@ -85,8 +124,10 @@ Message unknown_name(std::string_view kind, std::string_view name,
   for (std::size_t i = 0; i < known.size(); ++i) all += (i == 0 ? "" : ", ") + known[i];
   const std::string_view cut = name.substr(0, kLongestName);
   const std::string_view nearest = nearest_name(name, known);
-  return nearest.empty() ? say("unknown_name", kind, cut, all)
-                         : say("unknown_name_near", kind, cut, nearest, all);
+  if (nearest.empty()) return say("unknown_name", kind, cut, all);
+  const std::string_view other = of_other_side(cut, nearest, known);
+  return other.empty() ? say("unknown_name_near", kind, cut, nearest, all)
+                       : say("unknown_name_sides", kind, cut, nearest, other, all);
 }
 
 }  // namespace shigusa

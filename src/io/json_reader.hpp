@@ -153,8 +153,8 @@ class JsonReader {
 
   // a member that must be there
   void require(const char* key) {
-    if (!object_->is_object() || object_->contains(key)) return;
-    wrong(key, say("is_missing"));
+    if (!object_->is_object() || object_->contains(key) || missing_) return;
+    missing_ = Error{ErrorCode::parse, say("is_missing"), place_of(key)};
   }
 
   void wrong(const std::string& key, const Message& message) {
@@ -166,7 +166,8 @@ class JsonReader {
     if (!error_) error_ = nested;
   }
 
-  // The first error, if any; members that nobody asked for are errors too.
+  // The first error, if any; members that nobody asked for are errors too, and come before those
+  // that are missing, which may be the same ones misspelt.
   [[nodiscard]] const std::optional<Error>& finish() {
     if (!object_->is_object()) return error_;
     for (const auto& item : object_->items()) {
@@ -174,6 +175,7 @@ class JsonReader {
       for (const std::string& key : known_) asked = asked || key == item.key();
       if (!asked) wrong("", unknown_name("key", item.key(), known_));
     }
+    absorb(missing_);
     return error_;
   }
 
@@ -204,6 +206,7 @@ class JsonReader {
   std::string place_;
   std::vector<std::string> known_;
   std::optional<Error> error_;
+  std::optional<Error> missing_;  // the first member that must be there and is not
 };
 
 [[nodiscard]] inline Json to_json(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }

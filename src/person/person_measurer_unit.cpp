@@ -92,7 +92,10 @@ void PersonMeasurer::doubt_unit(const FileUnit& best) {
     if (&unit == &best || stature < kPlausibleLow || stature > kPlausibleHigh) continue;
     if (is_usual(result_.stature) && !is_usual(stature)) continue;
     doubt("unit_guessed", best.name, Metres{result_.stature}, unit.name, Metres{stature});
+    return;
   }
+  // only the stature speaks for it
+  if (best.rare) doubt("unit_by_stature", best.name, Metres{result_.stature});
 }
 
 // Height of the lowest part of a foot's sole (m, above the world's zero).

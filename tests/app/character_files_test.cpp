@@ -43,7 +43,7 @@ TEST_F(CharacterFiles, AGltfCharacterLeavesAsGlbUnasked) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const StoredRun stored(work_, "out");
   expect_promises_kept(stored);
-  EXPECT_EQ(stored.candidate(1).at("files").size(), 5u);
+  EXPECT_EQ(stored.candidate(1).at("files").size(), 4u);
   expect_glb_meets_goal(stored);
 }
 
@@ -134,7 +134,7 @@ TEST_F(CharacterFiles, WithoutTheFileAnEditSaysWhatToGive) {
   EXPECT_THAT(without.exit_code, delivered()) << without.err;
   EXPECT_THAT(without.err, AllOf(HasSubstr("person.glb: note: "), HasSubstr("--character FILE"),
                                  HasSubstr("No such file")));
-  EXPECT_EQ(formats_of(StoredRun(work_, "a")), (std::set<std::string>{"bvh", "csv", "png", "svg"}));
+  EXPECT_EQ(formats_of(StoredRun(work_, "a")), (std::set<std::string>{"bvh", "csv", "svg"}));
   expect_promises_kept(StoredRun(work_, "a"));
   const ProgramRun refused = run({"edit", "out", "--formats", "glb", "--out", "b"});
   EXPECT_EQ(refused.exit_code, 2);
@@ -143,7 +143,7 @@ TEST_F(CharacterFiles, WithoutTheFileAnEditSaysWhatToGive) {
   EXPECT_FALSE(std::filesystem::exists(work_ / "b"));
   const ProgramRun with = run({"mirror", "out", "--character", "moved/person.glb", "--out", "c"});
   EXPECT_EQ(with.exit_code, 0) << with.err;
-  EXPECT_EQ(StoredRun(work_, "c").candidate(1).at("files").size(), 5u);
+  EXPECT_EQ(StoredRun(work_, "c").candidate(1).at("files").size(), 4u);
   EXPECT_EQ(StoredRun(work_, "c").summary().at("character_file"), "../moved/person.glb");
   // another person's file in its place is not taken
   nlohmann::json other = person_gltf();
@@ -152,7 +152,7 @@ TEST_F(CharacterFiles, WithoutTheFileAnEditSaysWhatToGive) {
   const ProgramRun another = run({"edit", "out", "--out", "d"});
   EXPECT_EQ(another.exit_code, 0);
   EXPECT_THAT(another.err, HasSubstr("is not the person of the result"));
-  EXPECT_EQ(StoredRun(work_, "d").candidate(1).at("files").size(), 4u);
+  EXPECT_EQ(StoredRun(work_, "d").candidate(1).at("files").size(), 3u);
 }
 
 // The next motion begins with the posture that the last one ends with.
@@ -213,7 +213,7 @@ TEST_F(CharacterFiles, AFileThatRefersToOthersLeavesAsTheRest) {
   const ProgramRun usual = reach({}, "person.gltf");
   EXPECT_EQ(usual.exit_code, 0) << usual.err;
   EXPECT_THAT(usual.err, HasSubstr("cannot leave as GLB: images[0] lies in another file"));
-  EXPECT_EQ(StoredRun(work_, "out").candidate(1).at("files").size(), 4u);
+  EXPECT_EQ(StoredRun(work_, "out").candidate(1).at("files").size(), 3u);
   const ProgramRun asked = reach({"--formats", "glb"}, "person.gltf");
   EXPECT_EQ(asked.exit_code, 2);
   EXPECT_THAT(asked.err, HasSubstr("make it one .glb file first"));

@@ -12,6 +12,7 @@ namespace {
 using namespace testing_support;
 using testing::Each;
 using testing::HasSubstr;
+using testing::Not;
 using Words = std::vector<std::string>;
 
 class Edit : public testing::Test {
@@ -51,6 +52,17 @@ TEST_F(Edit, KeepsTheHandOnItsGoalWithoutASearch) {
 TEST_F(Edit, ChangesTheMotion) {
   ASSERT_THAT(edit("result", {"--set", "right_hip.flexion.weight=1e-3"}).exit_code, delivered());
   EXPECT_NE(work_.get("result/edit-1/candidate-1.bvh"), work_.get("result/candidate-1.bvh"));
+}
+
+TEST_F(Edit, SaysWhereNothingIsChanged) {
+  const auto told = [this](Words more) {
+    Words call{"edit", "result"};
+    call.insert(call.end(), more.begin(), more.end());
+    return run_shigusa(call, {.folder = work_.path()}).err;
+  };
+  EXPECT_THAT(told({}), HasSubstr("nothing was changed: --set NAME=VALUE"));
+  EXPECT_THAT(told({"--set", "squat_deg=60"}), Not(HasSubstr("nothing was changed")));
+  EXPECT_THAT(told({"--fps", "24"}), Not(HasSubstr("nothing was changed")));
 }
 
 TEST_F(Edit, WithoutChangesGivesTheSameBytes) {

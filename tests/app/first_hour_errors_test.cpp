@@ -38,7 +38,7 @@ const std::vector<Mistake>& of_commands() {
       {{"dataset", "mrge", "DIR"}, {"shigusa dataset", "'mrge'", "did you mean 'merge'?"}},
       {{"dataset", "mrge"}, {"command or plan 'mrge'", "did you mean 'merge'?"}},
       {{"dataset"}, {"give a plan", "shigusa dataset PLAN.json --out FOLDER"}},
-      {{"dataset", "task.json", "--out", "d"}, {"tasks", "missing", "`shigusa reach` makes"}},
+      {{"dataset", "task.json", "--out", "d"}, {"unknown key", "`shigusa reach` makes"}},
       {{"dataset", "merge"}, {"folder is required: Folder of the data set"}},
       {{"dataset", "merge", "folder"}, {"folder/plan.json", "a data set is a folder that"}},
       {{"dataset", "check", "gone"}, {"gone/plan.json", "there is no folder gone"}},

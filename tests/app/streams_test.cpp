@@ -6,6 +6,7 @@ namespace shigusa {
 namespace {
 
 using namespace testing_support;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using Words = std::vector<std::string>;
@@ -68,13 +69,15 @@ TEST_F(Streams, ResultsGoToStdoutAndNothingElseDoes) {
   EXPECT_THAT(run.out,
               testing::StartsWith("reached: human, right hand to 0.2 m right, 1.1 m up, 0.4 m "
                                   "ahead\n"));
-  EXPECT_THAT(run.out, HasSubstr("one/candidate-1.png\n"));
+  EXPECT_THAT(run.out, HasSubstr("one/candidate-1.svg\n"));
   EXPECT_THAT(run.out, testing::EndsWith("one/summary.json\n"));
 }
 
 TEST_F(Streams, TableNamesOnlyPicturesOfThisRun) {
   ASSERT_EQ(reach("one").exit_code, 0);
-  EXPECT_THAT(reach("one", {"--formats", "bvh"}).out, Not(HasSubstr(".png")));
+  EXPECT_THAT(reach("one", {"--formats", "bvh"}).out, Not(HasSubstr(".svg")));
+  const std::string both = reach("one", {"--formats", "svg,png"}).out;
+  EXPECT_THAT(both, AllOf(HasSubstr("one/candidate-1.png\n"), Not(HasSubstr(".svg"))));
 }
 
 TEST_F(Streams, MessagesGoToStderr) {

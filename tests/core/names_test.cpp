@@ -31,6 +31,15 @@ TEST(NearestName, CompletesWords) {
   EXPECT_EQ(nearest_name("right_elbow", known), "right_elbow.weight");
 }
 
+TEST(NearestName, MendsWordByWord) {
+  const std::vector<std::string> known{"neck", "left_knee", "right_knee", "right_hand"};
+  EXPECT_EQ(nearest_name("kneee", known), "left_knee");
+  EXPECT_EQ(nearest_name("rigth", known), "right_knee");
+  EXPECT_EQ(nearest_name("knee_rigth", known), "right_knee");
+  EXPECT_EQ(nearest_name("han", known), "right_hand");
+  EXPECT_EQ(nearest_name("shoulder", known), "");
+}
+
 TEST(NearestName, CountsWhatStandsInFront) {
   EXPECT_EQ(nearest_name("xxxxab", std::vector<std::string>{"ab", "xxxxzz"}), "xxxxzz");
 }
@@ -47,6 +56,12 @@ TEST(NearestName, TakesTheFirstAmongEquals) {
 TEST(UnknownName, SuggestsAndListsWhatIsKnown) {
   EXPECT_EQ(unknown_name("effector", "right_hnad", kHands),
             "unknown effector 'right_hnad'; did you mean 'right_hand'? Known: left_hand, "
+            "right_hand");
+}
+
+TEST(UnknownName, AsksForTheSideWhereNoneWasSaid) {
+  EXPECT_EQ(unknown_name("effector", "hand", kHands),
+            "unknown effector 'hand'; did you mean 'left_hand' or 'right_hand'? Known: left_hand, "
             "right_hand");
 }
 

@@ -420,7 +420,7 @@ TEST(CheckFormats, TellsWhoCannotLeaveInThem) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().to_string(), HasSubstr("human is none"));
   EXPECT_TRUE(check_formats(CharacterSpec{}, {FileFormat::bvh, FileFormat::pdf}));
-  EXPECT_EQ(usual_formats(CharacterSpec{}).size(), 4u);
+  EXPECT_EQ(usual_formats(CharacterSpec{}).size(), 3u);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 using F = StatureFractions;
 using ::testing::AllOf;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -144,8 +145,19 @@ TEST(MeasurePerson, TwoPlausibleUnitsAreADoubt) {
 // 17 units would be 0.96 m in the CMU's unit, and 33 would be 0.84 m in inches.
 TEST(MeasurePerson, UnitsThatMakeDwarfsAreNoDoubtBesideOneOfUsualPeople) {
   for (const double size : {17.0, 33.0}) {
-    EXPECT_THAT(measured(standing_figure().transformed(scale(size / 1.7))).doubts, IsEmpty());
+    const auto doubts = measured(standing_figure().transformed(scale(size / 1.7))).doubts;
+    EXPECT_THAT(doubts, ElementsAre(HasSubstr("with --stature it is another")));
   }
+}
+
+TEST(MeasurePerson, RareUnitsAreToldAndUsualOnesAreNot) {
+  const auto doubts_at = [](double height) {
+    return measured(standing_figure().transformed(scale(height / 1.7))).doubts;
+  };
+  EXPECT_THAT(doubts_at(18.0),
+              ElementsAre(HasSubstr("taken as decimetres, for a stature of 1.80 m")));
+  EXPECT_THAT(doubts_at(66.0), ElementsAre(HasSubstr("taken as inches, for a stature of 1.68 m")));
+  for (const double usual : {1.7, 165.0, 1750.0}) EXPECT_THAT(doubts_at(usual), IsEmpty());
 }
 
 TEST(MeasurePerson, DecimetresAreAUnit) {

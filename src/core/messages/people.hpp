@@ -63,6 +63,8 @@ inline constexpr std::array kPeople{
                 "along the bones the person is {:g} units tall, and no unit makes that {} to {} m: "
                 "a stature of {:.2f} m is guessed; with --stature it is another"},
     MessageText{"stature_unusual", "a stature of {:.2f} m is unusual; the unit is taken as {}"},
+    MessageText{"unit_by_stature",
+                "the unit is taken as {}, for a stature of {:.2f} m; with --stature it is another"},
     MessageText{"unit_guessed",
                 "the unit is taken as {}, a stature of {:.2f} m; it could be {}, {:.2f} m"},
     MessageText{"foot_above", "the {} foot is {:.2f} m above the floor"},

@@ -27,6 +27,7 @@ inline constexpr std::array kWords{
     MessageText{"whole_number_or", "must be a whole number from {}, or \"{}\""},
     MessageText{"unknown_name", "unknown {} '{}'. Known: {}"},
     MessageText{"unknown_name_near", "unknown {} '{}'; did you mean '{}'? Known: {}"},
+    MessageText{"unknown_name_sides", "unknown {} '{}'; did you mean '{}' or '{}'? Known: {}"},
     MessageText{"values_most", "more than {} values"},
     MessageText{"objects_most", "more than {} objects in one list"},
     MessageText{"key_twice", "the key '{}' stands twice in one object"},

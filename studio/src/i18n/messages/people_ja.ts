@@ -32,6 +32,7 @@ export const people: Readonly<Record<string, string>> = {
   hand_guessed: '{0}の先がないため、{1}手はまっすぐで平均の長さとしました。',
   head_guessed: '頭の先がないため、頭頂は平均の比率で置きました。',
   stature_range: '身長 {0} m は使えません。{1}～{2} m にしてください。',
+  unit_by_stature: '単位は{0}と解釈しました（身長 {1} m）。身長欄で変えられます。',
   stature_guessed: '骨に沿った高さが {0} 単位で、どの長さの単位でも {1}～{2} m になりません。身長を {3} m と推測しました。身長欄で変えられます。',
   stature_unusual: '身長 {0} m は珍しい値です。単位は {1} とみなしました。',
   unit_guessed: '単位を {0}（身長 {1} m）とみなしました。{2}（{3} m）かもしれません。',

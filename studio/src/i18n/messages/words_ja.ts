@@ -17,6 +17,7 @@ export const words: Readonly<Record<string, string>> = {
   at_most: '{0} 個あります。{1} 個までです。',
   whole_number_or: '{0} 以上の整数か "{1}" にしてください。',
   unknown_name: '{0}「{1}」はありません。使えるもの：{2}',
+  unknown_name_sides: '{0}「{1}」はありません。「{2}」か「{3}」ですか？使えるもの：{4}',
   unknown_name_near: '{0}「{1}」はありません。「{2}」ですか？使えるもの：{3}',
   values_most: '値が {0} 個を超えています。',
   objects_most: '一つのリストのオブジェクトが {0} 個を超えています。',
