@@ -92,7 +92,7 @@ double torque_off(const std::vector<double>& own, std::size_t frame, double told
 void judge_torques(const Judged& judged, const MovingBody& moving,
                    const std::vector<Wrench>& wrenches, Audit& audit) {
   ++audit.torques;
-  const double sure = judged.candidate.measures.sudden.jolts() ? kInJolts : 1.0;
+  const bool jolts = judged.candidate.measures.sudden.jolts();
   double share = 0.0;
   for (const Column& column : torque_columns(judged)) {
     const auto hinge = std::find_if(moving.hinges.begin(), moving.hinges.end(),
@@ -102,7 +102,11 @@ void judge_torques(const Judged& judged, const MovingBody& moving,
     const std::vector<double>& told = judged.table.column(column.name + " torque [N m]");
     for (std::size_t f = 0; f < own.size(); ++f) {
       const double strength = std::fmin(column.dof->torque_positive, column.dof->torque_negative);
-      audit.most(Promise::torque, sure * torque_off(own, f, told[f], strength), column.name);
+      double off = torque_off(own, f, told[f], strength);
+      // angles of a joint that whips past gimbal lock swing, and their torques, as its limb does
+      // not
+      if (jolts) off = kInJolts * std::fmin(off, torque_off(told, f, own[f], strength));
+      audit.most(Promise::torque, off, column.name);
       share =
           std::fmax(share, share_of(column, own[f]) - kOfSwing * swing_about(own, f) / strength);
     }

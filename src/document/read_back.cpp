@@ -92,8 +92,7 @@ ReadBackCheck::ReadBackCheck(const CharacterSpec& character, const Task& task,
     : character_(character), body_(task.body), clip_(clip), in_place_(in_place) {
   if (character.rig) start_ = start_places(body_, character.rig->rig);
   for (const GoalResult& goal : candidate.goals) {
-    add_mark(goal.asked.effector, goal.node, false,
-             goal.turn.error.has_value() && !is_twist_segment(goal.node));
+    add_mark(goal.asked.effector, goal.node, false, goal.turn.error.has_value());
   }
   for (const ContactResult& contact : candidate.contacts) {
     add_mark(contact.effector, contact.node, true, true);
@@ -107,6 +106,7 @@ void ReadBackCheck::add_mark(const std::string& name, const std::string& body_no
                                   [&](const BodyNode& node) { return node.name == body_node; });
   if (found == nodes.end()) return;
   const int node = static_cast<int>(found - nodes.begin());
+  turns = turns && !is_twist_segment(body_node);
   Mark mark{name, foot, turns, node, node, found->link, found->point};
   if (character_.rig) {
     mark.node = rig_node(character_, body_node);

@@ -186,13 +186,11 @@ BodyModel soft_person(double give) {
 TEST(Collision, SoftFleshYields) {
   const BodyModel hard = soft_person(0.0);
   const BodyModel soft = soft_person(0.008);
-  const Clip clip =
-      clip_of(hard, {posture(hard, {}), posture(hard, {{"left_hip.abduction", -20}})});
-  EXPECT_NEAR(deepest_collision(soft, clip).depth, deepest_collision(hard, clip).depth - 0.008,
-              1e-9);
+  const Motion motion =
+      motion_through(hard, {posture(hard, {}), posture(hard, {{"left_hip.abduction", -20}})});
+  EXPECT_NEAR(deepest_collision(soft, motion.clip).depth,
+              deepest_collision(hard, motion.clip).depth - 0.008, 1e-9);
   const CollisionSettings settings{.full = 1.0};
-  Motion motion;
-  motion.clip = clip;
   EXPECT_NEAR(penalty_by<Collision>(soft, motion, settings),
               penalty_by<Collision>(hard, motion, settings) - 0.75 * 0.008, 1e-9);
 }
