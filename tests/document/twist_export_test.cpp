@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <shigusa/export.hpp>
+#include <shigusa/generate.hpp>
 
 #include "character/character_rig.hpp"
 #include "document/character_export.hpp"
@@ -329,6 +330,27 @@ TEST(TwistExport, AMotionWithTwistBonesIsFittedExactly) {
     for (std::size_t i = 0; i < fit.clip.angles.size(); ++i) {
       EXPECT_NEAR(fit.clip.angles[i], played.clip.angles[i], 1e-3)
           << chains << ' ' << played.body.dof(static_cast<int>(i) % fit.clip.dofs).name;
+    }
+  }
+}
+
+// The thighs of who sits stay on the seat while the pelvis turns: their twist is shared, too.
+TEST(TwistExport, SeatedThighsThatShareTheirTwistLeave) {
+  Figure figure;
+  for (const std::string side : {"left", "right"}) {
+    figure.chain("DEF-thigh." + side + ".001", side + "_upper_leg", side + "_lower_leg", 0.5);
+  }
+  CharacterSpec spec{.source = "figure.glb", .seat = 0.45};
+  ASSERT_TRUE(load_character(figure.bytes(), spec));
+  Task task(build_character(spec).value());
+  task.goals = {{"right_hand", {0.45, 1.0, 0.25}}};
+  task.evaluations = 100;
+  const GenerateResult result = generate(task).value();
+  ASSERT_FALSE(result.candidates.empty());
+  for (const Candidate& candidate : result.candidates) {
+    for (const FileFormat format : {FileFormat::bvh, FileFormat::glb}) {
+      const auto file = export_candidate(spec, task, candidate, format);
+      EXPECT_TRUE(file) << file.error().to_string();
     }
   }
 }
