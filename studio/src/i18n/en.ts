@@ -9,7 +9,7 @@ export const en = {
   gotIt: 'Got it',
   start: 'Start', startWith: 'To begin with', start_pick: 'Pick up', start_shelf: 'Onto a shelf', start_box: 'Lift a box', start_seated: 'Reach seated',
   start_vrm: 'Your character', start_overhead: 'Overhead',
-  viewLabel: 'Three-dimensional view. Arrow keys move the selected goal sideways and up, Page Up and Page Down ahead and back, with Shift further.',
+  viewLabel: 'Three-dimensional view. Arrow keys move the selected goal as it is seen, sideways and up, Page Up nearer and Page Down farther, with Shift further.',
   skipToView: 'Skip to the figure', undo: 'Undo', redo: 'Redo', mirror: 'Mirror', help: 'Help', close: 'Close',
   language: 'Language', theme: 'Theme', themeAuto: 'Theme: auto', themeLight: 'Theme: light', themeDark: 'Theme: dark',
   // search
@@ -135,8 +135,8 @@ export const en = {
   help3: 'Save takes it away as an animation, as a figure or as a link.',
   help4: 'Drag in the empty space to look from elsewhere, with the right button to move the picture, turn the wheel to come nearer.',
   keys: 'Keys',
-  keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal, in the view', keyBrackets: 'next goal, in the view',
-  keyUndo: 'undo, redo', keySave: 'open Save', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keySides: 'look from the front, the side, the top, three-quarter', keyApproach: 'go to what is selected', keyHome: 'reset the camera', keyOrthographic: 'orthographic or perspective', keyRuler: 'ruler', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',
+  keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal as it is seen, in the view; with Shift further', keyBrackets: 'next goal, in the view',
+  keyUndo: 'undo, redo', keyEnter: 'take the number that was typed; keys are the view’s again', keySave: 'open Save', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keySides: 'look from the front, the side, the top, three-quarter', keyApproach: 'go to what is selected', keyHome: 'reset the camera', keyOrthographic: 'orthographic or perspective', keyRuler: 'ruler', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',
 };
 
 export type Key = keyof typeof en;

@@ -10,7 +10,7 @@ export const ja: Record<Key, string> = {
   gotIt: '閉じる',
   start: 'はじめる', startWith: 'はじめの一歩', start_pick: '床から拾う', start_shelf: '棚に置く', start_box: '箱を持つ', start_seated: '座って取る',
   start_vrm: '自分のキャラクター', start_overhead: '頭上に伸ばす',
-  viewLabel: '三次元の表示。矢印キーで選んだ目標を左右・上下に、Page Up と Page Down で前後に動かします。Shift で大きく動きます。',
+  viewLabel: '三次元の表示。矢印キーで選んだ目標を画面の左右・上下に、Page Up で手前に、Page Down で奥に動かします。Shift で大きく動きます。',
   skipToView: '図へ移動', undo: '元に戻す', redo: 'やり直す', mirror: '左右反転', help: 'ヘルプ', close: '閉じる',
   language: '言語', theme: '配色', themeAuto: '配色：自動', themeLight: '配色：明', themeDark: '配色：暗',
   searching: '探索中…', cancel: '中止', searchAgain: 'もう一度探す', best: '最良 {score}',
@@ -122,6 +122,6 @@ export const ja: Record<Key, string> = {
   help3: '「保存」でアニメーション、図、またはリンクとして持ち出せます。',
   help4: '何もない所をドラッグすると視点が回り、右ボタンで移動、ホイールで拡大します。',
   keys: 'キー操作',
-  keySpace: '再生・一時停止', keyDigits: '候補を選ぶ', keyShiftDigits: '比較する', keyArrows: '目標を動かす（表示の中で）', keyBrackets: '次の目標（表示の中で）',
-  keyUndo: '元に戻す・やり直す', keySave: '「保存」を開く', keyMirror: '左右反転', keyEscape: '探索を中止・閉じる', keyFrame: 'コマ送り', keySides: '正面・側面・上面・斜めから見る', keyApproach: '選択中の部位に寄る', keyHome: 'カメラをリセット', keyOrthographic: '平行投影と透視投影の切り替え', keyRuler: 'ものさし', keyGhosts: '動作の残像', keyPath: '速さで色分けした軌跡', keyHelp: 'このページ',
+  keySpace: '再生・一時停止', keyDigits: '候補を選ぶ', keyShiftDigits: '比較する', keyArrows: '目標を見たとおりの向きに動かす（表示の中で、Shift で大きく）', keyBrackets: '次の目標（表示の中で）',
+  keyUndo: '元に戻す・やり直す', keyEnter: '入力した数を確定し、キー操作を表示に戻す', keySave: '「保存」を開く', keyMirror: '左右反転', keyEscape: '探索を中止・閉じる', keyFrame: 'コマ送り', keySides: '正面・側面・上面・斜めから見る', keyApproach: '選択中の部位に寄る', keyHome: 'カメラをリセット', keyOrthographic: '平行投影と透視投影の切り替え', keyRuler: 'ものさし', keyGhosts: '動作の残像', keyPath: '速さで色分けした軌跡', keyHelp: 'このページ',
 };
