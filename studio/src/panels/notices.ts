@@ -34,7 +34,7 @@ export class Notices implements Panel {
   private readonly end: () => void;
 
   constructor(private readonly studio: Studio) {
-    fill(this.hint, h('span', {}, h('b', {}, t('hint')), ' ', t('hintMore')), iconButton('close', t('gotIt'), () => studio.store.set({ hint: false })));
+    fill(this.hint, h('span', {}, h('b', {}, t('hint')), ' ', t('hintMore')), iconButton('close', t('gotIt'), () => studio.learnHint()));
     this.search = h('div', { class: 'search' }, h('span', {}, t('searching')), this.progress, this.best,
       button(t('cancel'), () => {
         studio.cancel();
