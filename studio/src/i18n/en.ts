@@ -50,7 +50,7 @@ export const en = {
   panels: 'Panels',
   // goals
   goalsIntro: 'Where the hands, the feet and other parts should end, in {unit} from the floor between the feet.',
-  left: 'left', up: 'up', ahead: 'ahead', load: 'Load, kg', kg: 'kg', turn: 'Set a rotation', rings: 'Turn by rings',
+  left: 'left', up: 'up', ahead: 'ahead', load: 'Load, kg', loadPasses: 'Its weight counts; it does not collide with the body or with things yet.', kg: 'kg', turn: 'Set a rotation', rings: 'Turn by rings',
   reachedBy: 'met', short: '{length} short', duration: 'Duration', auto: 'by distance', s: 's',
   method: 'Search', effort: 'Effort', effortQuick: 'quick', effortNormal: 'normal', effortThorough: 'thorough',
   onFloor: '{name} stops at the floor: as it is turned, {length} is the lowest it can be.',
@@ -61,7 +61,7 @@ export const en = {
   scrubAbout: 'Drag to the side to change the number: with Shift finer, with Alt coarser, with Escape back',
   symmetric: 'Both hands alike', snap: 'Snap', snapAbout: 'What is dragged snaps to the floor, to faces of things and to the other hand; with Ctrl held, the other way round.',
   looksAt: 'Looks at', restOfBody: 'Hips, back, elbows, knees',
-  things: 'Things in the way', thing: 'box', addThing: 'Add a box', thingPlace: 'Middle, {unit}', thingSize: 'Size, {unit}', thingTurn: 'Rotation', lastGoal: 'The only goal stays: set another one first', rounding: 'Rounded by, {unit}',
+  things: 'Things in the way', thingsClear: 'The body keeps clear of them; loads in its hands do not yet.', thing: 'box', addThing: 'Add a box', thingPlace: 'Middle, {unit}', thingSize: 'Size, {unit}', thingTurn: 'Rotation', lastGoal: 'The only goal stays: set another one first', rounding: 'Rounded by, {unit}',
   library: 'Library', libraryIntro: 'Goals, with what stands in the way, and start postures, for any project. A click uses one.',
   keepGoals: 'Keep these goals', keepStart: 'Keep the start posture', startPostureName: 'Start posture', goalsCount: 'Goals: {n}',
   exportLibrary: 'Save the library', importLibrary: 'Add from a file …', importedLibrary: 'Added from the file: {n}',
