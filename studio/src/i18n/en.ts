@@ -70,7 +70,7 @@ export const en = {
   // adjust
   adjustIntro: 'How the body gets there. The goal stays met while you change it; the mark is what the search found.',
   weightsIntro: 'Stiffness of each joint: the larger, the less it moves beside the others.',
-  timing: 'Timing of all motions', ease: 'Ease', gazeLead: 'Gaze lead', notInLayers: 'Not by this search: its layers keep their own time.',
+  timing: 'Timing of all motions', ease: 'Ease', gazeLead: 'Gaze lead', notInLayers: 'Not by this search: trunk and limbs keep their own time.',
   reset: 'Reset', searchRest: 'Keep these, search the rest', kept: 'Kept by the search: {n}', release: 'Release all',
   lock: 'Lock {name}', noMotion: 'No motion yet.', value: 'Value of {name}', searchValue: 'found by the search: {value}',
   // criteria
