@@ -122,6 +122,8 @@ export const en = {
   badSeed: 'A seed is a whole number from 0 to {most}, not “{value}”.',
   failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged and cannot be read.',
   changedFile: '{name} is not the file that the result describes: it was changed, or is another result’s. Leave it out to open the result without it.',
+  alsoKept: 'Also in the list of characters, where a click shows them: {names}.', oneAtATime: '{name}: results and tasks are opened one at a time.',
+  noRoom: '{name}: the list of characters is full. Remove one first.',
   unknownFile: '{name}: only characters in {formats} and results in JSON can be opened.',
   noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',
   noSimd: 'This browser has no WebAssembly SIMD, which the engine needs: Chrome and Edge have it since 91, Firefox since 89, Safari since 16.4.',

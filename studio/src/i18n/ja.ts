@@ -110,6 +110,8 @@ export const ja: Record<Key, string> = {
   badSeed: 'シードは 0 から {most} までの整数です（入力: {value}）。',
   failedFile: '{name} を読めません。', failed: 'うまくいきませんでした。', badLink: 'リンクが壊れていて、読めません。',
   changedFile: '{name} は、この結果に記されたファイルではありません。変更されたか、別の結果のものです。結果だけを開くには、このファイルを外してください。',
+  alsoKept: 'ほかのキャラクターも一覧に加えました。クリックすると表示します：{names}。', oneAtATime: '{name}：結果やタスクは一度に一つだけ開けます。',
+  noRoom: '{name}：キャラクターの一覧がいっぱいです。先にどれかを外してください。',
   unknownFile: '{name}：開けるのは {formats} のキャラクターと JSON の結果です。',
   noWasm: 'このブラウザには、エンジンに必要な WebAssembly がありません。最近の Firefox、Chrome、Edge、Safari をお使いください。',
   noSimd: 'このブラウザには、エンジンに必要な WebAssembly SIMD がありません。Chrome・Edge は 91、Firefox は 89、Safari は 16.4 以降にあります。',

@@ -36,7 +36,8 @@ export interface Document {
 
 export type Notice =
   | { kind: 'failure'; failure: EngineFailure; about?: string }
-  | { kind: 'text'; key: string; values?: Record<string, string | number> };
+  | { kind: 'text'; key: string; values?: Record<string, string | number> }
+  | { kind: 'several'; of: readonly Notice[] };
 
 /** A character whose figure is not what was computed. */
 export interface Undrawn {

@@ -177,7 +177,7 @@ export class Studio extends Workbench {
       this.store.set({ preview: null, playing: true });
       void this.warmUp(found);
       const miss = missOf(result.summary);
-      if (miss) this.tell({ kind: 'text', ...miss });
+      if (miss) this.tellToo({ kind: 'text', ...miss });
     } catch (error) {
       if (this.running === controller) this.store.set({ preview: null });
       this.fail(error);
