@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Notices over the view: the sentence that says what to drag, the search's progress, messages.
-import { failureText, type Key, t } from '../i18n';
+import { failureText, t } from '../i18n';
+import { noticeTones } from '../i18n/notice_tones';
 import { enoughWords, reasonWords } from '../i18n/verdict_words';
 import { candidateAt, type Document, type Notice, type State } from '../state/model';
 import type { Studio } from '../state/studio';
@@ -9,14 +10,14 @@ import { button, fill, h, iconButton, type Panel, round } from './dom';
 
 export function noticeText(notice: Notice): string {
   if (notice.kind === 'several') return notice.of.map(noticeText).join(' ');
-  if (notice.kind === 'text') return t(notice.key as Key, notice.values);
+  if (notice.kind === 'text') return t(notice.key, notice.values);
   const first = notice.about === undefined ? t('failed') : t('failedFile', { name: notice.about });
   return `${first} ${failureText(notice.failure)}`;
 }
 
 function isBad(notice: Notice): boolean {
   if (notice.kind === 'several') return notice.of.some(isBad);
-  return notice.kind === 'failure' || /unreach|unturned|misses|unknown|bad|large/i.test(notice.key);
+  return notice.kind === 'failure' || noticeTones[notice.key] === 'bad';
 }
 
 /** That no motion is possible, why the chosen one is not, and in what time it would be; of a single one the timeline's head tells. */

@@ -3,6 +3,7 @@
 // the rest: what is shown and what is going on.
 import type { Candidate, Character, EngineFailure, Generated, Goal, PresetName, Summary, Task } from '../../../bindings/wasm/src/types';
 import type { LengthUnit } from '../i18n/lengths';
+import type { NoticeKey } from '../i18n/notice_tones';
 import type { Work } from '../kept/work';
 import { initialView, type ViewSettings } from './view_settings';
 
@@ -36,7 +37,7 @@ export interface Document {
 
 export type Notice =
   | { kind: 'failure'; failure: EngineFailure; about?: string }
-  | { kind: 'text'; key: string; values?: Record<string, string | number> }
+  | { kind: 'text'; key: NoticeKey; values?: Record<string, string | number> }
   | { kind: 'several'; of: readonly Notice[] };
 
 /** A character whose figure is not what was computed. */
