@@ -45,5 +45,5 @@ test('the page’s own words for the engine’s sentences have their values, and
 test('what is lost, refused or fails is told in red', () => {
   const bad = new Set(Object.keys(noticeTones).filter((key) => noticeTones[key] === 'bad'));
   for (const key of ['storageFull', 'storageFailed', 'keepsNothing', 'fileTooLarge', 'partFailed', 'unreachable', 'badLink', 'unknownFile', 'changedFile', 'noRoom']) assert.ok(bad.has(key), key);
-  for (const key of ['saved', 'linkCopied', 'cancelled', 'alsoKept']) assert.ok(!bad.has(key), key);
+  for (const key of ['saved', 'linkCopied', 'cancelled', 'alsoKept', 'pictureBack']) assert.ok(!bad.has(key), key);
 });

@@ -128,6 +128,8 @@ export const en = {
   noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',
   noSimd: 'This browser has no WebAssembly SIMD, which the engine needs: Chrome and Edge have it since 91, Firefox since 89, Safari since 16.4.',
   noWebgl: 'This browser shows no WebGL 2, which the picture needs. It may be switched off in its settings.',
+  pictureLost: 'The graphics card has let go of this page, so that nothing is drawn. Your work goes on, and the picture comes back by itself; if it does not, load the page again.',
+  pictureBack: 'The picture is back.',
   partFailed: 'A part of the page could not be loaded. Is the network there?', tryAgain: 'Try again',
   engineFailed: 'The engine did not start.', tooLarge: '{name} is larger than {most} MB.', dismiss: 'Dismiss',
   // help

@@ -116,6 +116,8 @@ export const ja: Record<Key, string> = {
   noWasm: 'このブラウザには、エンジンに必要な WebAssembly がありません。最近の Firefox、Chrome、Edge、Safari をお使いください。',
   noSimd: 'このブラウザには、エンジンに必要な WebAssembly SIMD がありません。Chrome・Edge は 91、Firefox は 89、Safari は 16.4 以降にあります。',
   noWebgl: 'このブラウザでは、表示に必要な WebGL 2 が使えません。設定で無効になっているかもしれません。',
+  pictureLost: '画面への描画が中断されました。作業内容は残っており、表示は自動で元に戻ります。戻らないときは、ページを再読み込みしてください。',
+  pictureBack: '表示が元に戻りました。',
   partFailed: 'ページの一部を読み込めませんでした。ネットワーク接続を確認してください。', tryAgain: '再試行',
   engineFailed: 'エンジンを起動できませんでした。', tooLarge: '{name} は {most} MB を超えています。', dismiss: '閉じる',
   helpTitle: '使い方',

@@ -14,7 +14,7 @@ export const noticeTones = {
   // keeping
   openElsewhere: 'plain', keepsNothing: 'bad', storageFull: 'bad', storageFailed: 'bad', fileTooLarge: 'bad',
   // the page
-  partFailed: 'bad',
+  partFailed: 'bad', pictureBack: 'plain',
 } as const satisfies Partial<Record<Key, Tone>>;
 
 export type NoticeKey = keyof typeof noticeTones;

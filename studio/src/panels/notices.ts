@@ -32,7 +32,8 @@ function impossibleText(document: Document | null): string {
 }
 
 /** The one message that is shown; what `stays` goes with its cause, and nobody closes it. */
-function toldNow({ opening, preview, dragging, previewRemaining_mm, notice, document }: State): { text: string; bad: boolean; stays: boolean } {
+function toldNow({ pictureLost, opening, preview, dragging, previewRemaining_mm, notice, document }: State): { text: string; bad: boolean; stays: boolean } {
+  if (pictureLost) return { text: t('pictureLost'), bad: true, stays: true };
   if (opening !== null) return { text: t('opening', { name: opening }), bad: false, stays: true };
   if (preview !== null && dragging && !isMet(previewRemaining_mm)) return { text: t('previewMisses', { length: previewRemaining_mm / 1000 }), bad: true, stays: true };
   if (notice) return { text: noticeText(notice), bad: isBad(notice), stays: false };

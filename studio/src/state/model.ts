@@ -81,6 +81,7 @@ export interface State {
   readonly opening: string | null; // a file's name
   readonly wanted: Wanted | null;
   readonly undrawn: Undrawn | null;
+  readonly pictureLost: boolean; // the graphics card has let go of the page
   readonly project: string; // its name
   readonly saving: Saving;
   readonly notice: Notice | null;
@@ -117,6 +118,7 @@ export const initialState: State = {
   opening: null,
   wanted: null,
   undrawn: null,
+  pictureLost: false,
   project: '',
   saving: 'none',
   notice: null,

@@ -129,6 +129,12 @@ export class Workbench {
     this.store.set({ notice });
   }
 
+  /** The picture is gone, which is told while it lasts, or back. */
+  showLost(pictureLost: boolean): void {
+    this.store.set({ pictureLost });
+    if (!pictureLost) this.tell({ kind: 'text', key: 'pictureBack' });
+  }
+
   /** Beside what is told already. */
   tellToo(notice: Notice): void {
     const { notice: now } = this.store.state;
