@@ -11,6 +11,7 @@ export const englishMessages: Readonly<Record<string, string>> = {
   base_travels: 'the {0} moves by {1} cm, and the body stands on it, which cannot follow: score only the frames in which the feet stand',
   file_frames: `{0} frames of {1} nodes are more than a file may hold, {2}: lower “${fps}”`,
   stature_guessed: `along the bones the person is {0} units tall, and no unit makes that {1} to {2} m: a stature of {3} m is guessed; “${stature}” changes it`,
+  unit_by_stature: `the unit is taken as {0}, for a stature of {1} m; “${stature}” changes it`,
   standing_animation: `; frame 0 of the animation '{0}' does: choose “${startFrame}” beside “${startPosture}”`,
   arms_of_frame: `; with “${startFrame}” beside “${startPosture}”, 0, they do not`,
   own_pose: `the start is the pose that the file shows; “${startRest}” beside “${startPosture}” has it at ease`,
