@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Keys for everything that a pointer does. Letters typed into a field stay there.
+// Keys for everything that a pointer does. Letters typed into a field stay there; after a number, Enter and Escape give the keys
+// back to the view.
 import type { Vec3 } from '../../bindings/wasm/src/types';
+import { isBeingTyped, isNumberField } from './panels/number_input';
 import type { ViewMenu } from './panels/view_menu';
 import { ranking } from './state/criteria';
 import { leastOf, placeNames, placeOf } from './state/places';
 import type { Studio } from './state/studio';
+import { screenAxes, type ScreenWay } from './view/screen_axes';
 
 const kStep = 0.01; // m
 const kLongStep = 0.1;
 const kFrame = 1 / 60; // s
 const kPause = 350; // ms after the last key until the whole search begins
 
-const kMoves: Record<string, Vec3> = {
-  // seen from the front, a person's left is at the right
-  ArrowRight: [1, 0, 0], ArrowLeft: [-1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0], PageUp: [0, 0, 1], PageDown: [0, 0, -1],
+const kMoves: Readonly<Record<string, readonly [ScreenWay, 1 | -1]>> = {
+  ArrowRight: ['right', 1], ArrowLeft: ['right', -1], ArrowUp: ['up', 1], ArrowDown: ['up', -1], PageUp: ['near', 1], PageDown: ['near', -1],
 };
+
+const kLeave = new Set(['Enter', 'Escape']);
 
 export class Keyboard {
   private timer = 0;
@@ -27,11 +31,13 @@ export class Keyboard {
   private readonly key = (event: KeyboardEvent): void => {
     const { target } = event;
     if (document.querySelector('dialog[open]')) return;
+    const number = isNumberField(target) ? target : null;
+    if (number && kLeave.has(event.key)) return this.leave(number, event.key);
     const field = target instanceof HTMLInputElement || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
     const typing = field && !(target instanceof HTMLInputElement && (target.type === 'range' || target.type === 'checkbox'));
     if ((event.ctrlKey || event.metaKey) && !event.altKey) {
       if (event.key.toLowerCase() === 's') return this.done(event, () => this.studio.store.set({ tab: 'take' }));
-      if (typing) return;
+      if (typing && (number === null || isBeingTyped(number))) return;
       if (event.key.toLowerCase() === 'z') this.done(event, () => (event.shiftKey ? this.studio.redo() : this.studio.undo()));
       if (event.key.toLowerCase() === 'y') this.done(event, () => this.studio.redo());
       return;
@@ -41,6 +47,12 @@ export class Keyboard {
     if (target === this.canvas && this.moveGoal(event)) return;
     this.plain(event, target);
   };
+
+  /** Enter takes what was typed; with Escape the number is as it was. */
+  private leave(field: HTMLInputElement, key: string): void {
+    if (key === 'Escape') field.value = field.defaultValue;
+    this.canvas.focus();
+  }
 
   private plain(event: KeyboardEvent, target: EventTarget | null): void {
     const digit = /^Digit([1-9])$/.exec(event.code)?.[1];
@@ -90,13 +102,15 @@ export class Keyboard {
       this.studio.select(names[(next + names.length) % names.length]!);
       return true;
     }
-    const way = kMoves[event.key];
+    const move = kMoves[event.key];
+    const look = this.studio.eye?.look();
     const name = store.state.selected;
     const place = placeOf(document, name);
-    if (!way || !place) return false;
+    if (!move || !look || !place) return false;
     event.preventDefault();
     const from = this.target?.name === name ? this.target.position : place;
-    const step = event.shiftKey ? kLongStep : kStep;
+    const way = screenAxes(look)[move[0]];
+    const step = move[1] * (event.shiftKey ? kLongStep : kStep);
     const position: Vec3 = [from[0] + way[0] * step, Math.max(from[1] + way[1] * step, leastOf(document, name)), from[2] + way[2] * step];
     this.target = { name, position };
     void this.studio.drag(name, position);

@@ -20,7 +20,7 @@ import { openWork } from './kept/pack';
 import { h } from './panels/dom';
 import { startsWithCards } from './panels/start_cards';
 import { openCharacter, openTask } from './state/files';
-import { Studio } from './state/studio';
+import { kHint, Studio } from './state/studio';
 import { taskOfLink } from './state/task';
 
 const kMostPatience = 150; // ms
@@ -84,7 +84,7 @@ async function start(): Promise<void> {
     knowEngine(studio.facts);
     const theme = recall('theme');
     const lengths = recall('lengths');
-    studio.store.set({ language: preferredLanguage(), lengths: isLengthUnit(lengths) ? lengths : 'cm', theme: theme === 'light' || theme === 'dark' ? theme : 'auto', start: startsWithCards() && location.hash === '' });
+    studio.store.set({ language: preferredLanguage(), lengths: isLengthUnit(lengths) ? lengths : 'cm', theme: theme === 'light' || theme === 'dark' ? theme : 'auto', hint: recall(kHint) === null, start: startsWithCards() && location.hash === '' });
     const keeper = new Keeper(studio);
     const opened = openAddress(studio, keeper);
     await Promise.race([opened, begun(studio)]);

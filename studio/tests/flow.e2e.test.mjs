@@ -67,10 +67,10 @@ test('drag, choose the third, move a slider, export: the hand stays on its goal'
   await context.close();
 });
 
-test('in layers: the leg contraction bends the knees, and the hand stays on its goal', { timeout: 120_000 }, async () => {
+test('trunk first: the leg contraction bends the knees, and the hand stays on its goal', { timeout: 120_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
-  await page.locator('select').filter({ hasText: 'in layers' }).selectOption('human');
+  await page.locator('select').filter({ hasText: 'trunk first' }).selectOption('human');
   await settled(page);
   await drag(page, 'right_hand', -20, 30);
   await settled(page);

@@ -9,7 +9,7 @@ export const en = {
   gotIt: 'Got it',
   start: 'Start', startWith: 'To begin with', start_pick: 'Pick up', start_shelf: 'Onto a shelf', start_box: 'Lift a box', start_seated: 'Reach seated',
   start_vrm: 'Your character', start_overhead: 'Overhead',
-  viewLabel: 'Three-dimensional view. Arrow keys move the selected goal sideways and up, Page Up and Page Down ahead and back, with Shift further.',
+  viewLabel: 'Three-dimensional view. Arrow keys move the selected goal as it is seen, sideways and up, Page Up nearer and Page Down farther, with Shift further.',
   skipToView: 'Skip to the figure', undo: 'Undo', redo: 'Redo', mirror: 'Mirror', help: 'Help', close: 'Close',
   language: 'Language', theme: 'Theme', themeAuto: 'Theme: auto', themeLight: 'Theme: light', themeDark: 'Theme: dark',
   // search
@@ -50,7 +50,7 @@ export const en = {
   panels: 'Panels',
   // goals
   goalsIntro: 'Where the hands, the feet and other parts should end, in {unit} from the floor between the feet.',
-  left: 'left', up: 'up', ahead: 'ahead', load: 'Load, kg', kg: 'kg', turn: 'Set a rotation', rings: 'Turn by rings',
+  left: 'left', up: 'up', ahead: 'ahead', load: 'Load, kg', loadPasses: 'Its weight counts; it does not collide with the body or with things yet.', kg: 'kg', turn: 'Set a rotation', rings: 'Turn by rings',
   reachedBy: 'met', short: '{length} short', duration: 'Duration', auto: 'by distance', s: 's',
   method: 'Search', effort: 'Effort', effortQuick: 'quick', effortNormal: 'normal', effortThorough: 'thorough',
   onFloor: '{name} stops at the floor: as it is turned, {length} is the lowest it can be.',
@@ -61,7 +61,7 @@ export const en = {
   scrubAbout: 'Drag to the side to change the number: with Shift finer, with Alt coarser, with Escape back',
   symmetric: 'Both hands alike', snap: 'Snap', snapAbout: 'What is dragged snaps to the floor, to faces of things and to the other hand; with Ctrl held, the other way round.',
   looksAt: 'Looks at', restOfBody: 'Hips, back, elbows, knees',
-  things: 'Things in the way', thing: 'box', addThing: 'Add a box', thingPlace: 'Middle, {unit}', thingSize: 'Size, {unit}', thingTurn: 'Rotation', lastGoal: 'The only goal stays: set another one first', rounding: 'Rounded by, {unit}',
+  things: 'Things in the way', thingsClear: 'The body keeps clear of them; loads in its hands do not yet.', thing: 'box', addThing: 'Add a box', thingPlace: 'Middle, {unit}', thingSize: 'Size, {unit}', thingTurn: 'Rotation', lastGoal: 'The only goal stays: set another one first', rounding: 'Rounded by, {unit}',
   library: 'Library', libraryIntro: 'Goals, with what stands in the way, and start postures, for any project. A click uses one.',
   keepGoals: 'Keep these goals', keepStart: 'Keep the start posture', startPostureName: 'Start posture', goalsCount: 'Goals: {n}',
   exportLibrary: 'Save the library', importLibrary: 'Add from a file …', importedLibrary: 'Added from the file: {n}',
@@ -70,7 +70,7 @@ export const en = {
   // adjust
   adjustIntro: 'How the body gets there. The goal stays met while you change it; the mark is what the search found.',
   weightsIntro: 'Stiffness of each joint: the larger, the less it moves beside the others.',
-  timing: 'Timing of all motions', ease: 'Ease', gazeLead: 'Gaze lead', notInLayers: 'Not by this search: its layers keep their own time.',
+  timing: 'Timing of all motions', ease: 'Ease', gazeLead: 'Gaze lead', notInLayers: 'Not by this search: trunk and limbs keep their own time.',
   reset: 'Reset', searchRest: 'Keep these, search the rest', kept: 'Kept by the search: {n}', release: 'Release all',
   lock: 'Lock {name}', noMotion: 'No motion yet.', value: 'Value of {name}', searchValue: 'found by the search: {value}',
   // criteria
@@ -122,10 +122,14 @@ export const en = {
   badSeed: 'A seed is a whole number from 0 to {most}, not “{value}”.',
   failedFile: '{name} cannot be read.', failed: 'That did not work.', badLink: 'The link is damaged and cannot be read.',
   changedFile: '{name} is not the file that the result describes: it was changed, or is another result’s. Leave it out to open the result without it.',
+  alsoKept: 'Also in the list of characters, where a click shows them: {names}.', oneAtATime: '{name}: results and tasks are opened one at a time.',
+  noRoom: '{name}: the list of characters is full. Remove one first.',
   unknownFile: '{name}: only characters in {formats} and results in JSON can be opened.',
   noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',
   noSimd: 'This browser has no WebAssembly SIMD, which the engine needs: Chrome and Edge have it since 91, Firefox since 89, Safari since 16.4.',
   noWebgl: 'This browser shows no WebGL 2, which the picture needs. It may be switched off in its settings.',
+  pictureLost: 'The graphics card has let go of this page, so that nothing is drawn. Your work goes on, and the picture comes back by itself; if it does not, load the page again.',
+  pictureBack: 'The picture is back.',
   partFailed: 'A part of the page could not be loaded. Is the network there?', tryAgain: 'Try again',
   engineFailed: 'The engine did not start.', tooLarge: '{name} is larger than {most} MB.', dismiss: 'Dismiss',
   // help
@@ -135,8 +139,8 @@ export const en = {
   help3: 'Save takes it away as an animation, as a figure or as a link.',
   help4: 'Drag in the empty space to look from elsewhere, with the right button to move the picture, turn the wheel to come nearer.',
   keys: 'Keys',
-  keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal, in the view', keyBrackets: 'next goal, in the view',
-  keyUndo: 'undo, redo', keySave: 'open Save', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keySides: 'look from the front, the side, the top, three-quarter', keyApproach: 'go to what is selected', keyHome: 'reset the camera', keyOrthographic: 'orthographic or perspective', keyRuler: 'ruler', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',
+  keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal as it is seen, in the view; with Shift further', keyBrackets: 'next goal, in the view',
+  keyUndo: 'undo, redo', keyEnter: 'take the number that was typed; keys are the view’s again', keySave: 'open Save', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keySides: 'look from the front, the side, the top, three-quarter', keyApproach: 'go to what is selected', keyHome: 'reset the camera', keyOrthographic: 'orthographic or perspective', keyRuler: 'ruler', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',
 };
 
 export type Key = keyof typeof en;

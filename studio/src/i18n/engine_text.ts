@@ -2,6 +2,7 @@
 // The engine's sentences in the page's language, by their keys and values; lengths are in the unit that is chosen.
 import type { Facts, Message, Quantity } from '../../../bindings/wasm/src/types';
 import { lengths } from './lengths';
+import { englishMessages } from './messages_en';
 
 export interface Language {
   /** A sentence of a key, with {0} where its first value stands. */
@@ -10,9 +11,10 @@ export interface Language {
   word(text: string): string;
 }
 
-/** The engine's own sentences. */
+/** The engine's own sentences, but for those that the page has in other words. */
 export const englishOf = (facts: Facts): Language => ({
   sentence: (key) => {
+    if (key in englishMessages) return englishMessages[key];
     let hole = 0;
     const text = facts.messages.find((message) => message.key === key)?.text;
     return text?.replace(/\{\{|\}\}|\{[^{}]*\}/g, (found) => (found === '{{' || found === '}}' ? found.charAt(0) : `{${hole++}}`));

@@ -20,10 +20,10 @@ async function isWanted({ character: { spec, sha256 } }: Work, file: File, most:
   return digests.includes(sha256);
 }
 
-/** Brings in the file that is wanted, where it is among these; false where it is not. */
-export async function takeWanted(studio: Studio, files: readonly File[]): Promise<boolean> {
+/** Brings in the file that is wanted, and returns it; null where it is not among these. */
+export async function takeWanted(studio: Studio, files: readonly File[]): Promise<File | null> {
   const wanted = wantedNow(studio.store.state);
-  if (!wanted) return false;
+  if (!wanted) return null;
   for (const file of files) {
     const format = characterFormat(studio.facts, file.name);
     if (!format || file.size > format.max_bytes || !(await isWanted(wanted.work, file, format.max_bytes).catch(() => false))) continue;
@@ -37,7 +37,7 @@ export async function takeWanted(studio: Studio, files: readonly File[]): Promis
     } finally {
       studio.store.set({ opening: null });
     }
-    return true;
+    return file;
   }
-  return false;
+  return null;
 }

@@ -2,7 +2,7 @@
 // Whose body: a built-in one of any size, or a file's; what was understood of it.
 import type { CharacterDescription, CharacterSpec } from '../../../bindings/wasm/src/types';
 import { engineText, engineWord, t } from '../i18n';
-import { openCharacter, openFile } from '../state/files';
+import { openCharacter, openFiles } from '../state/files';
 import { characterEndings, characterFormats, isBuiltIn } from '../state/formats';
 import type { Document } from '../state/model';
 import type { Studio } from '../state/studio';
@@ -30,10 +30,9 @@ export class BodyPanel implements Panel {
   constructor(private readonly studio: Studio, portraits: Portraits) {
     this.characters = new CharacterList(studio, portraits);
     const input = h('input', {
-      type: 'file', accept: [...characterEndings(studio.facts), '.json'].join(), hidden: true,
+      type: 'file', accept: [...characterEndings(studio.facts), '.json'].join(), hidden: true, multiple: true,
       onChange: () => {
-        const file = input.files?.[0];
-        if (file) void openFile(studio, file);
+        void openFiles(studio, [...(input.files ?? [])]);
         input.value = '';
       },
     });

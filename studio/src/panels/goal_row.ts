@@ -21,6 +21,7 @@ export class GoalRow {
   private readonly details = h('div');
   private readonly axes: readonly NumberField[];
   private readonly load: NumberField;
+  private readonly passes = h('p', { class: 'quiet' }, t('loadPasses'));
   private readonly turn: HTMLInputElement;
   private readonly rings: HTMLInputElement;
   private readonly ringsLabel: HTMLElement;
@@ -53,6 +54,7 @@ export class GoalRow {
       h('div', { class: 'extras' },
         effector.endsWith('hand') ? this.load.element : null,
         h('label', {}, this.turn, t('turn')), this.ringsLabel),
+      this.passes,
       this.more.element);
     this.element = h('div', { class: 'goal', role: 'group', 'aria-label': name },
       h('div', { class: 'goal-head' }, h('label', {}, this.has, name), this.reached, this.remove), this.details);
@@ -78,6 +80,7 @@ export class GoalRow {
     if (!goal) return;
     goal.position_m.forEach((value, index) => this.axes[index]!.show(value));
     this.load.show(goal.load_kg ?? 0);
+    this.passes.hidden = !goal.load_kg;
     this.turn.checked = goal.rotation_xyzw !== undefined;
     this.rings.checked = this.studio.store.state.rings;
     this.ringsLabel.hidden = goal.rotation_xyzw === undefined;

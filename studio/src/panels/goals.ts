@@ -10,7 +10,7 @@ import type { View } from '../view/view';
 import { button, fill, h, type Panel, select } from './dom';
 import { GoalRow } from './goal_row';
 import { LookRow } from './look_row';
-import { NumberInput } from './number_input';
+import { NumberInput, writeNumber } from './number_input';
 import { LibrarySection } from './library';
 import { ThingList } from './things';
 import { VerdictBox } from './verdict';
@@ -154,7 +154,7 @@ export class GoalsPanel implements Panel {
       this.method.options[index]!.hidden = this.method.options[index]!.disabled = !natural && name !== settings.preset;
     }
     this.method.value = settings.preset;
-    this.seed.value = String(settings.seed);
+    writeNumber(this.seed, String(settings.seed));
     this.effort.value = this.effortOf(settings) ?? 'effortNormal';
   }
 

@@ -4,7 +4,7 @@ import { h, iconButton } from './dom';
 
 const kKeys: readonly (readonly [string, Key])[] = [
   ['Space', 'keySpace'], ['1 … 9', 'keyDigits'], ['Shift + 1 … 9', 'keyShiftDigits'], [', .', 'keyFrame'],
-  ['← → ↑ ↓ PgUp PgDn', 'keyArrows'], ['[ ]', 'keyBrackets'], ['Ctrl + Z / Y', 'keyUndo'], ['Ctrl + S', 'keySave'], ['M', 'keyMirror'], ['V', 'keySides'], ['F', 'keyApproach'], ['Home', 'keyHome'], ['O', 'keyOrthographic'], ['U', 'keyRuler'], ['G', 'keyGhosts'], ['P', 'keyPath'], ['Esc', 'keyEscape'], ['?', 'keyHelp'],
+  ['← → ↑ ↓ PgUp PgDn', 'keyArrows'], ['[ ]', 'keyBrackets'], ['Enter', 'keyEnter'], ['Ctrl + Z / Y', 'keyUndo'], ['Ctrl + S', 'keySave'], ['M', 'keyMirror'], ['V', 'keySides'], ['F', 'keyApproach'], ['Home', 'keyHome'], ['O', 'keyOrthographic'], ['U', 'keyRuler'], ['G', 'keyGhosts'], ['P', 'keyPath'], ['Esc', 'keyEscape'], ['?', 'keyHelp'],
 ];
 
 export function helpDialog(): HTMLDialogElement {

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Notices over the view: the sentence that says what to drag, the search's progress, messages.
-import { failureText, type Key, t } from '../i18n';
+import { failureText, t } from '../i18n';
+import { noticeTones } from '../i18n/notice_tones';
 import { enoughWords, reasonWords } from '../i18n/verdict_words';
-import { candidateAt, type Document, type Notice } from '../state/model';
+import { candidateAt, type Document, type Notice, type State } from '../state/model';
 import type { Studio } from '../state/studio';
 import { isMet, reasonsOf } from '../state/verdict';
 import { button, fill, h, iconButton, type Panel, round } from './dom';
 
 export function noticeText(notice: Notice): string {
-  if (notice.kind === 'text') return t(notice.key as Key, notice.values);
+  if (notice.kind === 'several') return notice.of.map(noticeText).join(' ');
+  if (notice.kind === 'text') return t(notice.key, notice.values);
   const first = notice.about === undefined ? t('failed') : t('failedFile', { name: notice.about });
   return `${first} ${failureText(notice.failure)}`;
+}
+
+function isBad(notice: Notice): boolean {
+  if (notice.kind === 'several') return notice.of.some(isBad);
+  return notice.kind === 'failure' || noticeTones[notice.key] === 'bad';
 }
 
 /** That no motion is possible, why the chosen one is not, and in what time it would be; of a single one the timeline's head tells. */
@@ -24,6 +31,16 @@ function impossibleText(document: Document | null): string {
   return seconds === undefined ? why : `${why} ${t('couldIn', { s: enoughWords(seconds) })}`;
 }
 
+/** The one message that is shown; what `stays` goes with its cause, and nobody closes it. */
+function toldNow({ pictureLost, opening, preview, dragging, previewRemaining_mm, notice, document }: State): { text: string; bad: boolean; stays: boolean } {
+  if (pictureLost) return { text: t('pictureLost'), bad: true, stays: true };
+  if (opening !== null) return { text: t('opening', { name: opening }), bad: false, stays: true };
+  if (preview !== null && dragging && !isMet(previewRemaining_mm)) return { text: t('previewMisses', { length: previewRemaining_mm / 1000 }), bad: true, stays: true };
+  if (notice) return { text: noticeText(notice), bad: isBad(notice), stays: false };
+  const impossible = impossibleText(document);
+  return { text: impossible, bad: impossible !== '', stays: true };
+}
+
 export class Notices implements Panel {
   readonly element: HTMLElement;
   private readonly hint = h('div', { class: 'hint' });
@@ -34,7 +51,7 @@ export class Notices implements Panel {
   private readonly end: () => void;
 
   constructor(private readonly studio: Studio) {
-    fill(this.hint, h('span', {}, h('b', {}, t('hint')), ' ', t('hintMore')), iconButton('close', t('gotIt'), () => studio.store.set({ hint: false })));
+    fill(this.hint, h('span', {}, h('b', {}, t('hint')), ' ', t('hintMore')), iconButton('close', t('gotIt'), () => studio.learnHint()));
     this.search = h('div', { class: 'search' }, h('span', {}, t('searching')), this.progress, this.best,
       button(t('cancel'), () => {
         studio.cancel();
@@ -53,16 +70,11 @@ export class Notices implements Panel {
     this.progress.value = state.search?.fraction ?? 0;
     const best = state.search?.best ?? Infinity;
     this.best.textContent = Number.isFinite(best) && best < 1e6 ? t('best', { score: round(best, 3) }) : '';
-    const short = state.preview !== null && state.dragging && !isMet(state.previewRemaining_mm);
-    const impossible = state.notice === null ? impossibleText(state.document) : '';
-    const text = state.opening !== null ? t('opening', { name: state.opening })
-      : short ? t('previewMisses', { length: state.previewRemaining_mm / 1000 })
-      : state.notice ? noticeText(state.notice) : impossible;
+    const { text, bad, stays } = toldNow(state);
     if (this.message.dataset['text'] === text) return;
     this.message.dataset['text'] = text;
-    const bad = short || impossible !== '' || state.notice?.kind === 'failure' || (state.notice?.kind === 'text' && /unreach|unturned|misses|unknown|bad|large/i.test(state.notice.key));
-    this.message.classList.toggle('bad', text !== '' && state.opening === null && bad);
-    fill(this.message, ...(text === '' ? [] : [h('span', {}, text), state.opening === null && !short && state.notice ? iconButton('close', t('dismiss'), () => this.studio.tell(null)) : null]));
+    this.message.classList.toggle('bad', bad);
+    fill(this.message, ...(text === '' ? [] : [h('span', {}, text), stays ? null : iconButton('close', t('dismiss'), () => this.studio.tell(null))]));
   }
 
   dispose(): void {

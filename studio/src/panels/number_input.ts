@@ -24,6 +24,16 @@ export interface NumberInputSettings {
   readonly empty?: () => void;
 }
 
+export const isNumberField = (target: EventTarget | null): target is HTMLInputElement =>
+  target instanceof HTMLInputElement && (target.type === 'number' || target.inputMode === 'numeric');
+
+/** Shows a number that is the document's, beside which `isBeingTyped` sees one that is not yet. */
+export function writeNumber(field: HTMLInputElement, text: string): void {
+  field.value = field.defaultValue = text;
+}
+
+export const isBeingTyped = ({ value, defaultValue }: HTMLInputElement): boolean => value !== defaultValue;
+
 export class NumberInput {
   readonly element: HTMLInputElement;
   private value: number | null = null;
@@ -80,7 +90,7 @@ export class NumberInput {
   }
 
   private write(): void {
-    this.element.value = this.value === null ? '' : this.settings.words(this.value);
+    writeNumber(this.element, this.value === null ? '' : this.settings.words(this.value));
   }
 
   /** Leaves alone what a person is dragging, and what is being typed, unless it is another number. */

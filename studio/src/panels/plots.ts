@@ -38,6 +38,7 @@ export class PlotsPanel implements Panel {
   private readonly choice = h('div', { class: 'fields' });
   private readonly noFeet = h('p', { class: 'quiet', hidden: true }, t('noSupport'));
   private joint = '';
+  private listed: readonly JointDescription[] | null = null; // whose choice is there
   private ink: Ink = { text: '', line: '', paper: '' };
   private readonly ends: (() => void)[];
 
@@ -76,11 +77,7 @@ export class PlotsPanel implements Panel {
     const candidate = this.studio.shown();
     const joints = this.studio.document?.character.description.joints ?? [];
     if (!candidate) return;
-    fill(this.choice, h('label', {}, h('span', {}, t('angles').split(/[,（]/)[0] ?? ''), select(t('angles'),
-      [['', t('mostUsed')], ...joints.map((joint) => [joint.name, freedomName(joint.name)] as const)], this.joint, (name) => {
-        this.joint = name;
-        this.update();
-      })));
+    if (joints !== this.listed) this.list(joints);
     const style = getComputedStyle(document.documentElement);
     this.ink = { text: style.getPropertyValue('--text-quiet'), line: style.getPropertyValue('--line-strong'), paper: style.getPropertyValue('--panel') };
     const times = columnOf(candidate.series.time, 0);
@@ -95,6 +92,17 @@ export class PlotsPanel implements Panel {
     this.showMargin(candidate, times);
     this.showSpeed(candidate, times);
     this.draw();
+  }
+
+  /** The choice of a joint, which stays while the body does, and the focus in it. */
+  private list(joints: readonly JointDescription[]): void {
+    this.listed = joints;
+    if (!joints.some(({ name }) => name === this.joint)) this.joint = '';
+    fill(this.choice, h('label', {}, h('span', {}, t('angles').split(/[,（]/)[0] ?? ''), select(t('angles'),
+      [['', t('mostUsed')], ...joints.map((joint) => [joint.name, freedomName(joint.name)] as const)], this.joint, (name) => {
+        this.joint = name;
+        this.update();
+      })));
   }
 
   /** Shares of the range or of strength: of the joint that was picked, or of those that use most of it. */

@@ -2,7 +2,7 @@
 // Six things to begin with, below the view: five tasks and a person's own character. Shown at the first visit and by the button Start.
 import { recall, remember } from '../kept/memory';
 import { t } from '../i18n';
-import { openFile } from '../state/files';
+import { openFiles } from '../state/files';
 import { characterEndings } from '../state/formats';
 import { openStartTask, type StartTaskName } from '../state/start_tasks';
 import type { Studio } from '../state/studio';
@@ -23,10 +23,9 @@ export class StartCards implements Panel {
 
   constructor(private readonly studio: Studio) {
     const input = h('input', {
-      type: 'file', accept: characterEndings(studio.facts).join(), hidden: true,
+      type: 'file', accept: characterEndings(studio.facts).join(), hidden: true, multiple: true,
       onChange: () => {
-        const file = input.files?.[0];
-        if (file) void openFile(studio, file);
+        void openFiles(studio, [...(input.files ?? [])]);
         input.value = '';
       },
     });

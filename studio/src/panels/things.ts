@@ -70,13 +70,14 @@ class ThingRow {
 export class ThingList {
   readonly element: HTMLElement;
   private readonly list = h('div');
+  private readonly clears = h('p', { class: 'quiet' }, t('thingsClear'));
   private readonly add: HTMLButtonElement;
   private rows: ThingRow[] = [];
   private names = '';
 
   constructor(private readonly studio: Studio) {
     this.add = button(t('addThing'), () => this.addOne(), { 'data-key': 'add thing' });
-    this.element = h('section', { class: 'things', 'aria-label': t('things') }, h('h3', {}, t('things')), this.list, this.add);
+    this.element = h('section', { class: 'things', 'aria-label': t('things') }, h('h3', {}, t('things')), this.clears, this.list, this.add);
   }
 
   private addOne(): void {
@@ -97,6 +98,7 @@ export class ThingList {
       fill(this.list, ...this.rows.map(({ element }) => element));
     }
     things.forEach((thing, index) => this.rows[index]!.update(thing, selected === thingName(index)));
+    this.clears.hidden = things.length === 0;
     this.add.disabled = things.length >= this.studio.facts.ranges.obstacles[1];
   }
 }

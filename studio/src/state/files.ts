@@ -8,43 +8,77 @@ import { openWork } from '../kept/pack';
 import { takeWanted } from '../kept/wanted';
 import { plainBytes } from '../plain_gltf/packed';
 import { characterFormat, characterFormats, endingOf, isBuiltIn } from './formats';
-import type { Document } from './model';
+import type { Document, Notice } from './model';
 import { checkedDocumentOf, documentOf } from './of_task';
 import { newDocument } from './start';
 import type { Studio } from './studio';
+import { noticeOf } from './workbench';
 
 const kJson = '.json';
 const kMostJsonBytes = 200e6;
 const kOfTheFile = new Set(['source', 'frame', 'animation', 'seat_m', 'heels', 'map']);
 
-/** Opens what was dropped or picked: the result among several files, which must be those that it describes, else the
- *  first. */
+const isJson = ({ name }: File): boolean => endingOf(name) === kJson;
+
+/** Opens what was dropped or picked: a result or a task with the files that it names; of characters the first is shown, and the
+ *  others stand on the shelf. What becomes of each is told; what cannot be opened changes nothing. */
 export async function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
-  if (await takeWanted(studio, files)) return;
-  const result = files.find((file) => file.name === 'summary.json') ?? files.find((file) => endingOf(file.name) === kJson);
-  const file = files.length > 1 && result ? result : files[0];
-  if (file) await openFile(studio, file, files.filter((other) => other !== file));
+  studio.tell(null);
+  const wanted = await takeWanted(studio, files);
+  const json = wanted ? undefined : (files.find(({ name }) => name === 'summary.json') ?? files.find(isJson));
+  const others = files.filter((file) => file !== wanted && file !== json);
+  if (!json) return openCharacters(studio, others, wanted !== null);
+  const text = json.size > kMostJsonBytes ? '' : await json.text();
+  const refused = await tried(studio, json, kMostJsonBytes, () => openJson(studio, json.name, text, others));
+  if (refused) studio.tellToo(refused);
+  await openCharacters(studio, others.filter(({ name }) => !text.includes(JSON.stringify(name))), refused === null);
 }
 
-/** Opens one; what cannot be opened is told, and everything stays as it was. `beside`: files that came with it. */
-export async function openFile(studio: Studio, file: File, beside: readonly File[] = []): Promise<void> {
-  const isJson = endingOf(file.name) === kJson;
-  const most = isJson ? kMostJsonBytes : characterFormat(studio.facts, file.name)?.max_bytes;
-  if (most === undefined) {
-    return studio.tell({ kind: 'text', key: 'unknownFile', values: { name: file.name, formats: characterFormats(studio.facts) } });
+/** `isShown`: something else of what came is, already. */
+async function openCharacters(studio: Studio, files: readonly File[], isShown: boolean): Promise<void> {
+  const refused: Notice[] = [];
+  const kept: string[] = [];
+  let shown = isShown;
+  for (const file of files) {
+    const { facts } = studio;
+    const most = characterFormat(facts, file.name)?.max_bytes;
+    const take = shown ? shelve : show;
+    const refusal: Notice | null = isJson(file) ? { kind: 'text', key: 'oneAtATime', values: { name: file.name } }
+      : most === undefined ? { kind: 'text', key: 'unknownFile', values: { name: file.name, formats: characterFormats(facts) } }
+      : await tried(studio, file, most, async () => take(studio, { source: file.name }, await plainBytes(file, most)));
+    if (refusal) refused.push(refusal);
+    else if (shown) kept.push(file.name);
+    shown ||= !refusal;
   }
-  if (file.size > most) {
-    return studio.tell({ kind: 'text', key: 'tooLarge', values: { name: file.name, most: Math.floor(most / 1e6) } });
+  if (kept.length > 0) {
+    studio.store.set({ tab: 'body' }); // where they are
+    studio.tellToo({ kind: 'text', key: 'alsoKept', values: { names: kept.join(', ') } });
   }
-  studio.store.set({ opening: file.name, notice: null });
+  for (const refusal of refused) studio.tellToo(refusal);
+}
+
+/** Opens a file, and returns what stands against that. */
+async function tried(studio: Studio, { name, size }: File, most: number, open: () => Promise<Notice | null>): Promise<Notice | null> {
+  if (size > most) return { kind: 'text', key: 'tooLarge', values: { name, most: Math.floor(most / 1e6) } };
+  studio.store.set({ opening: name });
   try {
-    if (isJson) await openJson(studio, file.name, await file.text(), beside);
-    else await openCharacter(studio, { source: file.name }, await plainBytes(file, most));
+    return await open();
   } catch (error) {
-    studio.fail(error, file.name);
+    return noticeOf(error, name);
   } finally {
     studio.store.set({ opening: null });
   }
+}
+
+async function show(studio: Studio, spec: CharacterSpec, bytes: Uint8Array): Promise<null> {
+  await openCharacter(studio, spec, bytes);
+  return null;
+}
+
+/** Puts a character where it can be chosen, and leaves the one at hand; returns what stands against that. */
+async function shelve(studio: Studio, spec: CharacterSpec, bytes: Uint8Array): Promise<Notice | null> {
+  const character = await studio.open(spec, bytes);
+  return studio.shelve(newDocument(studio.facts, character)) ? null : { kind: 'text', key: 'noRoom', values: { name: spec.source } };
 }
 
 export async function openCharacter(studio: Studio, spec: CharacterSpec, bytes?: Uint8Array): Promise<void> {
@@ -58,21 +92,22 @@ export async function openCharacter(studio: Studio, spec: CharacterSpec, bytes?:
   void studio.begin(document).catch((error: unknown) => studio.fail(error));
 }
 
-async function openJson(studio: Studio, name: string, text: string, beside: readonly File[]): Promise<void> {
+async function openJson(studio: Studio, name: string, text: string, beside: readonly File[]): Promise<Notice | null> {
   const value: unknown = JSON.parse(text);
   if (typeof value !== 'object' || value === null) throw new SyntaxError('no result and no task');
   if (isLibrary(value)) {
-    if (text.length > kMostLibraryBytes) return studio.tell({ kind: 'text', key: 'tooLarge', values: { name, most: kMostLibraryBytes / 1e6 } });
+    if (text.length > kMostLibraryBytes) return { kind: 'text', key: 'tooLarge', values: { name, most: kMostLibraryBytes / 1e6 } };
     const entries = readLibrary(text);
     await studio.library.add(entries);
     studio.store.set({ tab: 'goals' }); // where it is
     studio.tell({ kind: 'text', key: 'importedLibrary', values: { n: entries.length } });
   } else if (Array.isArray((value as Summary).candidates)) {
     const changed = await changedFile(value as Summary, beside);
-    if (changed !== undefined) return studio.tell({ kind: 'text', key: 'changedFile', values: { name: changed } });
+    if (changed !== undefined) return { kind: 'text', key: 'changedFile', values: { name: changed } };
     await openResult(studio, value as Summary, beside);
   } else if (Array.isArray((value as Task).goals)) await openTask(studio, value);
   else throw new SyntaxError('neither a result ("candidates") nor a task ("goals")');
+  return null;
 }
 
 /** The name of a file that came with a result and is not the one that it describes. */

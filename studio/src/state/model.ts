@@ -3,6 +3,7 @@
 // the rest: what is shown and what is going on.
 import type { Candidate, Character, EngineFailure, Generated, Goal, PresetName, Summary, Task } from '../../../bindings/wasm/src/types';
 import type { LengthUnit } from '../i18n/lengths';
+import type { NoticeKey } from '../i18n/notice_tones';
 import type { Work } from '../kept/work';
 import { initialView, type ViewSettings } from './view_settings';
 
@@ -36,7 +37,8 @@ export interface Document {
 
 export type Notice =
   | { kind: 'failure'; failure: EngineFailure; about?: string }
-  | { kind: 'text'; key: string; values?: Record<string, string | number> };
+  | { kind: 'text'; key: NoticeKey; values?: Record<string, string | number> }
+  | { kind: 'several'; of: readonly Notice[] };
 
 /** A character whose figure is not what was computed. */
 export interface Undrawn {
@@ -79,6 +81,7 @@ export interface State {
   readonly opening: string | null; // a file's name
   readonly wanted: Wanted | null;
   readonly undrawn: Undrawn | null;
+  readonly pictureLost: boolean; // the graphics card has let go of the page
   readonly project: string; // its name
   readonly saving: Saving;
   readonly notice: Notice | null;
@@ -115,6 +118,7 @@ export const initialState: State = {
   opening: null,
   wanted: null,
   undrawn: null,
+  pictureLost: false,
   project: '',
   saving: 'none',
   notice: null,

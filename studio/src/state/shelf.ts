@@ -3,7 +3,7 @@
 import type { Character } from '../../../bindings/wasm/src/types';
 import type { Document } from './model';
 
-/** As many are kept, and as many bytes of their files; beyond that the oldest are let go. */
+/** As many are kept, and as many bytes of their files; one that is opened beyond that takes the place of the oldest. */
 const kMost = 12;
 const kMostBytes = 300e6;
 
@@ -16,12 +16,15 @@ export function isSameFile(a: Character, b: Character): boolean {
   return a.spec.source === b.spec.source && (!a.bytes || !b.bytes || sameBytes(a.bytes, b.bytes));
 }
 
+export function hasRoom(shelf: readonly Document[]): boolean {
+  return shelf.length <= kMost && shelf.reduce((sum, { character }) => sum + (character.bytes?.length ?? 0), 0) <= kMostBytes;
+}
+
 /** The shelf with a document in the place of the one of its character, or as the newest. */
 export function shelved(shelf: readonly Document[], document: Document): readonly Document[] {
   const at = shelf.findIndex(({ character }) => isSameFile(character, document.character));
   if (at >= 0) return shelf[at] === document ? shelf : shelf.map((old, index) => (index === at ? document : old));
   const next = [...shelf, document];
-  const bytes = (): number => next.reduce((sum, { character }) => sum + (character.bytes?.length ?? 0), 0);
-  while (next.length > 1 && (next.length > kMost || bytes() > kMostBytes)) next.shift();
+  while (next.length > 1 && !hasRoom(next)) next.shift();
   return next;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A person's actions, in one place: each panel and key calls these. Steps that undo knows go through `commit`.
 import type { Candidate, Character, Generated, Goal, Quat, Series, Summary, Task, Vec3 } from '../../../bindings/wasm/src/types';
+import { remember } from '../kept/memory';
 import type { History } from './history';
 import { ranking } from './criteria';
 import { exportOptions } from './file_choices';
@@ -13,6 +14,9 @@ import { assigned, listed } from './trial';
 import { Timings } from './timings';
 import { isMet, missOf } from './verdict';
 import { Workbench } from './workbench';
+
+/** By which the browser remembers that a person knows what to drag. */
+export const kHint = 'hint';
 
 export class Studio extends Workbench {
   readonly timings = new Timings();
@@ -54,11 +58,19 @@ export class Studio extends Workbench {
     this.store.set({ selected: effector });
   }
 
+  /** The sentence that says what to drag is needed no more, at later visits neither. */
+  learnHint(): void {
+    if (!this.store.state.hint) return;
+    this.store.set({ hint: false });
+    remember(kHint, 'learned');
+  }
+
   /** While a goal or a thing is dragged: the body follows by a quick search. */
   async drag(name: string, position: Vec3, rotation?: Quat): Promise<void> {
     const { document } = this;
     if (document === null) return;
-    this.store.set({ selected: name, hint: false });
+    this.learnHint();
+    this.store.set({ selected: name });
     await this.attempt(moved(document, name, position, rotation));
   }
 
@@ -66,7 +78,8 @@ export class Studio extends Workbench {
   drop(name: string, position: Vec3, rotation?: Quat): Promise<void> {
     const { document } = this;
     if (document === null) return Promise.resolve();
-    this.store.set({ selected: name, hint: false });
+    this.learnHint();
+    this.store.set({ selected: name });
     return this.settle(moved(document, name, position, rotation));
   }
 
@@ -164,7 +177,7 @@ export class Studio extends Workbench {
       this.store.set({ preview: null, playing: true });
       void this.warmUp(found);
       const miss = missOf(result.summary);
-      if (miss) this.tell({ kind: 'text', ...miss });
+      if (miss) this.tellToo({ kind: 'text', ...miss });
     } catch (error) {
       if (this.running === controller) this.store.set({ preview: null });
       this.fail(error);

@@ -9,7 +9,7 @@ import { Clock } from './clock';
 import { History } from './history';
 import { candidateAt, chosenCandidate, type Document, initialState, type Notice, type State } from './model';
 import { placeOf } from './places';
-import { shelved } from './shelf';
+import { hasRoom, isSameFile, shelved } from './shelf';
 import { Store } from './store';
 
 /** The view, to those who keep or bring back from where it is seen. */
@@ -19,6 +19,13 @@ export interface Eye {
   onLook(listener: () => void): void;
   /** Once the page has its first picture: a machine has then time for what nobody waits for. */
   firstPicture(): Promise<void>;
+}
+
+/** What is told of an error; null where a person has stopped it. */
+export function noticeOf(error: unknown, about?: string): Notice | null {
+  if (error instanceof PackedError) return { kind: 'text', key: 'badPacked', values: { name: about ?? '' } };
+  const failure = failureOf(error);
+  return failure && { kind: 'failure', failure, about };
 }
 
 export class Workbench {
@@ -76,6 +83,16 @@ export class Workbench {
     });
   }
 
+  /** Puts a character beside the one at hand, where it is not there yet; false where there is no room. */
+  shelve(document: Document): boolean {
+    const { shelf } = this.store.state;
+    const isThere = shelf.some(({ character }) => isSameFile(character, document.character));
+    const fits = !isThere && hasRoom([...shelf, document]);
+    if (fits) this.store.set({ shelf: [...shelf, document] });
+    else this.engine.close(document.character);
+    return isThere || fits;
+  }
+
   /** Takes a character off the shelf; the one at hand stays. */
   takeOff(document: Document): void {
     if (document.character === this.document?.character) return;
@@ -112,10 +129,21 @@ export class Workbench {
     this.store.set({ notice });
   }
 
+  /** The picture is gone, which is told while it lasts, or back. */
+  showLost(pictureLost: boolean): void {
+    this.store.set({ pictureLost });
+    if (!pictureLost) this.tell({ kind: 'text', key: 'pictureBack' });
+  }
+
+  /** Beside what is told already. */
+  tellToo(notice: Notice): void {
+    const { notice: now } = this.store.state;
+    this.tell(now ? { kind: 'several', of: now.kind === 'several' ? [...now.of, notice] : [now, notice] } : notice);
+  }
+
   fail(error: unknown, about?: string): void {
-    if (error instanceof PackedError) return this.tell({ kind: 'text', key: 'badPacked', values: { name: about ?? '' } });
-    const failure = failureOf(error);
-    if (failure !== null) this.tell({ kind: 'failure', failure, about });
+    const notice = noticeOf(error, about);
+    if (notice) this.tell(notice);
   }
 
   chosen(): Candidate | null {

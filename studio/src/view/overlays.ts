@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drawings about a motion: the paths of the effectors, the centre of mass with its plumb line, the polygon
-// that the feet stand on, and how far a goal out of reach remains.
+// Drawings about a motion: the paths of the effectors, the centre of mass with its plumb line and its way along the floor, the
+// polygon that the feet stand on, and how far a goal out of reach remains.
 import {
   BufferAttribute, BufferGeometry, CircleGeometry, DoubleSide, Group, Line, LineBasicMaterial, LineDashedMaterial, Mesh,
   MeshBasicMaterial, RingGeometry, SphereGeometry, Vector3,
@@ -32,6 +32,11 @@ function columnsOf(series: Series, first: number): Float32Array {
   return points;
 }
 
+/** In the body the way of its mass would stand out as what is not part of it. */
+function onFloor(points: Float32Array): Float32Array {
+  return points.map((value, k) => (k % 3 === 1 ? kAboveFloor : value));
+}
+
 export class Overlays {
   readonly object = new Group();
   private readonly hands = new Group();
@@ -51,8 +56,6 @@ export class Overlays {
   constructor() {
     this.mass = new Mesh(new SphereGeometry(0.022, 20, 14), new MeshBasicMaterial({ transparent: true, opacity: 0.85, depthTest: false }));
     this.mass.renderOrder = 5;
-    this.massTrack.line.material.depthTest = false; // as a whole, also where it is within the body
-    this.massTrack.line.renderOrder = 5;
     this.plumb = new Line(new BufferGeometry().setFromPoints([new Vector3(), new Vector3(0, 1, 0)]),
       new LineDashedMaterial({ dashSize: 0.03, gapSize: 0.02, transparent: true, opacity: 0.7, depthTest: false }));
     this.plumb.frustumCulled = false;
@@ -118,7 +121,7 @@ export class Overlays {
       this.hands.add(track.line);
     }
     this.tracks.forEach((track, k) => track.set(columnsOf(effectors, 3 * k)));
-    if (mass.columns >= 3) this.massTrack.set(columnsOf(mass, 0));
+    if (mass.columns >= 3) this.massTrack.set(onFloor(columnsOf(mass, 0)));
     this.showMissing(candidate, goals);
   }
 

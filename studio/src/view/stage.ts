@@ -7,6 +7,7 @@ import type { ViewSettings } from '../state/view_settings';
 import { directionOf, Lens } from './camera';
 import { Floor } from './floor';
 import { Light } from './light';
+import { forgetUploads } from './lost_context';
 import { type Palette, palettes } from './palette';
 import { onBackground, type PictureSettings, pngOfView, smallPicture } from './picture';
 import { type Quality, QualityControl } from './quality';
@@ -35,6 +36,7 @@ export class Stage {
   private rested = 0; // s since something moved
   private filming = false;
   private ended = false;
+  private lost = false; // the graphics card has let go of the page
   private waited = 0; // s for the first picture
   private begun = false;
   /** Whether the first picture is in the page; what else takes time waits for it. */
@@ -44,6 +46,8 @@ export class Stage {
   /** Called before each picture with the time since the last one, s; true: something moves. */
   onFrame: (seconds: number) => boolean = () => false;
   onDraw: () => void = () => undefined;
+  /** The graphics card has let go of the page, or is back. */
+  onLost: (lost: boolean) => void = () => undefined;
   /** Whether the first picture had better wait, as what it is of is soon there: each takes a slow machine half a second. */
   isAwaited: () => boolean = () => false;
 
@@ -51,7 +55,9 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.debug.checkShaderErrors = false; // who asks waits for the shader
     this.light = new Light(this.renderer, this.casters, this.drawn);
-    canvas.addEventListener('webglcontextrestored', () => this.invalidate());
+    for (const [event, lost] of [['webglcontextlost', true], ['webglcontextrestored', false]] as const) {
+      canvas.addEventListener(event, () => this.setLost(lost));
+    }
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = false;
     this.orbit.maxPolarAngle = Math.PI * 0.53;
@@ -128,6 +134,13 @@ export class Stage {
     this.invalidate();
   }
 
+  private setLost(lost: boolean): void {
+    this.lost = lost;
+    if (lost) forgetUploads(this.scene);
+    this.onLost(lost);
+    this.invalidate();
+  }
+
   /** Something may have moved. */
   invalidate(): void {
     this.light.invalidate();
@@ -153,7 +166,7 @@ export class Stage {
     requestAnimationFrame(this.tick);
     const seconds = (now - this.last) / 1000;
     this.last = now;
-    if (this.filming) return;
+    if (this.filming || this.lost) return;
     if (this.begun && !this.shown) {
       this.shown = true;
       this.dirty = true; // now with shadows

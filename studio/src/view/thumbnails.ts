@@ -119,7 +119,7 @@ export class Thumbnails {
   private readonly tick = (now: number): void => {
     requestAnimationFrame(this.tick);
     const pace = this.pace();
-    if (pace === 0 || document.hidden || this.studio.store.state.dragging) return;
+    if (pace === 0 || document.hidden || this.studio.store.state.dragging || this.made?.getContext().isContextLost()) return;
     const character = this.studio.document?.character ?? null;
     if (character !== this.character) void this.setCharacter(character);
     if (!this.figure) return;

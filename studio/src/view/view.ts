@@ -97,6 +97,7 @@ export class View {
     this.stage.scene.add(...drawn.map(({ object }) => object));
     this.stage.onFrame = (seconds) => this.advance(seconds);
     this.stage.onDraw = () => this.pose();
+    this.stage.onLost = (pictureLost) => studio.showLost(pictureLost);
     this.stage.isAwaited = () => !this.figure || (!studio.document?.result && studio.store.state.search !== null);
     studio.eye = this;
     this.ends.push(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Of characters and their settings.
 export const characters: Readonly<Record<string, string>> = {
-  no_person: '人の形ではありません：{0}。人であれば、「ボーン」でノードを指定してください。',
+  no_person: '人の形ではありません：{0}。人であれば、ノードに Hips や LeftArm のような一般的なボーン名を付けてください。',
   length_out_of_range: '{0} が {1} m です。使えるのは {2}～{3} m です。',
   out_of_range: '{0} が {1} {2} です。使えるのは {3}～{4} {5} です。',
   mirrored_file: 'このキャラクターのファイルは鏡像の軸のままです。書き出したファイルでは目標の位置が異なります。',
