@@ -126,6 +126,7 @@ export const en = {
   noWasm: 'This browser has no WebAssembly, which the engine needs. A current Firefox, Chrome, Edge or Safari has it.',
   noSimd: 'This browser has no WebAssembly SIMD, which the engine needs: Chrome and Edge have it since 91, Firefox since 89, Safari since 16.4.',
   noWebgl: 'This browser shows no WebGL 2, which the picture needs. It may be switched off in its settings.',
+  offlineReady: 'From now on the page works without the network too.', newerPage: 'A newer version of this page is here.', reload: 'Reload',
   partFailed: 'A part of the page could not be loaded. Is the network there?', tryAgain: 'Try again',
   engineFailed: 'The engine did not start.', tooLarge: '{name} is larger than {most} MB.', dismiss: 'Dismiss',
   // help
@@ -134,6 +135,7 @@ export const en = {
   help2: 'Choose one on the left. Compare it with another, change how it goes under Adjust, and weigh what counts under Criteria.',
   help3: 'Save takes it away as an animation, as a figure or as a link.',
   help4: 'Drag in the empty space to look from elsewhere, with the right button to move the picture, turn the wheel to come nearer.',
+  help5: 'Nothing leaves this browser. Once it has kept the page, a moment after the first visit, all of it works without the network.',
   keys: 'Keys',
   keySpace: 'play, pause', keyDigits: 'choose a motion', keyShiftDigits: 'compare with it', keyArrows: 'move the goal, in the view', keyBrackets: 'next goal, in the view',
   keyUndo: 'undo, redo', keySave: 'open Save', keyMirror: 'mirror', keyEscape: 'stop the search, close', keyFrame: 'frame by frame', keySides: 'look from the front, the side, the top, three-quarter', keyApproach: 'go to what is selected', keyHome: 'reset the camera', keyOrthographic: 'orthographic or perspective', keyRuler: 'ruler', keyGhosts: 'ghosts of the motion', keyPath: 'path coloured by speed', keyHelp: 'this page',

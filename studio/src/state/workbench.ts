@@ -5,6 +5,7 @@ import { failureOf } from '../engine/connect';
 import { PackedError } from '../plain_gltf/packed';
 import { Library } from '../kept/library';
 import type { Look } from '../kept/work';
+import { PartError } from '../offline/part';
 import { Clock } from './clock';
 import { History } from './history';
 import { candidateAt, chosenCandidate, type Document, initialState, type Notice, type State } from './model';
@@ -113,6 +114,7 @@ export class Workbench {
   }
 
   fail(error: unknown, about?: string): void {
+    if (error instanceof PartError) return this.tell({ kind: 'text', key: 'partFailed' });
     if (error instanceof PackedError) return this.tell({ kind: 'text', key: 'badPacked', values: { name: about ?? '' } });
     const failure = failureOf(error);
     if (failure !== null) this.tell({ kind: 'failure', failure, about });

@@ -3,6 +3,7 @@
 import { Box3, Vector3 } from 'three';
 import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
+import { fetchPart } from '../offline/part';
 import { ranking } from '../state/criteria';
 import { candidateAt, type Document, type State } from '../state/model';
 import { leastOf, lookName, lookOf, placeOf, thingName, thingsOf } from '../state/places';
@@ -449,7 +450,7 @@ export class View {
 
   /** A film of it, without the handles; playing stops. */
   async film(settings: FilmSettings, signal: AbortSignal, progress: (share: number) => void): Promise<Uint8Array> {
-    const { film } = await import('./film');
+    const { film } = await fetchPart(() => import('./film'));
     const { clock } = this.studio;
     this.studio.play(false);
     const shown = clock.time;
