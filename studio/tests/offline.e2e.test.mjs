@@ -11,15 +11,23 @@ import { dist, drop, launch, openStudio, openTab, serve, settled, take } from '.
 
 const browser = await launch();
 const folder = mkdtempSync(join(tmpdir(), 'shigusa-page-'));
+const sites = [];
 after(async () => {
   await browser.close();
+  for (const site of sites) site.close();
   rmSync(folder, { recursive: true, force: true });
 });
 cpSync(dist, folder, { recursive: true });
 
+async function serveOwn() {
+  const site = await serve(folder);
+  sites.push(site);
+  return site;
+}
+
 /** A page that has a server of its own, and is kept in the browser. */
 async function openKept() {
-  const site = await serve(folder);
+  const site = await serveOwn();
   const opened = await openStudio(browser, site.url, { serviceWorkers: 'allow' });
   await settled(opened.page);
   await ready(opened.page);
@@ -72,7 +80,7 @@ test('offline the page opens, with every panel, every export and both languages'
 });
 
 test('a newer page is offered and taken, and one that is gone from its address goes from the browser', { timeout: 240_000 }, async () => {
-  const { site, page, context } = await openKept();
+  const { page, context } = await openKept();
   const worker = join(folder, 'offline.js');
   const old = readFileSync(worker, 'utf8');
   const cached = () => page.evaluate(() => window.caches.keys());
@@ -97,12 +105,11 @@ test('a newer page is offered and taken, and one that is gone from its address g
   await page.reload();
   await page.waitForFunction(async () => !(await navigator.serviceWorker.getRegistration()) && (await window.caches.keys()).length === 0, undefined, { polling: 200 });
   writeFileSync(worker, old);
-  site.close();
   await context.close();
 });
 
 test('a part that cannot be fetched is told in a sentence', { timeout: 120_000 }, async () => {
-  const site = await serve(folder);
+  const site = await serveOwn();
   const { page, context } = await openStudio(browser, site.url);
   await settled(page);
   await openTab(page, 'take');
@@ -114,6 +121,5 @@ test('a part that cannot be fetched is told in a sentence', { timeout: 120_000 }
     assert.match(await page.locator('.message').innerText(), /^A part of the page could not be loaded\. Is the network there\?/);
   }
   assert.equal(await page.evaluate(() => window.shigusa.state.language), 'en');
-  site.close();
   await context.close();
 });

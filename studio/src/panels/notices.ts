@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Notices over the view: the sentence that says what to drag, the search's progress, messages.
 import { failureText, type Key, t } from '../i18n';
-import { enoughWords, reasonWords } from '../i18n/verdict_words';
-import { candidateAt, type Document, type Notice } from '../state/model';
+import type { Notice } from '../state/model';
 import type { Studio } from '../state/studio';
-import { isMet, reasonsOf } from '../state/verdict';
+import { isMet } from '../state/verdict';
 import { button, fill, h, iconButton, type Panel, round } from './dom';
 
 export function noticeText(notice: Notice): string {
   if (notice.kind === 'text') return t(notice.key as Key, notice.values);
   const first = notice.about === undefined ? t('failed') : t('failedFile', { name: notice.about });
   return `${first} ${failureText(notice.failure)}`;
-}
-
-/** That no motion is possible, why the chosen one is not, and in what time it would be; of a single one the timeline's head tells. */
-function impossibleText(document: Document | null): string {
-  const candidate = document && candidateAt(document, document.chosen);
-  if (!candidate || !document.result?.summary.candidates.every(({ verdict }) => verdict === 'impossible') || candidate.summary.verdict !== 'impossible') return '';
-  const [worst] = reasonsOf(document, candidate);
-  if (!worst) return '';
-  const why = t('unsteady', { reason: reasonWords(document, candidate, worst) });
-  const { possible_in_s: seconds } = candidate.summary;
-  return seconds === undefined ? why : `${why} ${t('couldIn', { s: enoughWords(seconds) })}`;
 }
 
 export class Notices implements Panel {
@@ -54,13 +42,12 @@ export class Notices implements Panel {
     const best = state.search?.best ?? Infinity;
     this.best.textContent = Number.isFinite(best) && best < 1e6 ? t('best', { score: round(best, 3) }) : '';
     const short = state.preview !== null && state.dragging && !isMet(state.previewRemaining_mm);
-    const impossible = state.notice === null ? impossibleText(state.document) : '';
     const text = state.opening !== null ? t('opening', { name: state.opening })
       : short ? t('previewMisses', { length: state.previewRemaining_mm / 1000 })
-      : state.notice ? noticeText(state.notice) : impossible;
+      : state.notice ? noticeText(state.notice) : '';
     if (this.message.dataset['text'] === text) return;
     this.message.dataset['text'] = text;
-    const bad = short || impossible !== '' || state.notice?.kind === 'failure' || (state.notice?.kind === 'text' && /unreach|unturned|misses|unknown|bad|large/i.test(state.notice.key));
+    const bad = short || state.notice?.kind === 'failure' || (state.notice?.kind === 'text' && /unreach|unturned|misses|unknown|bad|large/i.test(state.notice.key));
     this.message.classList.toggle('bad', text !== '' && state.opening === null && bad);
     fill(this.message, ...(text === '' ? [] : [h('span', {}, text), state.opening === null && !short && state.notice ? iconButton('close', t('dismiss'), () => this.studio.tell(null)) : null]));
   }
