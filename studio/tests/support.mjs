@@ -127,7 +127,7 @@ export async function handleOf(page, effector) {
 }
 
 /** Drags a handle from where it is by so many pixels; `followed`: lets go once the body has followed. */
-export async function drag(page, effector, dx, dy, { hold = 0, steps = 6, followed = false } = {}) {
+export async function drag(page, effector, dx, dy, { hold = 0, steps = 4, followed = false } = {}) {
   const [x, y] = await handleOf(page, effector);
   await page.mouse.move(x, y);
   await page.mouse.down();

@@ -120,7 +120,7 @@ export class Thumbnails {
 
   /** The next picture that is missing, the portrait once a card has something to show; false where none is. */
   private drawNext(): boolean {
-    const begun = this.canvases.some((_, index) => (this.films[index]?.left ?? kPictures) < kPictures);
+    const begun = this.films.some((film) => film?.drawn[kPictures - 1]);
     return (begun && this.drawPortrait()) || this.drawOneOfFilms() || this.drawPortrait();
   }
 
@@ -156,7 +156,7 @@ export class Thumbnails {
     const pictures = globalThis.document.createElement('canvas');
     pictures.width = width * kPictures;
     pictures.height = height;
-    const film: Film = { candidate, pictures, drawn: Array.from({ length: kPictures }, () => false), left: kPictures };
+    const film: Film = { candidate, pictures, drawn: Array.from({ length: kPictures }, () => false), left: this.still ? 1 : kPictures };
     this.films[index] = film;
     return film;
   }
@@ -165,7 +165,7 @@ export class Thumbnails {
   private drawOne(index: number): boolean {
     const film = this.film(index);
     if (!film || film.left === 0 || !this.figure) return false;
-    const picture = film.left === kPictures ? kPictures - 1 : kPictures - 1 - film.left;
+    const picture = film.drawn[kPictures - 1] ? kPictures - 1 - film.left : kPictures - 1;
     const width = film.pictures.width / kPictures;
     const { height } = film.pictures;
     this.camera.aspect = width / height;
@@ -186,7 +186,7 @@ export class Thumbnails {
   private play(index: number, seconds: number): void {
     const film = this.film(index);
     const canvas = this.canvases[index];
-    if (!film || !canvas || film.left === kPictures) return;
+    if (!film?.drawn[kPictures - 1] || !canvas) return;
     const duration = film.candidate.summary.duration_s;
     const since = seconds % (duration + kRest);
     const last = kPictures - 1;
