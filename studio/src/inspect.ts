@@ -37,6 +37,8 @@ export interface Inspection {
   readonly ruler: { height_m: number; texts: string[] } | null;
   /** What is written over two figures that are compared. */
   readonly tags: readonly string[];
+  /** From head to foot of the figure, and of the one that it is compared with, in shares of the picture's height. */
+  readonly sizes: readonly number[];
   /** Joints that are red on the figure. */
   readonly strained: readonly string[];
   /** Where the ghosts have an effector's node, m. */
@@ -93,6 +95,9 @@ export function expose(studio: Studio, view: View): void {
     },
     get tags() {
       return view.tagTexts;
+    },
+    get sizes() {
+      return view.sizes;
     },
     get strained() {
       return view.strainedNames;

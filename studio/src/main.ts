@@ -96,7 +96,8 @@ async function start(): Promise<void> {
     window.addEventListener('hashchange', () => void openAddress(studio, keeper));
     await opened;
   } catch (error) {
-    refuse(root, `${t('engineFailed')} ${failureOf(error)?.message ?? ''}`);
+    const failure = failureOf(error);
+    refuse(root, `${t('engineFailed')} ${failure?.code === 'io' ? t('partFailed') : failure?.message ?? ''}`);
   }
 }
 

@@ -14,6 +14,7 @@ import { Gallery } from './panels/gallery';
 import { GoalsPanel } from './panels/goals';
 import { helpDialog } from './panels/help';
 import { Notices } from './panels/notices';
+import { OfflineLine } from './panels/offline_line';
 import { SpeedLegend } from './panels/speed_legend';
 import { StartCards } from './panels/start_cards';
 import { Tabs } from './panels/tabs';
@@ -21,6 +22,7 @@ import { Timeline } from './panels/timeline';
 import { TopBar } from './panels/topbar';
 import { VerdictLine } from './panels/verdict';
 import { ViewMenu } from './panels/view_menu';
+import { keepOffline } from './offline/offline';
 import { openFiles } from './state/files';
 import { characterFormats } from './state/formats';
 import type { Studio } from './state/studio';
@@ -34,12 +36,13 @@ const kRests = 1000; // ms after the first motions
 
 const later = (): Promise<typeof import('./panels/later')> => import('./panels/later');
 
-/** Fetches them while nobody waits, so that they are there where the network is not. */
+/** Fetches them while nobody waits, and then all else, so that they are there where the network is not. */
 function fetchLater({ store }: Studio): void {
   const look = (): void => {
     if (!store.state.document?.result) return;
     end();
-    setTimeout(() => later().catch(() => undefined), kRests); // it is told where one is asked for
+    // a panel tells it where it is asked for; without the rest the page works as long as the network does
+    setTimeout(() => void later().then(() => keepOffline(store)).catch(() => undefined), kRests);
   };
   const end = store.subscribe(look);
   look();
@@ -126,10 +129,11 @@ export class Page {
     });
     const top = new TopBar(studio, this.keeper, openHelp);
     const legend = new SpeedLegend(studio);
+    const offline = new OfflineLine(studio);
     const menu = new ViewMenu(studio, this.view);
-    this.panels = [gallery, verdict, timeline, start, notices, wanted, tabs, top, legend, menu];
+    this.panels = [gallery, verdict, timeline, start, notices, wanted, tabs, top, legend, offline, menu];
     this.canvas.setAttribute('aria-label', t('viewLabel'));
-    this.stage.replaceChildren(this.canvas, this.label, notices.element, legend.element, menu.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
+    this.stage.replaceChildren(this.canvas, this.label, notices.element, legend.element, offline.element, menu.element, h('div', { class: 'drop-here', 'aria-hidden': 'true' }, t('dropHere', { formats: characterFormats(studio.facts) })));
     const main = h('main', { class: 'work' }, gallery.element, h('div', { class: 'middle' }, this.stage, verdict.element, start.element, timeline.element), tabs.element);
     const skip = button(t('skipToView'), () => this.canvas.focus(), { class: 'skip' });
     this.root.replaceChildren(skip, top.element, main, dialog);

@@ -22,6 +22,17 @@ test('two motions side by side have signs with their numbers and durations, and 
     return { tags: texts, durations: [d.chosen, d.compared].map((index) => d.result.candidates[index].summary.duration_s.toFixed(2)) };
   });
   assert.deepEqual(tags, [`1 · ${durations[0]} s`, `3 · ${durations[1]} s`]);
+  await page.locator('.scrub').evaluate((range) => {
+    range.value = '0';
+    range.dispatchEvent(new Event('input', { bubbles: true }));
+  });
+  for (const key of ['', 'v', 'v', 'v', 'v']) {
+    if (key !== '') await page.keyboard.press(key);
+    await drawn(page);
+    const [chosen, other] = await page.evaluate(() => window.shigusa.sizes);
+    // from above they are looked at along their length
+    assert.ok(Math.abs(chosen - other) < 0.005 * Math.max(Math.abs(chosen), 0.2), `${chosen} and ${other} of the picture's height`);
+  }
   const beside = await page.evaluate(() => window.shigusa.handle('right_hand'));
   assert.ok(Math.hypot(beside[0] - alone[0], beside[1] - alone[1]) > 20, 'the handle goes with its figure');
 

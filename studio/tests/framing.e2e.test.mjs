@@ -5,7 +5,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { drop, linkTo, openStudio, settled, visit } from './support.mjs';
+import { drop, eventually, linkTo, openStudio, settled, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -38,7 +38,16 @@ test('a large head is in the picture with its helmet', { skip: !existsSync(knigh
   await context.close();
 });
 
-test('cards: the whole strip, bars with names, a word for the score', { timeout: 240_000 }, async () => {
+/** How much of its picture a card's figure fills, by the side that it fills more of. */
+const filled = (canvas) => canvas.evaluate((element) => {
+  const { width, height } = element;
+  const { data } = element.getContext('2d').getImageData(0, 0, width, height);
+  const seen = Array.from({ length: width * height }, (_, k) => k).filter((k) => data[4 * k + 3] > 128);
+  const side = (values, whole) => (Math.max(...values) - Math.min(...values) + 1) / whole;
+  return Math.max(side(seen.map((k) => k % width), width), side(seen.map((k) => Math.floor(k / width)), height));
+});
+
+test('cards: a figure that fills its picture, a strip to be read, bars with names, a word for the score', { timeout: 240_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
   const card = page.locator('.card').first();
@@ -49,7 +58,9 @@ test('cards: the whole strip, bars with names, a word for the score', { timeout:
   assert.equal(names.length, 3);
   assert.ok(names.every((name) => name.trim() !== ''));
   await page.waitForFunction(() => document.querySelector('.strip').naturalWidth > 0);
-  assert.equal(await card.locator('.strip').evaluate((image) => getComputedStyle(image).objectFit), 'contain');
+  const [strip, whole] = await card.evaluate((element) => [element.querySelector('.strip').clientWidth, element.clientWidth]);
+  assert.ok(strip > 0.9 * whole, `${strip} px of ${whole}`);
+  await eventually(() => filled(card.locator('canvas')), (share) => share > 0.65);
   for (const words of await page.locator('.words').allInnerTexts()) assert.doesNotMatch(words, /elbow -?\d/);
   assert.deepEqual(errors, []);
   await context.close();

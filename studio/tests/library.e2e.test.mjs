@@ -102,17 +102,8 @@ test('a damaged library is told of and adds nothing; what the engine refuses cha
   await settled(page);
   const goal = { effector: 'right_hand', position_m: [0.2, 0.9, 0.4] };
   const good = { name: 'Good', kind: 'goals', goals: [goal], things: [] };
-  const of = (change) => JSON.stringify({ shigusa_library: 1, entries: [good, { ...good, ...change }] });
-  const bad = [
-    '', '{', '[]', 'null', '"text"', '{}', '{"shigusa_library":2,"entries":[]}', '{"shigusa_library":1,"entries":{}}', '{"shigusa_library":1,"entries":[]}',
-    JSON.stringify({ shigusa_library: 1, entries: Array.from({ length: 201 }, () => good) }), '['.repeat(100_000),
-    of({ name: '' }), of({ name: 7 }), of({ name: 'x'.repeat(81) }), of({ kind: 'film' }), of({ kind: undefined }), of({ goals: [] }), of({ goals: [null] }),
-    of({ goals: [goal, goal] }), of({ goals: [{ ...goal, position_m: [0, 1] }] }), of({ goals: [{ ...goal, position_m: [0, 1e9, 0] }] }),
-    of({ goals: [{ ...goal, position_m: [0, null, 0] }] }), of({ goals: [{ ...goal, rotation_xyzw: 'up' }] }), of({ things: [{}] }), of({ things: 'box' }),
-    of({ things: [{ position_m: [0, 0, 0], size_m: [1] }] }), of({ picture: 'https://example.org/x.png' }), of({ picture: `data:image/png;base64,${'A'.repeat(60_001)}` }),
-    of({ kind: 'start' }), of({ kind: 'start', start: { source: 'human', frame: 1.5 } }), of({ kind: 'start', start: { source: 'human', seat_m: '1' } }),
-    of({ kind: 'start', start: { source: '', heels: true } }), of({ kind: 'start', start: { source: 'human', heels: 'yes' } }),
-  ];
+  // all that is refused of one: work.test.mjs
+  const bad = ['{', JSON.stringify({ shigusa_library: 1, entries: [good, { ...good, kind: 'film' }] })];
   for (const text of bad) {
     await page.evaluate(() => document.querySelector('.message .icon-button')?.click());
     await page.waitForFunction(() => window.shigusa.state.notice === null);

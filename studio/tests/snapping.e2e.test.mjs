@@ -49,24 +49,22 @@ test('where hands move alike, the other goal is the mirror image, in one step', 
   await settled(page);
   const moved = await assertMirrored();
   assert.ok(moved[1] > 1.02);
-  await drag(page, 'left_hand', 30, 10, { hold: 30 });
-  await settled(page);
-  assert.notDeepEqual(await assertMirrored(), moved);
   await page.keyboard.press('Control+z');
   await settled(page);
-  assert.deepEqual(await assertMirrored(), moved);
+  assert.deepEqual(await assertMirrored(), right.position_m, 'one step');
 
   await field(page, 'symmetric').click();
   await drag(page, 'right_hand', 0, 30, { hold: 30 });
   await settled(page);
   const [a, b] = await goals(page);
-  assert.ok(a.position_m[1] < moved[1]);
-  assert.equal(b.position_m[1], moved[1], 'each by itself again');
+  assert.ok(a.position_m[1] < right.position_m[1]);
+  assert.equal(b.position_m[1], right.position_m[1], 'each by itself again');
   assert.deepEqual(errors, []);
   await context.close();
 });
 
-test('what is dragged snaps to faces, the floor and the other hand, as the switch or Ctrl says', { timeout: 240_000 }, async () => {
+// where else: document.test.mjs
+test('what is dragged snaps to faces and the floor, as the switch or Ctrl says', { timeout: 240_000 }, async () => {
   const table = { name: 'table', position_m: [-0.4, 0.7, 0.6], size_m: [0.8, 0.04, 0.6] };
   const box = { name: 'box', position_m: [0.6, 0.19, 0.3], size_m: [0.3, 0.3, 0.3] };
   const task = { character: 'human', evaluations: 64, obstacles: [table, box], goals: [{ effector: 'right_hand', position_m: [-0.3, 1, 0.5] }, { effector: 'left_hand', position_m: [0.2, 1.2, 0.4] }] };
@@ -92,19 +90,6 @@ test('what is dragged snaps to faces, the floor and the other hand, as the switc
   assert.equal(await snapped(page), 'floor');
   await letGo(page);
   near((await things(page))[1].position_m[1], 0.15);
-
-  const beyond = 0.2 - 2 * thick - 0.02;
-  for (const [axis, value] of [['left', beyond], ['up', 1.2], ['ahead', 0.4]]) {
-    await field(page, `right_hand ${axis}`).fill(String(100 * value));
-    await field(page, `right_hand ${axis}`).press('Enter');
-    await settled(page);
-  }
-  await hold(page, 'right_hand', await beside(page, 'right_hand', 3, 3));
-  assert.equal(await snapped(page), 'left_hand');
-  await letGo(page);
-  const [right, left] = await goals(page);
-  near(right.position_m[0], left.position_m[0] - 2 * thick);
-  near(right.position_m[1], left.position_m[1]);
   assert.deepEqual(await seriousFindings(page), []);
   assert.deepEqual(errors, []);
   await context.close();

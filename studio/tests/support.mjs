@@ -17,12 +17,12 @@ const types = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
 };
 
-async function answer(request, response) {
+async function answer(folder, request, response) {
   const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
   const inside = path.startsWith(kFolder) ? normalize(path.slice(kFolder.length) || 'index.html') : '..';
   try {
     if (inside.startsWith('..')) throw new Error('outside');
-    const bytes = await readFile(join(dist, inside));
+    const bytes = await readFile(join(folder, inside));
     // as `shigusa studio` has it
     const cache = inside.startsWith('assets/') ? 'max-age=31536000, immutable' : 'no-cache';
     response.writeHead(200, { 'content-type': types[extname(inside)] ?? 'application/octet-stream', 'cache-control': cache }).end(bytes);
@@ -31,10 +31,13 @@ async function answer(request, response) {
   }
 }
 
-export async function serve() {
-  const server = createServer((request, response) => void answer(request, response));
+export async function serve(folder = dist) {
+  const server = createServer((request, response) => void answer(folder, request, response));
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
-  return { url: `http://127.0.0.1:${server.address().port}${kFolder}`, close: () => server.close() };
+  return { url: `http://127.0.0.1:${server.address().port}${kFolder}`, close: () => {
+    server.close();
+    server.closeAllConnections();
+  } };
 }
 
 const kBrowser = { executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] };
@@ -59,9 +62,9 @@ export async function visit() {
   return { site, browser };
 }
 
-/** A page that is open, with motions that do not loop, as drawing by software takes all of a machine; `errors` gets what the console complains of. `cards`: as at a first visit, with the cards to begin with. */
+/** A page that is open, with motions that do not loop, as drawing by software takes all of a machine; `errors` gets what the console complains of. `cards`: as at a first visit, with the cards to begin with. Without the service worker, which each context would have fetch all files. */
 export async function openStudio(browser, url, { cards = false, ...options } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, reducedMotion: 'reduce', ...options });
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, reducedMotion: 'reduce', serviceWorkers: 'block', ...options });
   if (!cards) {
     await context.addInitScript(() => {
       // an empty page has no storage
@@ -71,8 +74,8 @@ export async function openStudio(browser, url, { cards = false, ...options } = {
   const page = await context.newPage();
   const errors = [];
   page.on('console', (message) => {
-    // what the software renderer of test machines says of itself is no error of the page
-    if (['error', 'warning'].includes(message.type()) && !/GPU stall due to ReadPixels|GroupMarkerNotSet/.test(message.text())) errors.push(message.text());
+    // what the software renderer of test machines and what drives the browser say is no error of the page
+    if (['error', 'warning'].includes(message.type()) && !/GPU stall due to ReadPixels|GroupMarkerNotSet|blocked by Playwright/.test(message.text())) errors.push(message.text());
   });
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('request', (request) => {
@@ -124,7 +127,7 @@ export async function handleOf(page, effector) {
 }
 
 /** Drags a handle from where it is by so many pixels; `followed`: lets go once the body has followed. */
-export async function drag(page, effector, dx, dy, { hold = 0, steps = 6, followed = false } = {}) {
+export async function drag(page, effector, dx, dy, { hold = 0, steps = 4, followed = false } = {}) {
   const [x, y] = await handleOf(page, effector);
   await page.mouse.move(x, y);
   await page.mouse.down();

@@ -3,6 +3,7 @@
 import { type BodyWords, englishBody, japaneseBody, type TableWords, tableWords } from './body_words';
 import type { EngineFailure, Facts, Message } from '../../../bindings/wasm/src/types';
 import { recall } from '../kept/memory';
+import { fetchPart } from '../offline/part';
 import { en, type Key } from './en';
 import { englishOf, wordsOf } from './engine_text';
 import { lengths, lengthWords } from './lengths';
@@ -15,7 +16,7 @@ let japanese: typeof import('./japanese') | null = null;
 
 /** Fetches what a language needs; before it is set. */
 export async function fetchLanguage(next: Language): Promise<void> {
-  if (next === 'ja') japanese ??= await import('./japanese');
+  if (next === 'ja') japanese ??= await fetchPart(() => import('./japanese'));
 }
 
 export function setLanguage(next: Language): void {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A motion among others in words: what tells it from them, and how much worse than the best it is.
-import type { Candidate } from '../../../bindings/wasm/src/types';
+import type { Candidate, Message } from '../../../bindings/wasm/src/types';
 import { candidateAt, type Document } from '../state/model';
-import { postureWords, t } from '.';
+import { engineText, postureWords, t } from '.';
 
 type Posture = Candidate['summary']['final_posture'] & { elbow_swivel_deg?: number };
 
@@ -32,6 +32,13 @@ export function differenceWords(document: Document, index: number): string {
     [spread(swivel), elbowWords(swivel(mine))],
   ] as const;
   return `${words} · ${[...ways].sort((a, b) => b[0] - a[0])[0]![1]}`;
+}
+
+/** That there are fewer motions than were asked for; the engine's sentence begins with both numbers. */
+export function fewerWords(fewer: Message): string {
+  if (typeof fewer === 'string' || !('key' in fewer)) return engineText(fewer);
+  const [found, asked] = fewer.values.map(engineText);
+  return t('fewer', { found: found!, asked: asked! });
 }
 
 /** By how many times a score is that of the best. */

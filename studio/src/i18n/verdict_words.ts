@@ -46,14 +46,23 @@ export function reasonsWords(document: Document, candidate: Candidate): string[]
   return reasonsOf(document, candidate).map((reason) => detailWords(document, candidate, reason));
 }
 
+/** What is left of the goals that a motion misses; "" where it meets them. */
+function missWords(candidate: Candidate): string {
+  const short = shortOf(candidate);
+  if (short > 0) return t('short', { length: short / 1000 });
+  const unturned = unturnedOf(candidate);
+  return unturned > 0 ? t('unturned', { deg: unturned.toFixed(0) }) : '';
+}
+
+/** The verdict in a word or two: "not possible", "4.1 cm short". */
+export function verdictMark(candidate: Candidate): string {
+  return missWords(candidate) || t(candidate.summary.verdict);
+}
+
 /** The verdict with its worst reason: "not possible: would fall forward: a step is needed". */
 export function verdictWords(document: Document, candidate: Candidate): string {
   const { verdict } = candidate.summary;
   const [worst] = reasonsOf(document, candidate);
-  const short = shortOf(candidate);
   const said = verdict === 'possible' || !worst ? '' : t('because', { verdict: t(verdict), reason: reasonWords(document, candidate, worst) });
-  const unturned = unturnedOf(candidate);
-  const missed = short > 0 ? t('short', { length: short / 1000 }) : unturned > 0 ? t('unturned', { deg: unturned.toFixed(0) }) : '';
-  if (missed !== '') return said === '' ? missed : `${missed} · ${said}`;
-  return said === '' ? t('possible') : said;
+  return [missWords(candidate), said].filter((words) => words !== '').join(' · ') || t('possible');
 }

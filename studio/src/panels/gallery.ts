@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The candidates as cards: a moving picture, the word that tells one from the others, its strip, a bar for each criterion.
-import type { Candidate } from '../../../bindings/wasm/src/types';
-import { differenceWords, scoreWords } from '../i18n/motion_words';
+import type { Candidate, Summary } from '../../../bindings/wasm/src/types';
+import { differenceWords, fewerWords, scoreWords } from '../i18n/motion_words';
 import { engineText, engineWord, t } from '../i18n';
-import { reasonsWords, verdictWords } from '../i18n/verdict_words';
+import { reasonsWords, verdictMark } from '../i18n/verdict_words';
 import { ranking, scoreOf } from '../state/criteria';
 import { candidateAt, type Document } from '../state/model';
 import type { Studio } from '../state/studio';
@@ -57,16 +57,23 @@ export class Gallery implements Panel {
     if (!document || !result) return;
     const order = ranking(document);
     const highest = Math.max(0.05, ...order.flatMap((index) => Object.values(candidateAt(document, index)?.summary.criteria ?? {})));
-    const best = Math.min(...order.map((index) => scoreOf(candidateAt(document, index)!, document.weights)));
+    const doable = order.filter((index) => verdictClass(candidateAt(document, index)!) !== 'bad');
+    const best = Math.min(...doable.map((index) => scoreOf(candidateAt(document, index)!, document.weights)));
     order.forEach((index, place) => this.updateCard(document, index, place, highest, best));
-    const { status, conflict_message: conflict, fewer_message: fewer } = result.summary;
-    const why = conflict ?? (status !== 'unreachable' ? fewer : undefined);
-    const notes = [...(result.summary.goal_note_messages ?? []), ...(why === undefined ? [] : [why])];
-    this.fewer.hidden = notes.length === 0;
-    this.fewer.textContent = notes.map(engineText).join(' ');
+    this.tellNotes(result.summary);
     const elements = order.map((index) => this.cards.get(index)!.element);
     // only where the order has changed, so that the focus stays
     if (elements.some((element, i) => this.list.children[i] !== element)) fill(this.list, ...elements);
+  }
+
+  /** What is to be said of the goals, and that there are fewer motions than were asked for; why is told on hovering. */
+  private tellNotes({ status, goal_note_messages: goalNotes = [], conflict_message: conflict, fewer_message: fewer }: Summary): void {
+    const notes = [...goalNotes, ...(conflict === undefined ? [] : [conflict])].map(engineText);
+    const tellsFewer = conflict === undefined && fewer !== undefined && status !== 'unreachable';
+    if (tellsFewer) notes.push(fewerWords(fewer));
+    this.fewer.hidden = notes.length === 0;
+    this.fewer.textContent = notes.join(' ');
+    this.fewer.title = tellsFewer ? engineText(fewer) : '';
   }
 
   private showMode(document: Document | null): void {
@@ -93,13 +100,14 @@ export class Gallery implements Panel {
     const bars = h('span', { class: 'bars', 'aria-hidden': 'true' });
     const warning = h('span', { class: 'warning' });
     const pick = h('button', { type: 'button', class: 'pick', onClick: () => this.studio.choose(index) },
-      canvas, h('span', { class: 'about' }, words, strip, bars, score, warning));
+      canvas, h('span', { class: 'about' }, words, bars, h('span', { class: 'judged' }, warning, score)),
+      h('span', { class: 'strip-frame' }, strip));
     const compare = iconButton('compare', t('compare'), () => this.studio.compare(index), { class: 'icon-button compare' });
     const element = h('li', { class: 'card' }, pick, compare);
     return { element, pick, canvas, strip, words, score, bars, warning, compare };
   }
 
-  /** `highest`: the largest penalty of all cards, which is a full bar; `best`: the lowest score. */
+  /** `highest`: the largest penalty of all cards, which is a full bar; `best`: the lowest score of those that a body can make. */
   private updateCard(document: Document, index: number, place: number, highest: number, best: number): void {
     const card = this.cards.get(index);
     const candidate = candidateAt(document, index);
@@ -118,14 +126,14 @@ export class Gallery implements Panel {
     card.compare.hidden = chosen;
     fill(card.words, h('b', {}, `${place + 1}`), ` ${words}`);
     const told = round(score, 3);
-    fill(card.score, h('span', {}, scoreWords(score, best)), edited ? h('em', {}, t('edited')) : null, h('span', {}, told));
+    const judged = verdictClass(candidate);
+    fill(card.score, judged === 'bad' ? null : h('span', {}, scoreWords(score, best)), edited ? h('em', {}, t('edited')) : null, h('span', {}, told));
     card.score.dataset['score'] = told;
     card.score.title = `${t('score')} ${told}, ${t('lowerIsBetter')}`;
     this.showBars(card.bars, document, candidate, highest);
-    const judged = verdictClass(candidate);
     card.warning.hidden = judged === 'good' || undrawnText(this.studio.store.state) !== '';
     card.warning.className = `warning ${judged}`;
-    card.warning.textContent = verdictWords(document, candidate);
+    card.warning.textContent = verdictMark(candidate);
     card.warning.title = reasonsWords(document, candidate).join('\n');
     void this.drawStrip(card, candidate, index);
   }

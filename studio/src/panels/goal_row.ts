@@ -95,9 +95,9 @@ export class GoalRow {
     const { verdict } = candidate.summary;
     const met = isMet(reached.error_mm);
     const turned = isTurned(reached);
-    const colour = !met || !turned || verdict === 'impossible' ? 'bad' : verdict === 'strains' ? 'hard' : 'good';
-    this.reached.className = `reached ${colour}`;
-    const words = verdict === 'impossible' ? t('impossible') : t(verdict === 'strains' ? 'metHard' : 'reachedBy');
+    this.reached.className = `reached ${met && turned ? 'good' : 'bad'}`;
+    // no goal is met by a motion that nobody can make
+    const words = verdict === 'impossible' ? '' : t('reachedBy');
     fill(this.reached, !met ? t('short', { length: reached.error_mm / 1000 }) : turned ? words : t('unturned', { deg: round(reached.rotation_error_deg!, 0) }));
   }
 

@@ -10,7 +10,7 @@ const kKeys: readonly (readonly [string, Key])[] = [
 export function helpDialog(): HTMLDialogElement {
   const dialog = h('dialog', { class: 'help', 'aria-labelledby': 'help-title' },
     h('header', {}, h('h2', { id: 'help-title' }, t('helpTitle')), iconButton('close', t('close'), () => dialog.close())),
-    ...(['help1', 'help2', 'help3', 'help4'] as const).map((key) => h('p', {}, t(key))),
+    ...(['help1', 'help2', 'help3', 'help4', 'help5'] as const).map((key) => h('p', {}, t(key))),
     h('h3', {}, t('keys')),
     h('dl', {}, ...kKeys.flatMap(([keys, key]) => [h('dt', {}, ...keys.split(' ').map((part) => (/^[+…/]$/.test(part) ? ` ${part} ` : h('kbd', {}, part)))), h('dd', {}, t(key))])));
   return dialog;

@@ -2,10 +2,9 @@
 // Notices over the view: the sentence that says what to drag, the search's progress, messages.
 import { failureText, t } from '../i18n';
 import { noticeTones } from '../i18n/notice_tones';
-import { enoughWords, reasonWords } from '../i18n/verdict_words';
-import { candidateAt, type Document, type Notice, type State } from '../state/model';
+import type { Notice, State } from '../state/model';
 import type { Studio } from '../state/studio';
-import { isMet, reasonsOf } from '../state/verdict';
+import { isMet } from '../state/verdict';
 import { button, fill, h, iconButton, type Panel, round } from './dom';
 
 export function noticeText(notice: Notice): string {
@@ -20,25 +19,13 @@ function isBad(notice: Notice): boolean {
   return notice.kind === 'failure' || noticeTones[notice.key] === 'bad';
 }
 
-/** That no motion is possible, why the chosen one is not, and in what time it would be; of a single one the timeline's head tells. */
-function impossibleText(document: Document | null): string {
-  const candidate = document && candidateAt(document, document.chosen);
-  if (!candidate || !document.result?.summary.candidates.every(({ verdict }) => verdict === 'impossible') || candidate.summary.verdict !== 'impossible') return '';
-  const [worst] = reasonsOf(document, candidate);
-  if (!worst) return '';
-  const why = t('unsteady', { reason: reasonWords(document, candidate, worst) });
-  const { possible_in_s: seconds } = candidate.summary;
-  return seconds === undefined ? why : `${why} ${t('couldIn', { s: enoughWords(seconds) })}`;
-}
-
 /** The one message that is shown; what `stays` goes with its cause, and nobody closes it. */
-function toldNow({ pictureLost, opening, preview, dragging, previewRemaining_mm, notice, document }: State): { text: string; bad: boolean; stays: boolean } {
+function toldNow({ pictureLost, opening, preview, dragging, previewRemaining_mm, notice }: State): { text: string; bad: boolean; stays: boolean } {
   if (pictureLost) return { text: t('pictureLost'), bad: true, stays: true };
   if (opening !== null) return { text: t('opening', { name: opening }), bad: false, stays: true };
   if (preview !== null && dragging && !isMet(previewRemaining_mm)) return { text: t('previewMisses', { length: previewRemaining_mm / 1000 }), bad: true, stays: true };
   if (notice) return { text: noticeText(notice), bad: isBad(notice), stays: false };
-  const impossible = impossibleText(document);
-  return { text: impossible, bad: impossible !== '', stays: true };
+  return { text: '', bad: false, stays: true };
 }
 
 export class Notices implements Panel {

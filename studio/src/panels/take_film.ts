@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Takes the view away as a film.
 import { t } from '../i18n';
+import { fetchPart } from '../offline/part';
 import type { Studio } from '../state/studio';
 import { save } from '../state/take_away';
 import type { View } from '../view/view';
@@ -48,8 +49,8 @@ export class TakeFilm {
 
   private async take(): Promise<void> {
     const { studio, fps, plays, view } = this;
-    const films = await import('../view/film').catch(() => null);
-    if (!films) return studio.tell({ kind: 'text', key: 'partFailed' });
+    const films = await fetchPart(() => import('../view/film')).catch((error: unknown) => studio.fail(error));
+    if (!films) return;
     if (!studio.chosen() || this.running) return;
     const { canFilm, isPlayed, secondsOf } = films;
     if (!canFilm()) return studio.tell({ kind: 'text', key: 'noFilm' });

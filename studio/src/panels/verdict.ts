@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine's verdict on the motion that is shown: a line at the head of the timeline, and all reasons above the goals.
+// The engine's verdict on the motion that is shown, with its worst reason: a line at the head of the timeline. All else
+// that there is to say stands above the goals.
 import type { Candidate, Reason } from '../../../bindings/wasm/src/types';
 import { postureWords, t } from '../i18n';
 import { detailWords, reasonsWords, verdictWords, enoughWords } from '../i18n/verdict_words';
@@ -57,25 +58,25 @@ export class VerdictLine implements Panel {
   }
 }
 
-/** All that keeps the chosen motion from being possible or easy, and what would help; hidden where nothing does. */
+/** What keeps the chosen motion from being possible or easy beside its worst reason, and what would help; hidden where nothing does. */
 export class VerdictBox {
   readonly element = h('section', { class: 'verdict-box', 'aria-label': t('why'), hidden: true });
 
   constructor(private readonly studio: Studio) {}
 
   update(document: Document, candidate: Candidate | null): void {
-    const reasons = candidate ? reasonsOf(document, candidate) : [];
+    const reasons = candidate ? reasonsOf(document, candidate).slice(1) : [];
     const undrawn = undrawnText(this.studio.store.state);
-    this.element.hidden = reasons.length === 0 && undrawn === '';
+    const seconds = candidate?.summary.possible_in_s;
+    this.element.hidden = reasons.length === 0 && seconds === undefined && undrawn === '';
     this.element.className = 'verdict-box bad';
     if (undrawn !== '') return fill(this.element, h('p', {}, undrawn));
-    if (!candidate || reasons.length === 0) return fill(this.element);
+    if (!candidate || this.element.hidden) return fill(this.element);
     this.element.className = `verdict-box ${verdictClass(candidate)}`;
     const items = reasons.map((reason) => h('li', {}, this.reason(document, candidate, reason)));
     const rest = items.slice(kFirst);
-    const seconds = candidate.summary.possible_in_s;
     fill(this.element,
-      h('strong', {}, t(candidate.summary.verdict)), h('ul', {}, ...items.slice(0, kFirst)),
+      ...(reasons.length === 0 ? [] : [h('strong', {}, t('besides')), h('ul', {}, ...items.slice(0, kFirst))]),
       rest.length === 0 ? null : h('details', {}, h('summary', {}, t('andMore', { n: rest.length })), h('ul', {}, ...rest)),
       seconds === undefined ? null : this.slower(document, seconds));
   }

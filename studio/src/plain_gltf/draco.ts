@@ -2,6 +2,7 @@
 // Primitives of KHR_draco_mesh_compression.
 import create, { type DracoModule } from 'draco3d/draco_decoder_nodejs.js';
 import address from 'draco3d/draco_decoder.wasm?url';
+import { fetchPart } from '../offline/part';
 import type { Accessor } from './container';
 import { dracoCounts } from './draco_header';
 import { PackedError } from './packed';
@@ -19,7 +20,7 @@ const kUint32 = 5125;
 
 /** A decoder of its own for each mesh: what a damaged one did to its memory goes with it. */
 async function decoder(): Promise<DracoModule> {
-  wasm ??= fetch(address).then((answer) => answer.arrayBuffer());
+  wasm ??= fetchPart(() => fetch(address).then((answer) => answer.arrayBuffer()));
   wasm.catch(() => (wasm = undefined));
   return create({ wasmBinary: await wasm });
 }

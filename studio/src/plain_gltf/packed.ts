@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A look at whether meshes are packed. The code that unpacks them is fetched only for such a file.
+import { fetchPart } from '../offline/part';
 
 export const kMeshopt = ['EXT_meshopt_compression', 'KHR_meshopt_compression'] as const;
 export const kDraco = 'KHR_draco_mesh_compression';
@@ -26,6 +27,6 @@ function isPacked(bytes: Uint8Array): boolean {
 export async function plainBytes(file: File, most: number): Promise<Uint8Array> {
   const bytes = new Uint8Array(await file.arrayBuffer());
   if (bytes.length < 20 || !isPacked(bytes)) return bytes;
-  const { unpacked } = await import('./unpack');
+  const { unpacked } = await fetchPart(() => import('./unpack'));
   return unpacked(bytes, most);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rewrites a glTF file with packed meshes as a GLB with plain ones, which any reader knows.
+import { fetchPart } from '../offline/part';
 import { type Accessor, type BufferView, type Gltf, type Primitive, readContainer, writeGlb } from './container';
 import type { DracoMesh } from './draco';
 import { kDraco, kMeshopt, PackedError } from './packed';
@@ -54,7 +55,7 @@ async function plainViews(json: Gltf, buffers: Buffers, budget: Budget): Promise
       parts.push(sliceOf(buffers, view));
       continue;
     }
-    const { unpackMeshopt } = await import('./meshopt');
+    const { unpackMeshopt } = await fetchPart(() => import('./meshopt'));
     parts.push(await unpackMeshopt(view, view.extensions![name], (packed) => sliceOf(buffers, packed)));
     delete view.extensions![name];
   }
@@ -103,7 +104,7 @@ async function plainPrimitive(json: Gltf, primitive: Primitive, told: DracoMesh,
   const attributes = Object.entries(told.attributes ?? {}).map(([name, id]) => ({ id, accessor: item(json.accessors, primitive.attributes[name]) }));
   const indices = item(json.accessors, primitive.indices);
   for (const accessor of [...attributes.map((attribute) => attribute.accessor), indices]) budget.take(sizeOf(accessor));
-  const { unpackDraco } = await import('./draco');
+  const { unpackDraco } = await fetchPart(() => import('./draco'));
   const { corners, columns } = await unpackDraco(bytes, attributes, indices);
   columns.forEach((column, k) => values.put(attributes[k]!.accessor, column, kVertices, told.bufferView));
   values.put(indices, corners, kCorners, told.bufferView);

@@ -55,6 +55,9 @@ export interface Wanted {
 /** none: nothing to keep yet; incomplete: without the character's file; off: the browser keeps nothing. */
 export type Saving = 'none' | 'unsaved' | 'saved' | 'incomplete' | 'off' | 'failed';
 
+/** Whether the page works without the network; newer: and a newer one waits. */
+export type Offline = 'no' | 'ready' | 'newer';
+
 export type Tab = 'goals' | 'adjust' | 'criteria' | 'body' | 'plots' | 'take';
 export type CompareMode = 'beside' | 'over';
 
@@ -84,6 +87,7 @@ export interface State {
   readonly pictureLost: boolean; // the graphics card has let go of the page
   readonly project: string; // its name
   readonly saving: Saving;
+  readonly offline: Offline;
   readonly notice: Notice | null;
   readonly symmetric: boolean; // hands' goals move alike
   readonly rings: boolean; // rings turn what is selected, in place of arrows that move it
@@ -121,6 +125,7 @@ export const initialState: State = {
   pictureLost: false,
   project: '',
   saving: 'none',
+  offline: 'no',
   notice: null,
   symmetric: false,
   rings: false,

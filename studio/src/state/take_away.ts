@@ -4,6 +4,7 @@ import type { Character, Facts, FormatFacts } from '../../../bindings/wasm/src/t
 import { studioField } from '../kept/in_result';
 import { linkOf } from '../kept/link';
 import { workOf } from '../kept/pack';
+import { fetchPart } from '../offline/part';
 import type { DrawnClip } from '../view/drawn_glb';
 import { clipName } from './file_choices';
 import { hasNeeded } from './formats';
@@ -74,7 +75,7 @@ export async function takeAway(studio: Studio, format: Taken): Promise<TakenFile
 /** What the engine does not write of this character. */
 async function made(studio: Studio, document: Document, format: Taken, together: boolean): Promise<Uint8Array> {
   if (format === 'png') return pngOf(await studio.exported('svg'));
-  const { drawnGlb } = await import('../view/drawn_glb');
+  const { drawnGlb } = await fetchPart(() => import('../view/drawn_glb'));
   const { files } = studio.store.state;
   const motions = together ? document.result!.candidates.map((_, index) => index) : [document.chosen];
   const clips: DrawnClip[] = [];

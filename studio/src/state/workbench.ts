@@ -5,6 +5,7 @@ import { failureOf } from '../engine/connect';
 import { PackedError } from '../plain_gltf/packed';
 import { Library } from '../kept/library';
 import type { Look } from '../kept/work';
+import { PartError } from '../offline/part';
 import { Clock } from './clock';
 import { History } from './history';
 import { candidateAt, chosenCandidate, type Document, initialState, type Notice, type State } from './model';
@@ -23,6 +24,7 @@ export interface Eye {
 
 /** What is told of an error; null where a person has stopped it. */
 export function noticeOf(error: unknown, about?: string): Notice | null {
+  if (error instanceof PartError) return { kind: 'text', key: 'partFailed' };
   if (error instanceof PackedError) return { kind: 'text', key: 'badPacked', values: { name: about ?? '' } };
   const failure = failureOf(error);
   return failure && { kind: 'failure', failure, about };

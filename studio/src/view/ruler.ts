@@ -102,13 +102,13 @@ export class Ruler {
     return sprite;
   }
 
-  /** At the right side of a body whose middle is `x` to the left, as the camera sees it. */
-  pose(camera: Camera, x: number, shown: boolean): void {
+  /** At the right side of a body that stands at a place, as the camera sees it. */
+  pose(camera: Camera, place: Vector3, shown: boolean): void {
     this.object.visible = shown;
     if (!shown) return;
     const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0).setY(0).normalize();
     this.object.rotation.y = Math.atan2(-right.z, right.x);
-    this.object.position.set(x, 0, 0).addScaledVector(right, kAside * this.stature_m);
+    this.object.position.copy(place).addScaledVector(right, kAside * this.stature_m);
   }
 }
 

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Signs over two figures that are compared: the number that its card has, and how long its motion lasts.
-import { CanvasTexture, Group, Sprite, SpriteMaterial, SRGBColorSpace } from 'three';
+import { CanvasTexture, Group, Sprite, SpriteMaterial, SRGBColorSpace, type Vector3 } from 'three';
 
 const kHigh = 0.026; // of a sign, of the picture's height at a distance of 1
 const kAbove = 0.06; // statures, over the head
 const kPixels = 64; // px high
 
-interface Tag {
+export interface Tag {
+  readonly text: string;
+  readonly colour: string;
+  readonly place: Vector3; // below it
+}
+
+interface Drawn {
   readonly sprite: Sprite;
   text: string;
 }
 
-function makeTag(): Tag {
+function makeTag(): Drawn {
   const sprite = new Sprite(new SpriteMaterial({ depthTest: false, depthWrite: false, transparent: true, sizeAttenuation: false }));
   sprite.renderOrder = 9;
   sprite.visible = false;
@@ -32,20 +38,20 @@ export class Tags {
   }
 
   /** `size`: how large a thing of constant size is drawn. */
-  show(texts: readonly { text: string; colour: string; x: number }[], stature: number, size: number): void {
+  show(texts: readonly Tag[], stature: number, size: number): void {
     this.tags.forEach((tag, k) => {
       const asked = texts[k];
       tag.sprite.visible = asked !== undefined;
       if (!asked) return;
-      const { text, colour, x } = asked;
+      const { text, colour, place } = asked;
       if (tag.text !== text || tag.sprite.userData['colour'] !== colour) this.draw(tag, text, colour);
       const wide = tag.sprite.userData['wide'] as number;
-      tag.sprite.position.set(x, (1 + kAbove) * stature, 0);
+      tag.sprite.position.copy(place).setY((1 + kAbove) * stature);
       tag.sprite.scale.set(kHigh * wide * size, kHigh * size, 1);
     });
   }
 
-  private draw(tag: Tag, text: string, colour: string): void {
+  private draw(tag: Drawn, text: string, colour: string): void {
     const canvas = document.createElement('canvas');
     const pen = canvas.getContext('2d')!;
     const font = `600 ${0.56 * kPixels}px system-ui, sans-serif`;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Small moving pictures of the candidates. Each is a film of a few pictures, drawn once, a picture at a time, by
 // one renderer with one figure; playing them costs next to nothing.
-import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import type { Candidate, Character } from '../../../bindings/wasm/src/types';
 import { candidateAt } from '../state/model';
 import type { Studio } from '../state/studio';
+import { type CardView, cardView } from './card_camera';
 import { disposeFigure, type Figure, makeFigure, poseFigure } from './figures';
 import type { Palette } from './palette';
 import { Portraits } from './portraits';
@@ -12,19 +13,21 @@ import { Portraits } from './portraits';
 const kPictures = 16; // of a film
 const kKeptHeight = 96; // px, of a picture in a list
 const kPlayed = 60; // ms between changes of what is shown
+const kFov = 24; // degrees
 const kRest = 0.7; // s at a motion's end
 
 interface Film {
   candidate: Candidate;
   pictures: HTMLCanvasElement; // beside each other
   drawn: boolean[];
+  view?: CardView; // from where it is seen
   left: number;
 }
 
 export class Thumbnails {
   private made: WebGLRenderer | null = null;
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(30, 1, 0.1, 30);
+  private readonly camera = new PerspectiveCamera(kFov, 1, 0.1, 30);
   private readonly key = new DirectionalLight(0xffffff, 2.2);
   private readonly fill = new HemisphereLight(0xffffff, 0x888888, 1.3);
   private figure: Figure | null = null;
@@ -89,20 +92,6 @@ export class Thumbnails {
     this.colour();
   }
 
-  /** The body and what it reaches for, in one picture. */
-  private aim(candidate: Candidate): void {
-    const stature = this.figure!.height;
-    const middle = new Vector3(0, 0.49 * stature, 0.1 * stature);
-    let away = 2.15 * stature;
-    for (const { reached_m: place } of candidate.summary.reached) {
-      const beyond = Math.max(Math.hypot(place[0], place[2]) - 0.4 * stature, 0) + Math.max(place[1] - stature, 0);
-      away = Math.max(away, 2.15 * stature + 1.6 * beyond);
-      if (beyond > 0) middle.lerp(new Vector3(place[0], Math.max(middle.y, place[1]), place[2]), 0.35);
-    }
-    this.camera.position.copy(middle).add(new Vector3(-0.62, 0.22, 1).normalize().multiplyScalar(away));
-    this.camera.lookAt(middle);
-  }
-
   /** A candidate at its end, small, as a data URL; null until it is drawn. */
   pictureOf(index: number): string | null {
     const film = this.films[index];
@@ -131,7 +120,7 @@ export class Thumbnails {
 
   /** The next picture that is missing, the portrait once a card has something to show; false where none is. */
   private drawNext(): boolean {
-    const begun = this.canvases.some((_, index) => (this.films[index]?.left ?? kPictures) < kPictures);
+    const begun = this.films.some((film) => film?.drawn[kPictures - 1]);
     return (begun && this.drawPortrait()) || this.drawOneOfFilms() || this.drawPortrait();
   }
 
@@ -167,7 +156,7 @@ export class Thumbnails {
     const pictures = globalThis.document.createElement('canvas');
     pictures.width = width * kPictures;
     pictures.height = height;
-    const film: Film = { candidate, pictures, drawn: Array.from({ length: kPictures }, () => false), left: kPictures };
+    const film: Film = { candidate, pictures, drawn: Array.from({ length: kPictures }, () => false), left: this.still ? 1 : kPictures };
     this.films[index] = film;
     return film;
   }
@@ -176,14 +165,16 @@ export class Thumbnails {
   private drawOne(index: number): boolean {
     const film = this.film(index);
     if (!film || film.left === 0 || !this.figure) return false;
-    const picture = film.left === kPictures ? kPictures - 1 : kPictures - 1 - film.left;
+    const picture = film.drawn[kPictures - 1] ? kPictures - 1 - film.left : kPictures - 1;
     const width = film.pictures.width / kPictures;
     const { height } = film.pictures;
+    this.camera.aspect = width / height;
+    this.camera.fov = kFov;
+    const view = (film.view ??= cardView(this.figure, film.candidate, this.camera));
     poseFigure(this.figure, film.candidate, (film.candidate.summary.duration_s * picture) / (kPictures - 1));
     this.renderer.setSize(width, height, false);
-    this.aim(film.candidate);
-    this.camera.aspect = width / height;
-    this.camera.fov = this.camera.aspect < 0.9 ? 30 * (0.9 / this.camera.aspect) : 30;
+    this.camera.position.copy(view.from);
+    this.camera.lookAt(view.at);
     this.camera.updateProjectionMatrix();
     this.renderer.render(this.scene, this.camera);
     film.pictures.getContext('2d')!.drawImage(this.renderer.domElement, picture * width, 0);
@@ -195,7 +186,7 @@ export class Thumbnails {
   private play(index: number, seconds: number): void {
     const film = this.film(index);
     const canvas = this.canvases[index];
-    if (!film || !canvas || film.left === kPictures) return;
+    if (!film?.drawn[kPictures - 1] || !canvas) return;
     const duration = film.candidate.summary.duration_s;
     const since = seconds % (duration + kRest);
     const last = kPictures - 1;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The picture in three dimensions: shows what the state holds, and tells what a person drags.
-import { Box3, Vector3 } from 'three';
+import { Box3, type Object3D, Vector3 } from 'three';
 import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
+import { fetchPart } from '../offline/part';
 import { ranking } from '../state/criteria';
 import { candidateAt, type Document, type State } from '../state/model';
 import { leastOf, lookName, lookOf, placeOf, thingName, thingsOf } from '../state/places';
@@ -28,7 +29,7 @@ import { Ruler } from './ruler';
 import { SnapMark } from './snap_mark';
 import { Stage } from './stage';
 import { StrainedJoints } from './strained';
-import { Tags } from './tags';
+import { type Tag, Tags } from './tags';
 
 const kApproach = 0.75; // statures from what is selected
 const kRoom = 2.4; // times what has to be in the picture
@@ -73,6 +74,7 @@ export class View {
   private sought: Look | null = null; // until it is
   private soughtSide: Preset | null = null;
   private unframed = false; // something may lie outside the picture
+  private readonly side = new Vector3(); // from the middle to the chosen one, where two stand beside one another
   private headReach = 0; // m, above its joint
   private listeners = new Set<(figure: Figure | null) => void>();
   private readonly ends: (() => void)[] = [];
@@ -324,38 +326,45 @@ export class View {
     const compared = this.compared();
     // a figure whose hand is dragged stays where it stands
     const apart = document.compared !== null && state.compareMode === 'beside' ? kBeside * document.character.description.stature_m : 0;
-    this.figure.object.position.x = apart / 2;
-    for (const item of [this.overlays, this.ghosts, this.speeds, this.obstacles, this.marks, this.handles, this.snapMark]) item.object.position.x = apart / 2;
-    this.marks.solids.position.x = apart / 2;
+    this.standApart(apart);
     if (this.other) {
       this.other.object.visible = compared !== null;
-      this.other.object.position.x = -apart / 2;
-      for (const item of [this.otherOverlays, this.otherSpeeds, this.otherObstacles]) item.object.position.x = -apart / 2;
       if (compared) poseFigure(this.other, compared, (time / this.studio.clock.duration) * compared.summary.duration_s);
     }
     this.figure.object.updateMatrixWorld(true);
     this.overlays.pose(time, state.overlays && !state.dragging);
     this.otherOverlays.pose(time, state.overlays && !state.dragging);
-    this.ruler.pose(this.stage.camera, apart / 2, state.view.ruler);
+    this.ruler.pose(this.stage.camera, this.side, state.view.ruler);
     this.otherObstacles.object.visible = apart > 0 && compared !== null;
-    this.showTags(document, compared, apart);
+    this.showTags(document, compared);
     this.marks.pose((effector) => this.placeInMotion(effector));
     this.strained.pose(time, (joint) => this.place(joint.replace(/_ankle$/, '_foot')));
     this.handles.update(this.grips(state.trial ?? document), state.selected, state.rings);
   }
 
+  /** Two that are compared stand beside one another as the camera sees them, as far from it, so that both have one size. */
+  private standApart(apart: number): void {
+    const side = new Vector3(apart / 2, 0, 0).applyQuaternion(this.stage.camera.quaternion);
+    if (!side.equals(this.side)) this.stage.light.invalidate();
+    this.side.copy(side);
+    const ours = [this.overlays, this.ghosts, this.speeds, this.obstacles, this.marks, this.handles, this.snapMark].map(({ object }) => object);
+    for (const object of [...ours, this.marks.solids, this.figure!.object]) object.position.copy(side);
+    const others = [this.otherOverlays, this.otherSpeeds, this.otherObstacles].map(({ object }) => object);
+    for (const object of this.other ? [...others, this.other.object] : others) object.position.copy(side).negate();
+  }
+
   /** The number and the duration of each motion over its figure, where two are compared. */
-  private showTags(document: Document, compared: Candidate | null, apart: number): void {
+  private showTags(document: Document, compared: Candidate | null): void {
     const { palette, lens } = this.stage;
     const chosen = this.studio.chosen();
     const order = ranking(document);
-    const sign = (index: number, candidate: Candidate, colour: string, x: number): { text: string; colour: string; x: number } => ({
-      text: `${order.indexOf(index) + 1} · ${t('seconds', { t: candidate.summary.duration_s.toFixed(2) })}`, colour, x,
+    const sign = (index: number, candidate: Candidate, colour: string, place: Vector3): Tag => ({
+      text: `${order.indexOf(index) + 1} · ${t('seconds', { t: candidate.summary.duration_s.toFixed(2) })}`, colour, place,
     });
     const { stature_m } = document.character.description;
-    const half = apart > 0 ? apart / 2 : kTagApart * stature_m;
+    const half = this.side.lengthSq() > 0 ? this.side : new Vector3(kTagApart * stature_m, 0, 0);
     const texts = chosen && compared && document.compared !== null
-      ? [sign(document.chosen, chosen, palette.tag, half), sign(document.compared, compared, palette.comparedTag, -half)] : [];
+      ? [sign(document.chosen, chosen, palette.tag, half), sign(document.compared, compared, palette.comparedTag, half.clone().negate())] : [];
     this.tags.show(texts, stature_m, lens.constantSize);
   }
 
@@ -450,7 +459,7 @@ export class View {
 
   /** A film of it, without the handles; playing stops. */
   async film(settings: FilmSettings, signal: AbortSignal, progress: (share: number) => void): Promise<Uint8Array> {
-    const { film } = await import('./film');
+    const { film } = await fetchPart(() => import('./film'));
     const { clock } = this.studio;
     this.studio.play(false);
     const shown = clock.time;
@@ -509,6 +518,13 @@ export class View {
     return Math.abs(p.x) < 1 && Math.abs(p.y) < 1;
   }
 
+  /** From the head to the right foot of each figure in the picture, shares of its height; for tests. */
+  get sizes(): number[] {
+    const [head, foot] = ['head', 'right_foot'].map((name) => this.nodeOf.get(name) ?? -1);
+    const height = (node: Object3D | undefined): number => node?.getWorldPosition(new Vector3()).project(this.stage.lens.shown).y ?? 0;
+    return [this.figure, this.other].filter((figure) => figure !== null).map(({ nodes }) => (height(nodes[head!]) - height(nodes[foot!])) / 2);
+  }
+
   /** How far the head is drawn above its joint, m; for tests. */
   get headHeight(): number {
     return this.headReach;
@@ -521,7 +537,7 @@ export class View {
     const place = asked ? new Vector3(...asked) : this.place(name);
     if (!place) return null;
     const box = this.stage.renderer.domElement.getBoundingClientRect();
-    if (asked) place.x += this.handles.object.position.x;
+    if (asked) place.add(this.handles.object.position);
     const p = place.project(this.stage.lens.shown);
     return [box.left + ((p.x + 1) / 2) * box.width, box.top + ((1 - p.y) / 2) * box.height];
   }
