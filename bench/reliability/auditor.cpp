@@ -78,7 +78,10 @@ Result<Task> standing(Task task) {
 std::vector<std::string> nodes_of(const Candidate& candidate) {
   std::vector<std::string> nodes;
   for (const GoalResult& goal : candidate.goals) nodes.push_back(goal.node);
-  for (const ContactResult& foot : candidate.contacts) nodes.push_back(foot.node);
+  for (const ContactResult& foot : candidate.contacts) {
+    nodes.push_back(foot.node);
+    if (const std::string knee = knee_of(foot.node); !knee.empty()) nodes.push_back(knee);
+  }
   return nodes;
 }
 

@@ -60,7 +60,13 @@ void judge_feet_of(const Judged& judged, const OutsideMotion& motion, Audit& aud
   for (const ContactResult& foot : judged.candidate.contacts) {
     if (!motion.has(foot.node)) continue;
     audit.most(Promise::slide, motion.slide(foot.node), foot.node);
-    if (!foot.heel) audit.most(Promise::tilt, motion.tilt(foot.node), foot.node);
+    // a thigh's turn about itself may be shared with other bones of its file
+    const std::string knee = knee_of(foot.node);
+    if (!knee.empty() && motion.has(knee)) {
+      audit.most(Promise::tilt, motion.tilt(foot.node, knee), foot.node);
+    } else if (!foot.heel) {
+      audit.most(Promise::tilt, motion.tilt(foot.node), foot.node);
+    }
   }
 }
 

@@ -37,6 +37,20 @@ double OutsideMotion::tilt(const std::string& node) const {
   return most;
 }
 
+double OutsideMotion::tilt(const std::string& node, const std::string& to) const {
+  const auto line = [&](std::size_t f) {
+    return normalized(at(to, f).translation - at(node, f).translation);
+  };
+  double most = 0.0;
+  for (std::size_t f = 0; f < frames(); ++f) most = std::fmax(most, norm(cross(line(0), line(f))));
+  return most;
+}
+
+std::string knee_of(const std::string& node) {
+  if (node == "left_upper_leg") return "left_lower_leg";
+  return node == "right_upper_leg" ? "right_lower_leg" : "";
+}
+
 bool OutsideMotion::finite() const {
   for (const std::vector<Transformd>& frame : places) {
     for (const Transformd& node : frame) {

@@ -33,8 +33,13 @@ class OutsideMotion {
   // The largest distance (m) and rotation (rad) of a node from those of the first frame.
   [[nodiscard]] double slide(const std::string& node) const;
   [[nodiscard]] double tilt(const std::string& node) const;
+  // of the line to another node
+  [[nodiscard]] double tilt(const std::string& node, const std::string& to) const;
   [[nodiscard]] bool finite() const;
 };
+
+// The node below a thigh; of others none.
+[[nodiscard]] std::string knee_of(const std::string& node);
 
 // A place of a character's file in shigusa's world; a mirrored file keeps its own axes.
 [[nodiscard]] Transformd in_our_world(const Transformd& place, const CharacterSpec& character,

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { kept, records, saved, work } from './kept.mjs';
-import { drop, openStudio, openTab, settled, slide, state, take, visit } from './support.mjs';
+import { drop, hear, openStudio, openTab, settled, slide, state, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -17,7 +17,7 @@ const noticed = (page, key) => page.waitForFunction((name) => window.shigusa.sta
 async function another(context, errors, url = site.url) {
   const page = await context.newPage();
   page.on('pageerror', (error) => errors.push(String(error)));
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !/GPU stall|GroupMarkerNotSet/.test(message.text()) && errors.push(message.text()));
+  hear(page, errors);
   await page.goto(url);
   await settled(page);
   return page;

@@ -2,7 +2,7 @@
 // What the page refuses: browsers that cannot run it, and seeds that are none.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { openStudio, settled, state, visit } from './support.mjs';
+import { hear, openStudio, settled, state, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -20,7 +20,7 @@ for (const [name, take] of Object.entries(lacks)) {
     const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
     const page = await context.newPage();
     const errors = [];
-    page.on('console', (message) => ['error', 'warning'].includes(message.type()) && errors.push(message.text()));
+    hear(page, errors);
     page.on('pageerror', (error) => errors.push(String(error)));
     await page.addInitScript(take);
     await page.goto(site.url);

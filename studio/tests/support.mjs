@@ -62,6 +62,13 @@ export async function visit() {
   return { site, browser };
 }
 
+/** Adds what the console complains of; what the software renderer of test machines and what drives the browser say is no error of the page. */
+export function hear(page, errors) {
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type()) && !/GPU stall due to ReadPixels|GroupMarkerNotSet|blocked by Playwright/.test(message.text())) errors.push(message.text());
+  });
+}
+
 /** A page that is open, with motions that do not loop, as drawing by software takes all of a machine; `errors` gets what the console complains of. `cards`: as at a first visit, with the cards to begin with. Without the service worker, which each context would have fetch all files. */
 export async function openStudio(browser, url, { cards = false, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, reducedMotion: 'reduce', serviceWorkers: 'block', ...options });
@@ -73,10 +80,7 @@ export async function openStudio(browser, url, { cards = false, ...options } = {
   }
   const page = await context.newPage();
   const errors = [];
-  page.on('console', (message) => {
-    // what the software renderer of test machines and what drives the browser say is no error of the page
-    if (['error', 'warning'].includes(message.type()) && !/GPU stall due to ReadPixels|GroupMarkerNotSet|blocked by Playwright/.test(message.text())) errors.push(message.text());
-  });
+  hear(page, errors);
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('request', (request) => {
     if (!request.url().startsWith(url.split('/').slice(0, 3).join('/')) && !/^(data|blob):/.test(request.url())) errors.push(`fetched ${request.url()}`);
