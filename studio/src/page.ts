@@ -123,7 +123,7 @@ export class Page {
       body: async () => new (await later()).BodyPanel(studio, this.thumbnails.portraits),
       plots: async () => new (await later()).PlotsPanel(studio),
       take: async () => {
-        const { TakePanel, TakePicture, TakeFilm } = await later();
+        const { TakePanel, TakePicture, TakeFilm } = await import('./panels/taking');
         return new TakePanel(studio, new TakePicture(studio, this.view), new TakeFilm(studio, this.view));
       },
     });

@@ -33,14 +33,14 @@ test('panels that are seldom wanted at once come after the first motions', async
 
 test('a panel that cannot be fetched says so, and is there once it can', async () => {
   const { page, context } = await openStudio(browser, site.url);
-  await context.route('**/later-*.js', (route) => route.abort());
+  await context.route('**/taking-*.js', (route) => route.abort());
   await settled(page);
   await page.click('#tab-take');
   const panel = page.locator('#panel-take');
   await panel.getByRole('alert').waitFor();
   assert.match(await panel.innerText(), /could not be loaded/);
   assert.deepEqual(await seriousFindings(page, '.side'), []);
-  await context.unroute('**/later-*.js');
+  await context.unroute('**/taking-*.js');
   await panel.getByRole('button', { name: 'Try again' }).click();
   await page.waitForSelector('#panel-take [data-format="glb"]');
   assert.equal(await panel.getByRole('alert').count(), 0);

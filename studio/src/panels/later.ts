@@ -2,6 +2,3 @@
 // The panels that the page opens without. They come once it rests, or as soon as one is asked for.
 export { BodyPanel } from './body';
 export { PlotsPanel } from './plots';
-export { TakePanel } from './take';
-export { TakeFilm } from './take_film';
-export { TakePicture } from './take_picture';
