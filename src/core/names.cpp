@@ -90,8 +90,10 @@ std::string_view meant_words(std::string_view name, std::span<const std::string>
 // The same of the body's other side, where nobody said which: "left_hand" beside "right_hand".
 std::string_view of_other_side(std::string_view name, std::string_view nearest,
                                std::span<const std::string> known) {
+  const std::vector<std::string> asked = words_of(name);
+  if (asked.empty()) return {};
   for (const auto& [side, other] : {std::pair{"right", "left"}, std::pair{"left", "right"}}) {
-    if (!nearest.starts_with(side) || edit_distance(words_of(name).front(), side) <= 2) continue;
+    if (!nearest.starts_with(side) || edit_distance(asked.front(), side) <= 2) continue;
     const std::string wanted = other + std::string(nearest.substr(std::string_view(side).size()));
     const auto found = std::find(known.begin(), known.end(), wanted);
     if (found != known.end()) return *found;
@@ -108,7 +110,8 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
   std::string_view best;
   std::size_t best_distance = std::string_view::npos;
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(cut, candidate);
+    const std::size_t distance =
+        edit_distance(cut, std::string_view(candidate).substr(0, kLongestName));
     if (distance < best_distance) {
       best = candidate;
       best_distance = distance;

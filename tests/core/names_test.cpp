@@ -65,6 +65,16 @@ TEST(UnknownName, AsksForTheSideWhereNoneWasSaid) {
             "right_hand");
 }
 
+TEST(UnknownName, TakesNamesWithoutWords) {
+  EXPECT_EQ(unknown_name("node", "------", std::vector<std::string>{"right------"}),
+            "unknown node '------'; did you mean 'right------'? Known: right------");
+}
+
+TEST(NearestName, ComparesTheBeginningsOfEndlessNames) {
+  const std::vector<std::string> known{std::string(4'000'000, 'b'), "right_hand"};
+  EXPECT_EQ(nearest_name(std::string(4'000'000, 'a'), known), "");
+}
+
 TEST(UnknownName, CutsEndlessNames) {
   EXPECT_LT(unknown_name("key", std::string(1'000'000, 'a'), kHands).text.size(), 200U);
 }
