@@ -103,7 +103,7 @@ async function main(words) {
   const all = readdirSync(site, { recursive: true }).filter((path) => path.endsWith('.html')).map((path) => path.replaceAll('\\', '/')).sort();
   const wanted = words.length > 0 ? words : kinds;
   const server = await serve();
-  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell', args: ['--no-sandbox'] });
   const origin = `http://127.0.0.1:${server.address().port}`;
   const found = wanted.filter((path) => !all.includes(path)).map((path) => `${path}: is not in the site`);
   for (const screen of screens) {

@@ -71,7 +71,8 @@ export class Page {
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.paint());
     const calm = matchMedia('(prefers-reduced-motion: reduce)');
     this.thumbnails.still = calm.matches;
-    if (calm.matches) studio.store.set({ loop: false });
+    studio.calm = calm.matches;
+    if (calm.matches) studio.store.set({ loop: false, playing: false });
     this.dropFiles();
     fetchLater(studio);
     this.build();

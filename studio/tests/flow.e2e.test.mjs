@@ -31,6 +31,8 @@ test('drag, choose the third, move a slider, export: the hand stays on its goal'
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
   const before = await state(page);
+  const { time, duration } = await page.evaluate(() => ({ time: window.shigusa.time, duration: window.shigusa.document.result.candidates[0].summary.duration_s }));
+  assert.deepEqual([before.playing, time], [false, duration], 'who wants little to move sees the end');
   await drag(page, 'right_hand', -40, -60, { hold: 60, followed: true });
   assert.ok((await page.evaluate(() => window.shigusa.timings.dragToPose.length)) > 0, 'the body followed the drag');
   await settled(page);

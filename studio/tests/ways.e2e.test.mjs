@@ -75,8 +75,10 @@ test('keys alone: move the goal, choose, play, change a parameter, save', { time
   const moved = (await state(page)).goals[0].position_m[1] - before.goals[0].position_m[1];
   assert.ok(Math.abs(moved - 0.11) < 1e-9, `moved by ${moved}`);
   await page.keyboard.press('Digit2');
-  await page.keyboard.press('Space');
-  assert.equal((await state(page)).playing, false);
+  for (const playing of [true, false]) {
+    await page.keyboard.press('Space');
+    assert.equal((await state(page)).playing, playing);
+  }
   const tab = () => page.evaluate(() => document.activeElement?.id ?? '');
   for (let k = 0; k < 30 && !(await tab()).startsWith('tab-'); ++k) await page.keyboard.press('Tab');
   await page.keyboard.press('ArrowRight');

@@ -173,8 +173,8 @@ export class Studio extends Workbench {
       const now = this.document ?? document;
       const found: Document = { ...now, result, chosen: 0, compared: null, edits: {} };
       this.amend({ ...found, chosen: ranking(found)[0] ?? 0 });
-      this.clock.time = 0;
-      this.store.set({ preview: null, playing: true });
+      this.store.set({ preview: null });
+      this.present();
       void this.warmUp(found);
       const miss = missOf(result.summary);
       if (miss) this.tellToo({ kind: 'text', ...miss });
@@ -245,8 +245,8 @@ export class Studio extends Workbench {
     const document = this.document;
     if (document === null || candidateAt(document, index) === null || index === document.chosen) return;
     this.commit({ ...document, chosen: index, compared: document.compared === index ? null : document.compared });
-    this.clock.time = 0;
-    this.store.set({ playing: true, preview: null });
+    this.store.set({ preview: null });
+    this.present();
   }
 
   /** Shows another candidate beside the chosen one; again: no more. */

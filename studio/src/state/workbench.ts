@@ -37,6 +37,8 @@ export class Workbench {
   eye: Eye | null = null;
   /** From where the view is to be seen once there is one. */
   firstLook: Look | null = null;
+  /** Little shall move, as the person's system says. */
+  calm = false;
   protected history: History<Document> | null = null;
   private characters = new Set<Character>();
 
@@ -114,6 +116,12 @@ export class Workbench {
   }
 
   // ---- Playing -----------------------------------------------------------------------------------
+
+  /** Plays a motion that is new; shows its end to those who want little to move. */
+  present(): void {
+    this.clock.time = this.calm ? this.clock.duration : 0;
+    this.store.set({ playing: !this.calm });
+  }
 
   play(playing: boolean): void {
     if (playing && this.clock.time >= this.clock.duration) this.clock.time = 0;

@@ -49,6 +49,13 @@ export interface DrawnFigure {
   closed: Record<'left' | 'right', number> | null; // -1 open, 0 relaxed, 1 in a grip; of the mannequin
 }
 
+/** What others show. A search tells its progress many times, while it needs the machine for itself. */
+const kElsewhere: ReadonlySet<string> = new Set<keyof State>(['search', 'saving', 'offline', 'project', 'tab', 'fps', 'files']);
+
+function isSeen(state: State, previous: State): boolean {
+  return (Object.keys(state) as (keyof State)[]).some((key) => state[key] !== previous[key] && !kElsewhere.has(key));
+}
+
 export class View {
   readonly stage: Stage;
   private readonly handles: Handles;
@@ -103,7 +110,7 @@ export class View {
     this.stage.isAwaited = () => !this.figure || (!studio.document?.result && studio.store.state.search !== null);
     studio.eye = this;
     this.ends.push(
-      studio.store.subscribe((state, previous) => this.changed(state, previous)),
+      studio.store.subscribe((state, previous) => isSeen(state, previous) && this.changed(state, previous)),
       studio.clock.subscribe(() => this.stage.invalidate()),
     );
     this.stage.setLens(studio.store.state.view);
