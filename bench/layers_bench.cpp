@@ -11,6 +11,7 @@
 #include "generate/layered_search.hpp"
 #include "generate/parameter_space.hpp"
 #include "rollout/batch_rollout.hpp"
+#include "task/plan_of.hpp"
 
 namespace shigusa::bench {
 namespace {
@@ -47,7 +48,7 @@ void score_flat(benchmark::State& state, SimdSet simd) {
 
 void score_layers(benchmark::State& state, SimdSet simd) {
   const Task task = human_task(Preset::human);
-  const LayeredProblem problem = make_layered_problem(task).value();
+  const LayeredProblem problem = in_layers(make_problem(task).value(), plan_of(task).value());
   const std::vector<std::size_t> genes = searched_genes(problem);
   const std::vector<double> points = random_points(genes.size());
   std::vector<Parameters> parameters;

@@ -18,9 +18,11 @@ if(TARGET shigusa_c)
   install(EXPORT shigusaCTargets NAMESPACE shigusa:: DESTINATION ${shigusa_package_dir})
 endif()
 
-configure_package_config_file(cmake/shigusaConfig.cmake.in shigusaConfig.cmake
+# In a folder of their own: beside bin, a package that is not installed would be found where the program is on PATH.
+set(shigusa_package ${PROJECT_BINARY_DIR}/package)
+configure_package_config_file(cmake/shigusaConfig.cmake.in ${shigusa_package}/shigusaConfig.cmake
                               INSTALL_DESTINATION ${shigusa_package_dir})
 # below 1.0 a minor version may change the interface
-write_basic_package_version_file(shigusaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/shigusaConfig.cmake
-              ${PROJECT_BINARY_DIR}/shigusaConfigVersion.cmake DESTINATION ${shigusa_package_dir})
+write_basic_package_version_file(${shigusa_package}/shigusaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${shigusa_package}/shigusaConfig.cmake
+              ${shigusa_package}/shigusaConfigVersion.cmake DESTINATION ${shigusa_package_dir})

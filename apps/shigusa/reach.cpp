@@ -78,6 +78,8 @@ Error about_task(const Error& error, const std::string& task) {
       hint = "; a goal is given by --goal " + task;
     } else if (task.find_first_not_of("0123456789.,-+") == task.npos) {
       hint = "; a goal is EFFECTOR=X,Y,Z: --goal right_hand=" + task;
+    } else if (parse_formats(task)) {
+      hint = "; formats are joined by commas: --formats glb," + task;
     }
   } else if (std::filesystem::is_directory(task, ignored)) {
     hint = "; a task file (JSON) is expected";

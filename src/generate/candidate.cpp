@@ -100,8 +100,9 @@ void add_resting_hands(const Task& task, const ReachProblem& problem, const Moti
 }
 
 // The settings of the task's collisions, but that hands which stay free rest on nothing.
-CollisionSettings collision_of(const Task& task, const Candidate& candidate) {
-  CollisionSettings settings = task_criteria(task).collision;
+CollisionSettings collision_of(const Problem& problem, const Candidate& candidate) {
+  const Task& task = problem.task;
+  CollisionSettings settings = problem.criteria.collision;
   std::erase_if(settings.resting, [&](const RestingPlace& place) {
     return std::none_of(candidate.resting.begin(), candidate.resting.end(),
                         [&](const RestResult& rest) {
@@ -133,17 +134,18 @@ HeelLift heel_lift(const Heel& heel, const Clip& clip, const Mat3d& foot) {
 
 }  // namespace
 
-Candidate make_candidate(const Task& task, const ReachProblem& problem,
+Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
                          const Parameters& parameters, RolledOut rolled) {
+  const Task& task = problem.task;
   const BodyModel& body = task.body;
   Candidate candidate;
   candidate.parameters = parameters;
-  candidate.score = score_motion(body, rolled.motion, task_criteria(task));
-  add_goal_results(task, problem, rolled.motion, candidate);
+  candidate.score = score_motion(body, rolled.motion, problem.criteria);
+  add_goal_results(task, approach, rolled.motion, candidate);
   candidate.path_error = rolled.outcome.path_error;
   for (const Foot& foot : body.feet()) {
     // the base cannot move; what another foot does was measured in every frame
-    const bool alone = problem.supports.empty();  // hands are among what was measured otherwise
+    const bool alone = approach.supports.empty();  // hands are among what was measured otherwise
     const double slide = foot.link == kBaseLink ? 0.0
                          : alone                ? rolled.outcome.contact_slide
                                                 : slide_of(body, rolled.motion.clip, foot);
@@ -152,12 +154,12 @@ Candidate make_candidate(const Task& task, const ReachProblem& problem,
     const Mat3d stands = start_kinematics(body).link_rotation(foot.link);
     candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip, stands);
   }
-  add_resting_hands(task, problem, rolled.motion, candidate);
-  candidate.measures = measure_motion(body, rolled.motion, collision_of(task, candidate));
+  add_resting_hands(task, approach, rolled.motion, candidate);
+  candidate.measures = measure_motion(body, rolled.motion, collision_of(problem, candidate));
   candidate.judgement = judge(body, rolled.motion, candidate.measures);
   const Clip& clip = rolled.motion.clip;
   candidate.final_posture =
-      PostureMeter(body).measure(clip.frame(clip.frames - 1), problem.goals.front().effector);
+      PostureMeter(body).measure(clip.frame(clip.frames - 1), approach.goals.front().effector);
   candidate.motion = std::move(rolled.motion);
   return candidate;
 }

@@ -5,11 +5,12 @@
 
 #include "rollout/reach_problem.hpp"
 #include "rollout/rollout.hpp"
+#include "task/problem.hpp"
 
 namespace shigusa {
 
 // A motion with all facts about it.
-[[nodiscard]] Candidate make_candidate(const Task& task, const ReachProblem& problem,
+[[nodiscard]] Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
                                        const Parameters& parameters, RolledOut rolled);
 
 // Distance that is left to the goals (m), the root of the summed squares.

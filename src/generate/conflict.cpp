@@ -6,16 +6,14 @@
 
 #include "core/say.hpp"
 #include "rollout/reachability.hpp"
-#include "task/make_problem.hpp"
+#include "task/problem.hpp"
 
 namespace shigusa {
 namespace {
 
 bool in_reach(const Task& task) {
-  const Result<PreparedTask> ready = prepared(task);
-  if (!ready) return false;
-  const Result<ReachProblem> problem = make_problem(*ready);
-  return problem && closest_reach(*problem).reached();
+  const auto problem = prepare(task);
+  return problem && closest_reach((*problem)->reach).reached();
 }
 
 // Whether a goal asks for more than its place.

@@ -9,7 +9,6 @@
 #include "core/check.hpp"
 #include "core/index.hpp"
 #include "generate/start_table.hpp"
-#include "task/task_search.hpp"
 
 namespace shigusa {
 namespace {
@@ -34,14 +33,14 @@ void add(SearchResult part, SearchResult& all) {
   if (better || all.best_seen.point.empty()) all.best_seen = std::move(part.best_seen);
 }
 
-Island::Island(const ReachProblem& problem, const Task& task, const ParameterSpace& space,
-               IslandPlan plan, int threads, const Progress& progress)
-    : problem_(problem),
-      task_(task),
-      criteria_(task_criteria(task)),
+Island::Island(const Problem& problem, const ReachProblem& approach, const RunSettings& run,
+               const ParameterSpace& space, IslandPlan plan, int threads, const Progress& progress)
+    : task_(problem.task),
+      approach_(approach),
+      run_(run),
       space_(space),
       plan_(std::move(plan)),
-      scorer_(problem, task, criteria_, space_, threads),
+      scorer_(problem, approach, run.criteria, space_, threads),
       progress_(progress) {
   searched_.genes = space_.genes();
   searched_.evaluate = [this](std::span<const double> points, std::span<double> scores) {
@@ -93,7 +92,7 @@ void Island::begin() {
                                   .scales = scales_,
                                   .mirrored = everywhere,
                                   .diagonal_until = everywhere ? kScalesAlone * searched_.genes : 0,
-                                  .seed = task_.seed,
+                                  .seed = run_.seed,
                                   .stream = plan_.stream},
                     progress_);
     return;
@@ -106,7 +105,7 @@ void Island::begin() {
 // Scores what is known to lead to goals near by, and bent postures, and begins at the best of them:
 // a search that begins upright finds its way down by chance.
 void Island::begin_bent() {
-  std::vector<double> points = known_starts(problem_, space_, task_.starts);
+  std::vector<double> points = known_starts(approach_, space_, task_.starts);
   scales_ = start_scales(points, space_.genes());
   const std::vector<double> bent = bent_starts(space_);
   points.insert(points.end(), bent.begin(), bent.end());
@@ -120,7 +119,7 @@ void Island::begin_bent() {
   for (double& score : scores) {
     if (score == score) continue;
     ++found_.rejected_nan;
-    score = worst_score(criteria_);
+    score = worst_score(run_.criteria);
   }
   const auto best = std::min_element(scores.begin(), scores.end());
   const auto at = points.begin() + (best - scores.begin()) * searched_.genes;
@@ -130,10 +129,10 @@ void Island::begin_bent() {
 
 SearchResult Island::search_at_once(int budget) const {
   if (!task_.own_search) {
-    const bool once = !task_.evaluations && task_.preset == Preset::paper;
-    return run_search(task_, searched_, budget, once, progress_);
+    const bool once = !run_.evaluations && task_.preset == Preset::paper;
+    return run_search(task_, run_, searched_, budget, once, progress_);
   }
-  SearchResult found = task_.own_search(searched_, budget, task_.seed, progress_);
+  SearchResult found = task_.own_search(searched_, budget, run_.seed, progress_);
   check_point(found.best_seen, searched_.genes);
   for (const Individual& individual : found.final_population) {
     check_point(individual, searched_.genes);

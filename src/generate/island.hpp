@@ -12,6 +12,7 @@
 #include "generate/parameter_space.hpp"
 #include "point_scorer.hpp"
 #include "search/cma_es.hpp"
+#include "task/task_search.hpp"
 
 namespace shigusa {
 
@@ -51,9 +52,9 @@ class Island {
   // The motions by which it begins where it begins bent, at most.
   static constexpr int kStarts = 32;
 
-  // The problem and the task outlive it. `threads` as BatchSettings has them.
-  Island(const ReachProblem& problem, const Task& task, const ParameterSpace& space,
-         IslandPlan plan, int threads, const Progress& progress);
+  // Problem, approach and run outlive it. `threads` as BatchSettings has them.
+  Island(const Problem& problem, const ReachProblem& approach, const RunSettings& run,
+         const ParameterSpace& space, IslandPlan plan, int threads, const Progress& progress);
   Island(const Island&) = delete;
   Island& operator=(const Island&) = delete;
 
@@ -74,9 +75,9 @@ class Island {
   void take_in(std::span<double> points) const;
   void bring_in(std::span<double> points) const;
 
-  const ReachProblem& problem_;
   const Task& task_;
-  CriteriaSettings criteria_;
+  const ReachProblem& approach_;
+  const RunSettings& run_;
   ParameterSpace space_;
   IslandPlan plan_;
   PointScorer scorer_;

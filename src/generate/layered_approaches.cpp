@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "generate/layered_approaches.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <utility>
 
 #include "approaches.hpp"
-#include "core/say.hpp"
 #include "layers/plan.hpp"
 #include "planner.hpp"
 #include "rollout/reachability.hpp"
-#include "task/make_problem.hpp"
-#include "task/plan_of.hpp"
 
 namespace shigusa {
 namespace {
@@ -54,21 +49,12 @@ Parameters body_parameters(const LayeredProblem& problem, const Parameters& laye
 
 }  // namespace
 
-Result<void> check_layers(const Task& task) {
-  if (task.fixed) {
-    return fail(ErrorCode::invalid_argument, say("fixed_elsewhere", word_of(task.preset)));
-  }
-  SHG_TRY(plan_of(task));
-  return {};
-}
-
-Result<LayeredProblem> make_layered_problem(const Task& task) {
-  SHG_TRY_ASSIGN(ReachProblem reach, make_problem(task));
-  SHG_TRY_ASSIGN(Plan layers, plan_of(task));
-  LayeredProblem problem{.reach = std::move(reach),
+LayeredProblem in_layers(const ReachProblem& reach, const Plan& plan) {
+  const BodyModel& body = *reach.body;
+  LayeredProblem problem{.reach = reach,
                          .in_reach = true,
-                         .layers = std::move(layers),
-                         .limbs = find_limbs(task.body).value(),
+                         .layers = plan,
+                         .limbs = find_limbs(body).value(),
                          .arms = {},
                          .arm_bodies = {}};
   for (const ReachGoal& goal : problem.reach.goals) {
@@ -76,7 +62,7 @@ Result<LayeredProblem> make_layered_problem(const Task& task) {
       if (problem.limbs.arms[a].effector != goal.effector) continue;
       problem.arms.push_back(static_cast<int>(a));
       const bool turning = goal.turn.kind != Turning::free;
-      problem.arm_bodies.push_back(arm_body(task.body, problem.limbs.arms[a], turning));
+      problem.arm_bodies.push_back(arm_body(body, problem.limbs.arms[a], turning));
     }
   }
   // the hand goes straight or around the body; out of reach it goes to the closest point there is,

@@ -9,9 +9,8 @@
 
 namespace shigusa {
 
-// The problem that a task poses to layers; points into the task. Fails where make_problem
-// and plan_of do.
-[[nodiscard]] Result<LayeredProblem> make_layered_problem(const Task& task);
+// The problem of a body with limbs as the layers of its plan have it.
+[[nodiscard]] LayeredProblem in_layers(const ReachProblem& reach, const Plan& plan);
 
 // The approaches of layers, in the order in which they are tried. How far the body reaches is one
 // answer for all presets (closest_reach): where layers do not get there, the whole body goes by the

@@ -10,7 +10,6 @@
 #include "layered_search.hpp"
 #include "layers/limb_library.hpp"
 #include "planner.hpp"
-#include "task/task_search.hpp"
 
 namespace shigusa {
 namespace {
@@ -82,9 +81,10 @@ class ArmLibraries {
 class UpperSearch {
  public:
   UpperSearch(const Task& task, const LayeredProblem& problem, LayeredApproach approach,
-              ArmLibraries& libraries)
+              RunSettings run, ArmLibraries& libraries)
       : task_(task),
         problem_(problem),
+        run_(std::move(run)),
         layers_(approach == LayeredApproach::layers),
         genes_(searched_genes(problem)),
         archive_(task.body),
@@ -114,8 +114,8 @@ class UpperSearch {
       if (!keeps_ends()) return;
       archive_.add(points, scores, postures_, worst_score(problem_.layers[0].criteria));
     };
-    const int evaluations = task_.evaluations.value_or(usual_evaluations(task_));
-    return run_search(task_, searched, evaluations, !task_.evaluations, progress);
+    const int evaluations = run_.evaluations.value_or(usual_evaluations(task_));
+    return run_search(task_, run_, searched, evaluations, !run_.evaluations, progress);
   }
 
   // The found postures that are worth expanding, best first.
@@ -129,7 +129,7 @@ class UpperSearch {
     if (!layers_) return {whole(decoded(point)), 0};
     return scorer_.play(decoded(point), {.rounds = task_.layers.feedback_rounds,
                                          .search = task_.layers.limb_search,
-                                         .seed = task_.seed});
+                                         .seed = run_.seed});
   }
   // The values of a point as the search scored them.
   Parameters as_searched(std::span<const double> point) {
@@ -166,6 +166,7 @@ class UpperSearch {
 
   const Task& task_;
   const LayeredProblem& problem_;
+  RunSettings run_;
   bool layers_;
   std::vector<std::size_t> genes_;
   Archive archive_;
@@ -175,21 +176,20 @@ class UpperSearch {
 
 class LayeredPlanner : public Planner {
  public:
-  LayeredPlanner(const Task& task, LayeredProblem problem)
-      : task_(task), problem_(std::move(problem)), libraries_(task, problem_) {
+  explicit LayeredPlanner(const Problem& problem)
+      : posed_(problem),
+        problem_(in_layers(problem.reach, problem.plan)),
+        libraries_(problem.task, problem_) {
     if (problem_.in_reach) tried_.push_back(LayeredApproach::layers);
     tried_.push_back(LayeredApproach::body);
   }
 
-  [[nodiscard]] std::span<const Layer> plan() const override { return problem_.layers; }
-  [[nodiscard]] double duration() const override { return problem_.reach.duration; }
   [[nodiscard]] bool in_reach() const override { return problem_.in_reach; }
-  [[nodiscard]] Result<void> check_search() const override { return check_layers(task_); }
   [[nodiscard]] std::size_t approaches() const override { return tried_.size(); }
   bool go_by_other_posture(int other) override { return other == 0; }
 
-  Found search(const Task& task, std::size_t approach, const Progress& progress) override {
-    search_.emplace(task, problem_, tried_[approach], libraries_);
+  Found search(const RunSettings& run, std::size_t approach, const Progress& progress) override {
+    search_.emplace(posed_.task, problem_, tried_[approach], run, libraries_);
     Found found{.result = search_->run(progress), .selection = {}, .best_seen = {}};
     found.selection = search_->selection(found.result);
     found.best_seen = search_->as_searched(found.result.best_seen.point);
@@ -210,12 +210,13 @@ class LayeredPlanner : public Planner {
   [[nodiscard]] Candidate candidate(const Expanded& expanded, Arrival arrival) const override {
     const ReachProblem& approach = *arrival.approach;
     Candidate candidate =
-        make_candidate(task_, approach, expanded.values, std::move(arrival.rolled));
+        make_candidate(posed_, approach, expanded.values, std::move(arrival.rolled));
     ArmCollision arms{.depth = -std::numeric_limits<double>::infinity(),
                       .searches = expanded.searches};
     for (const ReachGoal& goal : approach.goals) {
-      const Effector& hand = task_.body.effectors()[index(goal.effector)];
-      arms.depth = max(arms.depth, collision_depth(task_.body, candidate.motion.clip, hand));
+      const BodyModel& body = posed_.task.body;
+      const Effector& hand = body.effectors()[index(goal.effector)];
+      arms.depth = max(arms.depth, collision_depth(body, candidate.motion.clip, hand));
     }
     arms.left = arms.depth > kCollisionDepth;
     candidate.arm_collision = arms;
@@ -228,8 +229,8 @@ class LayeredPlanner : public Planner {
   }
 
  private:
-  const Task& task_;
-  LayeredProblem problem_;
+  const Problem& posed_;
+  LayeredProblem problem_;  // the same in layers
   ArmLibraries libraries_;
   std::vector<LayeredApproach> tried_;
   std::optional<UpperSearch> search_;
@@ -237,9 +238,8 @@ class LayeredPlanner : public Planner {
 
 }  // namespace
 
-Result<std::unique_ptr<Planner>> make_layered_planner(const Task& task) {
-  SHG_TRY_ASSIGN(LayeredProblem problem, make_layered_problem(task));
-  return std::make_unique<LayeredPlanner>(task, std::move(problem));
+std::unique_ptr<Planner> make_layered_planner(const Problem& problem) {
+  return std::make_unique<LayeredPlanner>(problem);
 }
 
 }  // namespace shigusa

@@ -157,13 +157,13 @@ std::vector<Candidate> spread_over(std::vector<Candidate> front, int most) {
   return chosen;
 }
 
-void search_front(const Task& task, Planner& planner, std::size_t approach,
+void search_front(const Task& task, const RunSettings& run, Planner& planner, std::size_t approach,
                   const Progress& progress, GenerateResult& generation) {
-  const std::vector<CriteriaSettings> mixtures = pareto_mixtures(task.criteria);
-  const int share = task.evaluations.value_or(kFlatEvaluations) / static_cast<int>(mixtures.size());
+  const std::vector<CriteriaSettings> mixtures = pareto_mixtures(run.criteria);
+  const int share = run.evaluations.value_or(kFlatEvaluations) / static_cast<int>(mixtures.size());
   std::vector<Candidate> all;
   JointProgress joint(progress);
-  Task part = task;
+  RunSettings part = run;
   part.evaluations = std::max(share, kPaperPopulation);
   for (const CriteriaSettings& mixture : mixtures) {
     part.criteria = mixture;

@@ -25,7 +25,7 @@ namespace shigusa {
 
 // Searches on an approach by each mixture, with an equal share of the budget, and puts the front of
 // all that these searches keep into the generation's candidates; adds to its counts.
-void search_front(const Task& task, Planner& planner, std::size_t approach,
+void search_front(const Task& task, const RunSettings& run, Planner& planner, std::size_t approach,
                   const Progress& progress, GenerateResult& generation);
 
 }  // namespace shigusa

@@ -10,6 +10,7 @@
 #include "layers/plan.hpp"
 #include "rollout/rollout.hpp"
 #include "selection.hpp"
+#include "task/task_search.hpp"
 
 namespace shigusa {
 
@@ -34,20 +35,15 @@ struct Found {
   double best_seen_score = 0.0;
 };
 
-// Searches a task's plan, and makes motions of its values. An approach is one manner in which
+// Searches a problem's plan, and makes motions of its values. An approach is one manner in which
 // effectors go to their goals; the motion of some values is the one on the first approach that
-// leads there, whichever approach they were found on. The task outlives the planner.
+// leads there, whichever approach they were found on. The problem outlives the planner.
 class Planner {
  public:
   virtual ~Planner() = default;
 
-  [[nodiscard]] virtual std::span<const Layer> plan() const = 0;
-  [[nodiscard]] virtual double duration() const = 0;
   // Whether the body can be at the goals; if not, approaches end at the closest point.
   [[nodiscard]] virtual bool in_reach() const = 0;
-
-  // Fails where nothing is left to search, or what is fixed is not of the plan.
-  [[nodiscard]] virtual Result<void> check_search() const = 0;
 
   // How many approaches there are, in the order in which they are tried.
   [[nodiscard]] virtual std::size_t approaches() const = 0;
@@ -55,9 +51,8 @@ class Planner {
   // reach a goal may be met in a posture that hardly any motion leads to.
   virtual bool go_by_other_posture(int other) = 0;
 
-  // Searches on one approach. `task` differs from the planner's by criteria, budget or random
-  // numbers at most.
-  virtual Found search(const Task& task, std::size_t approach, const Progress& progress) = 0;
+  // Searches on one approach.
+  virtual Found search(const RunSettings& run, std::size_t approach, const Progress& progress) = 0;
   // Finds the values of a point of the last search.
   virtual Expanded expand(std::span<const double> point) = 0;
 
@@ -73,16 +68,15 @@ class Planner {
   virtual void finish(GenerateResult& generation) = 0;
 };
 
-// The planner of a task, which outlives it. Fails on a task that is wrong: see make_problem,
-// plan_of.
-[[nodiscard]] Result<std::unique_ptr<Planner>> make_planner(const PreparedTask& task);
+// The planner of a problem, which outlives it. Fails where a hand does not reach the place on which
+// it is to rest.
+[[nodiscard]] Result<std::unique_ptr<Planner>> make_planner(const Problem& problem);
 // The planners of a plan of one layer, and of a plan of several.
-[[nodiscard]] Result<std::unique_ptr<Planner>> make_whole_body_planner(const Task& task);
-[[nodiscard]] Result<std::unique_ptr<Planner>> make_layered_planner(const Task& task);
+[[nodiscard]] Result<std::unique_ptr<Planner>> make_whole_body_planner(const Problem& problem);
+[[nodiscard]] std::unique_ptr<Planner> make_layered_planner(const Problem& problem);
 
-// Fails where the layers of a plan of several cannot be made.
-[[nodiscard]] Result<void> check_layers(const Task& task);
-// Fails as make_planner and check_search do, at once.
-[[nodiscard]] Result<void> check_plan(const PreparedTask& task);
+// Fails where what a person fixed leaves nothing to search, or where that or what is to be begun
+// with is not of the plan.
+[[nodiscard]] Result<void> check_values(const Problem& problem);
 
 }  // namespace shigusa

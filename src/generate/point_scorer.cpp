@@ -16,28 +16,29 @@ constexpr double kSquatSlack = radians(8.0);
 constexpr double kSquatAim = radians(4.0);
 constexpr double kSquatPull = 1.0;
 
-std::optional<double> fixed_value(const Task& task, std::string_view name) {
-  if (!task.fixed) return std::nullopt;
-  Parameters values = task.fixed->values;
-  const Plan plan = whole_body_plan(task.body, task.supports);
-  const std::vector<Parameter> all = parameters_of(plan, values);
+std::optional<double> fixed_value(const Problem& problem, std::string_view name) {
+  const std::optional<FixedParameters>& fixed = problem.task.fixed;
+  if (!fixed) return std::nullopt;
+  Parameters values = fixed->values;
+  const std::vector<Parameter> all = parameters_of(problem.plan, values);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].info->name == name && task.fixed->set[i]) return all[i].value();
+    if (all[i].info->name == name && fixed->set[i]) return all[i].value();
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<SquatTarget> SquatTarget::of(const Task& task) {
-  const std::optional<double> squat = fixed_value(task, "squat");
-  if (!squat || fixed_value(task, "later.squat").value_or(*squat) != *squat) return std::nullopt;
+std::optional<SquatTarget> SquatTarget::of(const Problem& problem) {
+  const std::optional<double> squat = fixed_value(problem, "squat");
+  if (!squat || fixed_value(problem, "later.squat").value_or(*squat) != *squat) return std::nullopt;
+  const BodyModel& body = problem.task.body;
   SquatTarget target;
   for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
-    const std::optional<int> dof = task.body.find_dof(knee);
+    const std::optional<int> dof = body.find_dof(knee);
     if (!dof) continue;
     target.knees_.push_back(static_cast<std::size_t>(*dof));
-    target.wanted_ += *squat + task.body.start()[target.knees_.back()];
+    target.wanted_ += *squat + body.start()[target.knees_.back()];
   }
   if (target.knees_.empty()) return std::nullopt;
   return target;
@@ -53,19 +54,19 @@ bool scores_whole_motions(const Task& task, const CriteriaSettings& criteria) {
   return !criteria.user.empty() || task.generator != MotionGenerator::weighted_ik;
 }
 
-PointScorer::PointScorer(const ReachProblem& problem, const Task& task,
+PointScorer::PointScorer(const Problem& problem, const ReachProblem& approach,
                          const CriteriaSettings& criteria, const ParameterSpace& space, int threads)
-    : problem_(problem),
-      task_(task),
+    : task_(problem.task),
+      approach_(approach),
       criteria_(criteria),
       space_(space),
       threads_(threads),
-      batch_(problem, criteria, {.simd = task.batch.simd, .threads = threads}),
-      archive_(*problem.body),
-      squat_(SquatTarget::of(task)) {}
+      batch_(approach, criteria, {.simd = task_.batch.simd, .threads = threads}),
+      archive_(task_.body),
+      squat_(SquatTarget::of(problem)) {}
 
 void PointScorer::score(std::span<const double> points, std::span<double> scores) {
-  const std::size_t dofs = problem_.body->dofs().size();
+  const std::size_t dofs = task_.body.dofs().size();
   const bool kept = task_.preset != Preset::paper;
   angles_.resize(kept ? scores.size() * dofs : 0);
   if (scores_whole_motions(task_, criteria_)) {
@@ -85,13 +86,13 @@ void PointScorer::score(std::span<const double> points, std::span<double> scores
 
 void PointScorer::score_one_by_one(std::span<const double> points, std::span<double> scores) {
   const auto genes = static_cast<std::size_t>(space_.genes());
-  const std::size_t dofs = angles_.empty() ? 0 : problem_.body->dofs().size();
+  const std::size_t dofs = angles_.empty() ? 0 : task_.body.dofs().size();
   const auto score = [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
     const RolledOut rolled =
-        play(problem_, space_.decode(points.subspan(i * genes, genes)), task_.generator);
-    scores[i] = rolled.outcome.met(problem_.tolerance)
-                    ? score_motion(*problem_.body, rolled.motion, criteria_).total
+        play(approach_, space_.decode(points.subspan(i * genes, genes)), task_.generator);
+    scores[i] = rolled.outcome.met(approach_.tolerance)
+                    ? score_motion(task_.body, rolled.motion, criteria_).total
                     : worst_score(criteria_);
     copy_end(rolled.motion.clip, std::span(angles_).subspan(i * dofs, dofs));
   };

@@ -9,6 +9,7 @@
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"
 #include "rollout/batch_rollout.hpp"
+#include "task/problem.hpp"
 
 namespace shigusa {
 
@@ -18,7 +19,7 @@ namespace shigusa {
 class SquatTarget {
  public:
   // None where the task fixes no squat.
-  static std::optional<SquatTarget> of(const Task& task);
+  static std::optional<SquatTarget> of(const Problem& problem);
 
   // How far (rad) the mean of the knees' angles is off.
   [[nodiscard]] double off(std::span<const float> angles) const;
@@ -29,12 +30,12 @@ class SquatTarget {
 };
 
 // Scores the points of one island, and keeps the postures that their motions end in.
-// Problem, task and criteria outlive it.
+// Problem, approach and criteria outlive it.
 class PointScorer {
  public:
   // `threads` as BatchSettings has them (0: one for each core).
-  PointScorer(const ReachProblem& problem, const Task& task, const CriteriaSettings& criteria,
-              const ParameterSpace& space, int threads);
+  PointScorer(const Problem& problem, const ReachProblem& approach,
+              const CriteriaSettings& criteria, const ParameterSpace& space, int threads);
 
   // Scores points (motions × genes) → scores (motions), lower is better, and adds the cost of
   // missing a fixed squat.
@@ -45,8 +46,8 @@ class PointScorer {
  private:
   void score_one_by_one(std::span<const double> points, std::span<double> scores);
 
-  const ReachProblem& problem_;
   const Task& task_;
+  const ReachProblem& approach_;
   const CriteriaSettings& criteria_;
   ParameterSpace space_;  // has scratch memory of its own
   int threads_;

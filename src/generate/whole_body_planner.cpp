@@ -11,7 +11,6 @@
 #include "generate/start_table.hpp"
 #include "planner.hpp"
 #include "rollout/smooth_motion.hpp"
-#include "task/make_problem.hpp"
 #include "task/task_supports.hpp"
 #include "whole_body_search.hpp"
 
@@ -21,23 +20,23 @@ namespace {
 // Postures beside the archive's best that a search delivers from, for each candidate asked for.
 constexpr int kKeptPerCandidate = 4;
 
-Result<void> check_fixed(const Task& task, const ReachProblem& problem) {
+Result<void> check_fixed(const Problem& problem) {
+  const Task& task = problem.task;
   if (!task.fixed) return {};
-  const Plan plan = whole_body_plan(task.body, task.supports);
   Parameters values = task.fixed->values;
-  SHG_TRY(check_parameters(plan, values));
-  if (task.fixed->set.size() != parameters_of(plan, values).size()) {
+  SHG_TRY(check_parameters(problem.plan, values));
+  if (task.fixed->set.size() != parameters_of(problem.plan, values).size()) {
     return fail(ErrorCode::invalid_argument, say("fixed_of_another"));
   }
-  const ParameterSpace space(problem, gene_code(task), task.fixed, task.phases);
+  const ParameterSpace space(problem.reach, gene_code(task), task.fixed, task.phases);
   if (space.genes() > 0) return {};
   return fail(ErrorCode::invalid_argument, say("all_fixed"));
 }
 
-Result<void> check_starts(const Task& task) {
-  const Plan plan = whole_body_plan(task.body, task.supports);
+Result<void> check_starts(const Problem& problem) {
+  const Task& task = problem.task;
   for (std::size_t k = 0; k < task.starts.size(); ++k) {
-    const Result<void> good = check_parameters(plan, task.starts[k]);
+    const Result<void> good = check_parameters(problem.plan, task.starts[k]);
     if (good) continue;
     const Error& error = good.error();
     const std::string place = fmt::format("starts[{}]", k);
@@ -47,27 +46,21 @@ Result<void> check_starts(const Task& task) {
   return {};
 }
 
-// Fails where values that a person gives are of another body, or leave nothing to search.
-Result<void> check_values(const Task& task, const ReachProblem& problem) {
-  SHG_TRY(check_starts(task));
-  return check_fixed(task, problem);
-}
-
 bool goes_around(const ReachProblem& problem) {
   return std::any_of(problem.goals.begin(), problem.goals.end(),
                      [](const ReachGoal& goal) { return goal.path.detour != Vec3d{}; });
 }
 
 // The best score of what a search would begin at.
-double best_start(const ReachProblem& problem, const Task& task) {
-  const CriteriaSettings criteria = task_criteria(task);
-  const ParameterSpace space(problem, gene_code(task), task.fixed, task.phases);
-  std::vector<double> points = known_starts(problem, space, task.starts);
+double best_start(const Problem& problem, const ReachProblem& approach) {
+  const Task& task = problem.task;
+  const ParameterSpace space(approach, gene_code(task), task.fixed, task.phases);
+  std::vector<double> points = known_starts(approach, space, task.starts);
   const std::vector<double> bent = bent_starts(space);
   points.insert(points.end(), bent.begin(), bent.end());
   std::vector<double> scores(points.size() / index(std::max(space.genes(), 1)));
-  PointScorer(problem, task, criteria, space, task.batch.threads).score(points, scores);
-  double best = worst_score(criteria);
+  PointScorer(problem, approach, problem.criteria, space, task.batch.threads).score(points, scores);
+  double best = worst_score(problem.criteria);
   for (const double score : scores) best = score < best ? score : best;
   return best;
 }
@@ -78,39 +71,36 @@ constexpr double kStraightShare = 0.9;
 
 // The approaches by a detour where one is needed: motions of uniform weights tell of one that the
 // best motions from the start table may do without.
-std::vector<ReachProblem> usual_approaches(const Task& task, const ReachProblem& problem,
+std::vector<ReachProblem> usual_approaches(const Problem& problem, const ReachProblem& there,
                                            const ClosestReach& reach) {
-  std::vector<ReachProblem> around = approaches_to_goal(problem, reach);
+  const Task& task = problem.task;
+  std::vector<ReachProblem> around = approaches_to_goal(there, reach);
   const bool natural = traits_of(task.preset).natural && !task.own_search &&
-                       !scores_whole_motions(task, task_criteria(task));
-  if (!natural || !goes_around(around.front()) || !check_values(task, problem)) return around;
-  std::vector<ReachProblem> straight = approaches_to_goal(problem, reach, true);
+                       !scores_whole_motions(task, problem.criteria);
+  if (!natural || !goes_around(around.front()) || !check_values(problem)) return around;
+  std::vector<ReachProblem> straight = approaches_to_goal(there, reach, true);
   const bool does_without =
-      best_start(straight.front(), task) < kStraightShare * best_start(around.front(), task);
+      best_start(problem, straight.front()) < kStraightShare * best_start(problem, around.front());
   return does_without ? straight : around;
 }
 
 class WholeBodyPlanner : public Planner {
  public:
-  WholeBodyPlanner(const Task& task, ReachProblem problem)
-      : task_(task),
-        plan_(whole_body_plan(task.body, task.supports)),
-        problem_(std::move(problem)) {
-    ClosestReach reach = closest_reach(problem_);
-    in_reach_ = reach.reached();
-    if (!in_reach_ && traits_of(task.preset).natural) {
+  // `settled`: with the places on which hands rest.
+  WholeBodyPlanner(const Problem& problem, ReachProblem settled)
+      : problem_(problem), task_(problem.task), reach_(std::move(settled)) {
+    ClosestReach closest = closest_reach(reach_);
+    in_reach_ = closest.reached();
+    if (!in_reach_ && traits_of(task_.preset).natural) {
       // people stop before a hand is in their own body
-      problem_ = clear_goals(problem_, reach);
-      reach = closest_reach(problem_);
+      reach_ = clear_goals(reach_, closest);
+      closest = closest_reach(reach_);
     }
-    usual_approaches_ = usual_approaches(task_, problem_, reach);
+    usual_approaches_ = usual_approaches(problem_, reach_, closest);
     approaches_ = usual_approaches_;
   }
 
-  [[nodiscard]] std::span<const Layer> plan() const override { return plan_; }
-  [[nodiscard]] double duration() const override { return problem_.duration; }
   [[nodiscard]] bool in_reach() const override { return in_reach_; }
-  [[nodiscard]] Result<void> check_search() const override { return check_values(task_, problem_); }
   [[nodiscard]] std::size_t approaches() const override { return approaches_.size(); }
 
   bool go_by_other_posture(int other) override {
@@ -118,23 +108,23 @@ class WholeBodyPlanner : public Planner {
       approaches_ = usual_approaches_;
       return true;
     }
-    const ClosestReach reach = closest_reach(problem_, {.other = other});
-    if (!reach.reached()) return false;
-    approaches_ = approaches_to_goal(problem_, reach);
+    const ClosestReach closest = closest_reach(reach_, {.other = other});
+    if (!closest.reached()) return false;
+    approaches_ = approaches_to_goal(reach_, closest);
     return true;
   }
 
-  Found search(const Task& task, std::size_t approach, const Progress& progress) override {
-    const ReachProblem& problem = approaches_[approach];
-    WholeBodySearch searched(problem, task);
+  Found search(const RunSettings& run, std::size_t number, const Progress& progress) override {
+    const ReachProblem& approach = approaches_[number];
+    WholeBodySearch searched(problem_, approach, run);
     Found found{.result = searched.run(progress), .selection = {}, .best_seen = {}};
     space_ = searched.space();
     found.selection =
-        traits_of(task.preset).natural
-            ? distinct_postures(searched.archive(), kKeptPerCandidate * task.candidates)
+        traits_of(task_.preset).natural
+            ? distinct_postures(searched.archive(), kKeptPerCandidate * task_.candidates)
             : Selection{.picked = ranked_population(found.result)};
     found.best_seen = space_->decode(found.result.best_seen.point);
-    found.best_seen_score = replayed_score(problem, found.best_seen);
+    found.best_seen_score = replayed_score(approach, found.best_seen);
     return found;
   }
 
@@ -154,27 +144,28 @@ class WholeBodyPlanner : public Planner {
   }
 
   [[nodiscard]] Candidate candidate(const Expanded& expanded, Arrival arrival) const override {
-    const ReachProblem& problem = *arrival.approach;
-    const bool smooths = problem.smooth && task_.generator == MotionGenerator::weighted_ik;
-    RolledOut rolled = smooths ? smoothed(problem, expanded.values, std::move(arrival.rolled))
+    const ReachProblem& approach = *arrival.approach;
+    const bool smooths = approach.smooth && task_.generator == MotionGenerator::weighted_ik;
+    RolledOut rolled = smooths ? smoothed(approach, expanded.values, std::move(arrival.rolled))
                                : std::move(arrival.rolled);
-    return make_candidate(task_, problem, expanded.values, std::move(rolled));
+    return make_candidate(problem_, approach, expanded.values, std::move(rolled));
   }
 
   void finish(GenerateResult& /*generation*/) override {}
 
  private:
   // The score in double of values that were searched in single precision.
-  [[nodiscard]] double replayed_score(const ReachProblem& problem, const Parameters& values) const {
-    const RolledOut rolled = play(problem, values, task_.generator);
-    return rolled.outcome.met(problem.tolerance)
-               ? score_motion(task_.body, rolled.motion, task_criteria(task_)).total
-               : worst_score(task_.criteria);
+  [[nodiscard]] double replayed_score(const ReachProblem& approach,
+                                      const Parameters& values) const {
+    const RolledOut rolled = play(approach, values, task_.generator);
+    return rolled.outcome.met(approach.tolerance)
+               ? score_motion(task_.body, rolled.motion, problem_.criteria).total
+               : worst_score(problem_.criteria);
   }
 
-  const Task& task_;
-  Plan plan_;
-  ReachProblem problem_;
+  const Problem& problem_;
+  const Task& task_;    // the problem's
+  ReachProblem reach_;  // its own, with the places on which hands rest; as far as people would go
   bool in_reach_ = false;
   std::vector<ReachProblem> usual_approaches_;
   std::vector<ReachProblem> approaches_;
@@ -183,20 +174,25 @@ class WholeBodyPlanner : public Planner {
 
 }  // namespace
 
-Result<std::unique_ptr<Planner>> make_whole_body_planner(const Task& task) {
-  SHG_TRY_ASSIGN(ReachProblem problem, make_problem(task));
-  SHG_TRY(settle_supports(task, problem));
-  return std::make_unique<WholeBodyPlanner>(task, std::move(problem));
+Result<std::unique_ptr<Planner>> make_whole_body_planner(const Problem& problem) {
+  ReachProblem settled = problem.reach;
+  SHG_TRY(settle_supports(problem.task, settled));
+  return std::make_unique<WholeBodyPlanner>(problem, std::move(settled));
 }
 
-Result<std::unique_ptr<Planner>> make_planner(const PreparedTask& task) {
-  return traits_of(task.preset).layers ? make_layered_planner(task) : make_whole_body_planner(task);
+Result<std::unique_ptr<Planner>> make_planner(const Problem& problem) {
+  if (traits_of(problem.task.preset).layers) return make_layered_planner(problem);
+  return make_whole_body_planner(problem);
 }
 
-Result<void> check_plan(const PreparedTask& task) {
-  SHG_TRY_ASSIGN(const ReachProblem problem, make_problem(task));
-  if (!traits_of(task.preset).layers) return check_values(task, problem);
-  return check_layers(task);
+Result<void> check_values(const Problem& problem) {
+  const Task& task = problem.task;
+  if (!traits_of(task.preset).layers) {
+    SHG_TRY(check_starts(problem));
+    return check_fixed(problem);
+  }
+  if (!task.fixed) return {};
+  return fail(ErrorCode::invalid_argument, say("fixed_elsewhere", word_of(task.preset)));
 }
 
 }  // namespace shigusa

@@ -32,17 +32,20 @@ GeneCode gene_code(const Task& task) {
   return info_of(search_of(task)).paper_code ? GeneCode::paper : GeneCode::logarithmic;
 }
 
-WholeBodySearch::WholeBodySearch(const ReachProblem& problem, const Task& task)
+WholeBodySearch::WholeBodySearch(const Problem& problem, const ReachProblem& approach,
+                                 const RunSettings& run)
     : problem_(problem),
-      task_(task),
-      space_(problem, gene_code(task), task.fixed, task.phases),
-      archive_(*problem.body),
-      budget_(task.evaluations.value_or(usual_evaluations(task))),
-      part_(style_part(task, budget_)),
-      threads_(task.batch.threads),
+      approach_(approach),
+      run_(run),
+      space_(approach, gene_code(problem.task), problem.task.fixed, problem.task.phases),
+      archive_(problem.task.body),
+      budget_(run.evaluations.value_or(usual_evaluations(problem.task))),
+      part_(style_part(problem.task, budget_)),
+      threads_(problem.task.batch.threads),
       own_threads_(threads_) {
   // other people's functions are called from one thread, and whole motions take all of them
-  const bool together = !task.own_search && !scores_whole_motions(task, task_criteria(task));
+  const bool together =
+      !problem.task.own_search && !scores_whole_motions(problem.task, run.criteria);
   if (!together) threads_ = 1;
   if (together && part_ > 0) own_threads_ = 1;
 }
@@ -50,10 +53,10 @@ WholeBodySearch::WholeBodySearch(const ReachProblem& problem, const Task& task)
 SearchResult WholeBodySearch::run(const Progress& progress) {
   JointProgress joint(progress);
   StylePlans styles(space_, part_);
-  const bool paper = task_.preset == Preset::paper;
+  const bool paper = problem_.task.preset == Preset::paper;
   // where a person gives the squat, knees go by it
   Niche knees = !paper && space_.find("squat") < 0 ? stiff_knees(space_) : Niche{};
-  const bool bent = !paper && (knees.empty() || !task_.starts.empty());
+  const bool bent = !paper && (knees.empty() || !problem_.task.starts.empty());
   add_islands({{.niche = std::move(knees),
                 .bent = bent,
                 .budget = budget_ - StylePlans::kParts * part_,
@@ -81,7 +84,8 @@ SearchResult WholeBodySearch::run(const Progress& progress) {
 void WholeBodySearch::add_islands(std::vector<IslandPlan> plans, JointProgress& joint) {
   for (IslandPlan& plan : plans) {
     const Progress progress = joint.part(static_cast<double>(plan.budget) / budget_);
-    islands_.emplace_back(problem_, task_, space_, std::move(plan), own_threads_, progress);
+    islands_.emplace_back(problem_, approach_, run_, space_, std::move(plan), own_threads_,
+                          progress);
   }
 }
 

@@ -9,17 +9,18 @@
 #include "generate/parameter_space.hpp"
 #include "island.hpp"
 #include "joint_progress.hpp"
+#include "task/task_search.hpp"
 
 namespace shigusa {
 
 // The meaning of the points of a task's search.
 [[nodiscard]] GeneCode gene_code(const Task& task);
 
-// The search on one approach, with the archive of the points that it came upon. Problem and task
-// outlive it.
+// The search on one approach, with the archive of the points that it came upon. Problem, approach
+// and run outlive it.
 class WholeBodySearch {
  public:
-  WholeBodySearch(const ReachProblem& problem, const Task& task);
+  WholeBodySearch(const Problem& problem, const ReachProblem& approach, const RunSettings& run);
 
   // A search that is good at finding the best ends with one motion, and no criterion decides
   // between that and what people do otherwise. So the preset flat spends a third of the budget on
@@ -37,8 +38,9 @@ class WholeBodySearch {
   void add_islands(std::vector<IslandPlan> plans, JointProgress& joint);
   void run_islands(int motions);
 
-  const ReachProblem& problem_;
-  const Task& task_;
+  const Problem& problem_;
+  const ReachProblem& approach_;
+  const RunSettings& run_;
   ParameterSpace space_;
   Archive archive_;
   int budget_;       // motions

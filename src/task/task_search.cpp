@@ -5,12 +5,18 @@
 
 namespace shigusa {
 
-SearchResult run_search(const Task& task, const SearchProblem& problem, int evaluations, bool once,
-                        const Progress& progress) {
+RunSettings run_of(const Problem& problem) {
+  const Task& task = problem.task;
+  return {problem.criteria, task.evaluations, task.seed, task.genetic.stream};
+}
+
+SearchResult run_search(const Task& task, const RunSettings& run, const SearchProblem& problem,
+                        int evaluations, bool once, const Progress& progress) {
   const SearchMethod method = search_of(task);
-  if (!info_of(method).genetic) return search(method, problem, evaluations, task.seed, progress);
+  if (!info_of(method).genetic) return search(method, problem, evaluations, run.seed, progress);
   GeneticSettings settings = task.genetic;
-  settings.seed = task.seed;
+  settings.seed = run.seed;
+  settings.stream = run.stream;
   return once ? genetic_search(problem, settings, progress)
               : restarted_genetic_search(problem, settings, evaluations, progress);
 }

@@ -1,13 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <shigusa/task.hpp>
+
+#include "problem.hpp"
 
 namespace shigusa {
 
+// The settings by which searches of one problem differ.
+struct RunSettings {
+  CriteriaSettings criteria;         // the problem's, or with other weights
+  std::optional<int> evaluations{};  // motions; none: usual_evaluations
+  std::uint64_t seed = 0;
+  std::uint64_t stream = 0;  // of the genetic algorithm
+};
+
+// The run that a task asks for.
+[[nodiscard]] RunSettings run_of(const Problem& problem);
+
 // Runs the search that the task names. A genetic one by the task's own settings: once until it
 // converges where `once` is set, else again and again until `evaluations` are used up.
-[[nodiscard]] SearchResult run_search(const Task& task, const SearchProblem& problem,
-                                      int evaluations, bool once, const Progress& progress);
+[[nodiscard]] SearchResult run_search(const Task& task, const RunSettings& run,
+                                      const SearchProblem& problem, int evaluations, bool once,
+                                      const Progress& progress);
 
 }  // namespace shigusa

@@ -64,6 +64,7 @@ const std::vector<Mistake>& of_goals() {
       {{"reach"}, {"no goal", std::string("--goal ") + kGoal}},
       {{"reach", "--gaol", kGoal}, {"'--gaol'", "did you mean '--goal'?"}},
       {{"reach", "--goal"}, {"--goal needs a value, EFFECTOR=X,Y,Z", "metres"}},
+      {reach({"--formats", "glb", "vrma"}), {"vrma: cannot open", "commas: --formats glb,vrma"}},
       {{"reach", "--goal", "--out", "x"}, {"--goal", "needs a value", "--out follows it"}},
       {{"reach", "--goal", "right_hand"}, {"EFFECTOR=X,Y,Z", kGoal, "no '=' is in it"}},
       {{"reach", "--goal", "right_hand=0.2,1.1"}, {"EFFECTOR=X,Y,Z", "2 numbers are given"}},

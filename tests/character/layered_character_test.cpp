@@ -6,6 +6,7 @@
 #include <shigusa/task_file.hpp>
 
 #include "generate/layered_approaches.hpp"
+#include "support/layered.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -44,7 +45,7 @@ TEST_P(LayeredCharacter, MeetsItsGoalWithPlantedFeet) {
   task.goals[0].position = shoulder + Vec3d{0.1, -0.3, 0.9} * arm.segments.longest();
   const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
-  const ReachProblem problem = make_layered_problem(task).value().reach;
+  const ReachProblem problem = testing_support::make_layered_problem(task).reach;
   for (const Candidate& candidate : generation.candidates) {
     const MeasuredMotion measured(problem, candidate.motion.clip);
     EXPECT_EQ(measured.start_error, 0.0);

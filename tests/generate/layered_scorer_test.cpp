@@ -6,6 +6,7 @@
 
 #include "generate/layered_approaches.hpp"
 #include "generate/layered_search.hpp"
+#include "support/layered.hpp"
 
 namespace shigusa {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 struct Layered {
   Layered(const BodyModel& body, Preset preset, std::vector<Goal> goals, int motions)
       : task(prepared(with_preset(Task(body, {.goals = std::move(goals)}), preset)).value()),
-        problem(make_layered_problem(task).value()) {
+        problem(testing_support::make_layered_problem(task)) {
     Random random(6);
     const std::vector<std::size_t> genes = searched_genes(problem);
     for (int i = 0; i < motions; ++i) {

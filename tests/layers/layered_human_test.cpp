@@ -7,6 +7,7 @@
 #include "generate/layered_approaches.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "person/at_ease.hpp"
+#include "support/layered.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -92,7 +93,7 @@ TEST(LayeredHuman, WholeBodyIsWhereTheReducedOneIsAndFeetStay) {
   for (const BodyModel& body : {human_body(), human_body({.base = Side::left}), crooked_human()}) {
     const double size = body.stature();
     const Task task = human_task(body, {-0.1 * size, 0.5 * size, 0.28 * size});
-    const LayeredProblem problem = make_layered_problem(task).value();
+    const LayeredProblem problem = testing_support::make_layered_problem(task);
     const BodyLimbs& limbs = problem.limbs;
     LayeredPlayer player(problem);
     Random random(5);
@@ -127,7 +128,7 @@ TEST(LayeredHuman, WholeBodyIsWhereTheReducedOneIsAndFeetStay) {
 TEST(LayeredHuman, AnklesAndSpineKeepTheirLimitsInASquat) {
   const BodyModel body = human_body();
   const Task task = human_task(body, {-0.2, 0.25, 0.4});
-  const LayeredProblem problem = make_layered_problem(task).value();
+  const LayeredProblem problem = testing_support::make_layered_problem(task);
   LayeredPlayer player(problem);
   Random random(2);
   double largest = 0.0;
@@ -157,7 +158,7 @@ TEST(LayeredHuman, HeadTurnsToTheGoalBeforeTheHandArrivesAndTheFreeArmHangs) {
   const BodyModel body = human_body();
   const Vec3d goal{-0.5, 0.9, 0.35};
   const Task task = human_task(body, goal);
-  const LayeredProblem problem = make_layered_problem(task).value();
+  const LayeredProblem problem = testing_support::make_layered_problem(task);
   LayeredPlayer player(problem);
   Random random(9);
   const Played played = play_random(problem, player, random);

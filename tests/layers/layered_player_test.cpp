@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "generate/layered_approaches.hpp"
+#include "support/layered.hpp"
 #include "support/penalty_by.hpp"
 #include "support/problems.hpp"
 
@@ -30,7 +31,7 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task =
         with_preset(Task(body, {.goals = {{"right_hand", {0.0, 0.3, 0.5}}}}), Preset::layers);
-    const LayeredProblem problem = make_layered_problem(task).value();
+    const LayeredProblem problem = testing_support::make_layered_problem(task);
     LayeredPlayer player(problem);
     Random random(3);
     int outside = 0;
@@ -60,7 +61,7 @@ TEST(LayeredPlayer, PathsOfTheHandsAreTheirsInTheTrunksFrame) {
   const Task task = with_preset(
       Task(body, {.goals = {{"left_hand", {0.2, 0.9, 0.45}}, {"right_hand", {-0.2, 1.1, 0.4}}}}),
       Preset::layers);
-  const LayeredProblem problem = make_layered_problem(task).value();
+  const LayeredProblem problem = testing_support::make_layered_problem(task);
   LayeredPlayer player(problem);
   std::vector<std::uint16_t> genes(problem.layers[0].parameters.size(), 2);
   ReducedClip<double> clip;

@@ -7,9 +7,16 @@
 
 #include "generate/layered_approaches.hpp"
 #include "support/problems.hpp"
+#include "task/make_problem.hpp"
+#include "task/plan_of.hpp"
 
 // For tests of presets that move by layers.
 namespace shigusa::testing_support {
+
+// Points to the task's body.
+inline LayeredProblem make_layered_problem(const Task& task) {
+  return in_layers(make_problem(task).value(), plan_of(task).value());
+}
 
 // Layers with parameters of theirs, before and after what a test does to them.
 struct LayeredChange {
@@ -28,7 +35,7 @@ struct LayeredChange {
 inline void expect_layers_kept(const Task& task, const GenerateResult& generation) {
   EXPECT_TRUE(generation.meets_goals()) << task.body.name();
   EXPECT_EQ(generation.remaining_distance, 0.0);
-  const ReachProblem problem = make_layered_problem(task).value().reach;
+  const ReachProblem problem = make_layered_problem(task).reach;
   ASSERT_FALSE(generation.candidates.empty());
   for (const Candidate& candidate : generation.candidates) {
     const MeasuredMotion measured(problem, candidate.motion.clip);

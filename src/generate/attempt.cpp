@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "attempt.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "candidate.hpp"
+#include "problem_search.hpp"
+
+namespace shigusa {
+namespace {
+
+// How good a choice is: a first that is possible, as many that could be made as people see, and
+// how little the first scores.
+std::tuple<bool, int, double> choice_of(const Task& task, const GenerateResult& generation) {
+  const auto could =
+      std::count_if(generation.candidates.begin(), generation.candidates.end(), could_be_made);
+  const bool first = generation.candidates.front().judgement.verdict == Verdict::possible;
+  return {first, std::min(static_cast<int>(could), shown_least(task)),
+          -generation.candidates.front().score.total};
+}
+
+bool lacks_choice(const Task& task, const GenerateResult& generation) {
+  const auto [first, could, score] = choice_of(task, generation);
+  return !first || could < shown_least(task);
+}
+
+// Times as many motions as usual, for a task that does not say how many.
+constexpr int kLongerSearch = 3;
+
+constexpr std::uint64_t kOtherNumbers = 0x9e3779b97f4a7c15U;
+
+// A budget that was given is used up: then candidates are played in the longer duration.
+std::optional<Attempt> slower(const Problem& problem, const GenerateResult& found) {
+  const std::optional<double> duration = possible_duration(found);
+  if (!wants_more(found) || problem.task.duration || !duration) return std::nullopt;
+  return Attempt{run_of(problem), duration, problem.task.evaluations.has_value()};
+}
+
+std::optional<Attempt> longer(const Problem& problem, const GenerateResult& found) {
+  const Task& task = problem.task;
+  if (task.evaluations || found.end == SearchEnd::cancelled || task.pareto) return std::nullopt;
+  const bool chooses = found.status == ReachStatus::reached && !traits_of(task.preset).layers;
+  if (!wants_more(found) && !(chooses && lacks_choice(task, found))) return std::nullopt;
+  Attempt attempt{run_of(problem)};
+  attempt.run.evaluations = kLongerSearch * usual_evaluations(task);
+  return attempt;
+}
+
+// As many motions as the first search scored: a sixth of what was spent by then.
+std::optional<Attempt> other_numbers(const Problem& problem, const GenerateResult& found) {
+  const Task& task = problem.task;
+  if (task.evaluations || task.pareto || task.own_search || !wants_more(found)) return std::nullopt;
+  Attempt attempt{run_of(problem)};
+  attempt.run.seed ^= kOtherNumbers;
+  return attempt;
+}
+
+}  // namespace
+
+std::optional<Attempt> next_attempt(AttemptKind kind, const Problem& problem,
+                                    const GenerateResult& found) {
+  switch (kind) {
+    case AttemptKind::slower:
+      return slower(problem, found);
+    case AttemptKind::longer:
+      return longer(problem, found);
+    case AttemptKind::other_numbers:
+      return other_numbers(problem, found);
+  }
+  return std::nullopt;
+}
+
+Result<GenerateResult> made(const Attempt& attempt, const Problem& problem,
+                            const GenerateResult& found, JointProgress& progress) {
+  std::unique_ptr<const Problem> other;
+  if (attempt.duration) {
+    SHG_TRY_ASSIGN(other, with_duration(problem, *attempt.duration));
+  }
+  const Problem& posed = other ? *other : problem;
+  if (!attempt.plays) {
+    return search_problem(posed, attempt.run, progress.part(1.0), attempt.on_all);
+  }
+  SHG_TRY_ASSIGN(GenerateResult again, played_anew(posed, found));
+  again.evaluations = 0;
+  return again;
+}
+
+GenerateResult better_of(const Task& task, GenerateResult found, GenerateResult other) {
+  const bool better = wants_more(found) || choice_of(task, found) < choice_of(task, other);
+  found.evaluations += other.evaluations;
+  if (!better) return found;
+  found.end = other.end;
+  if (other.status != ReachStatus::reached) return found;
+  other.evaluations = found.evaluations;
+  return other;
+}
+
+bool wants_more(const GenerateResult& generation) {
+  return generation.status == ReachStatus::unsteady && generation.end != SearchEnd::cancelled;
+}
+
+std::optional<double> possible_duration(const GenerateResult& generation) {
+  std::optional<double> least;
+  for (const Candidate& candidate : generation.candidates) {
+    const std::optional<double>& own = candidate.judgement.possible_in;
+    if (own && (!least || *own < *least)) least = own;
+  }
+  return least;
+}
+
+}  // namespace shigusa

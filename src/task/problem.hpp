@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <shigusa/task.hpp>
+
+#include "layers/plan.hpp"
+#include "rollout/reach_problem.hpp"
+
+namespace shigusa {
+
+// All that a task means for its body, derived once by `prepare` and const from there on.
+struct Problem {
+  PreparedTask task;
+  CriteriaSettings criteria;  // task_criteria
+  Plan plan;                  // plan_of
+  ReachProblem reach{};       // make_problem; points to the task's body
+
+  Problem(PreparedTask of, CriteriaSettings scored, Plan parameters)
+      : task(std::move(of)), criteria(std::move(scored)), plan(std::move(parameters)) {}
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
+};
+
+// The problem of a task. Fails as `prepared`, make_problem and plan_of do, in this order.
+[[nodiscard]] Result<std::unique_ptr<const Problem>> prepare(const Task& task);
+
+// The problem in another duration (s).
+[[nodiscard]] Result<std::unique_ptr<const Problem>> with_duration(const Problem& problem,
+                                                                   double duration);
+
+}  // namespace shigusa
