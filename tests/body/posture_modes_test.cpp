@@ -86,13 +86,36 @@ TEST(PostureModes, LeanBendsAheadWithTheHipsBack) {
   EXPECT_LT(after.at("hips").z, before.at("hips").z - 0.05);
 }
 
-TEST(PostureModes, TwistTurnsTheTrunkToTheLeftOverTheFeet) {
-  const BodyModel bodies[] = {full_body(), human_body()};
+// The body whose waist is one joint, as many robots' are.
+BodyModel one_waist() {
+  BodyDefinition body = human_body().definition();
+  for (Dof& dof : body.dofs) {
+    if (dof.name == "chest.rotation") dof.name = "torso.rotation";
+  }
+  return BodyModel(body);
+}
+
+double turn_between(const Vec3d& a, const Vec3d& b) { return atan2(norm(cross(a, b)), dot(a, b)); }
+
+TEST(PostureModes, RoundBendsTheSpineByItsAngle) {
+  const BodyModel bodies[] = {human_body(), one_waist()};
+  for (const BodyModel& body : bodies) {
+    const Vec3d before = Moved(body, "round", 0.0).way("upper_chest", "neck");
+    const Vec3d after = Moved(body, "round", 0.15).way("upper_chest", "neck");
+    EXPECT_NEAR(turn_between(before, after), 0.15, kRounding);
+    EXPECT_GT(after.z, before.z);
+  }
+}
+
+TEST(PostureModes, TwistTurnsTheShouldersToTheLeftByItsAngleOverTheFeet) {
+  const BodyModel bodies[] = {full_body(), human_body(), one_waist()};
   for (const BodyModel& body : bodies) {
     const Moved before(body, "twist", 0.0);
     const Moved after(body, "twist", 0.5);
-    EXPECT_LT(after.way("right_upper_arm", "left_upper_arm").z,
-              before.way("right_upper_arm", "left_upper_arm").z - 0.1);
+    const Vec3d shoulders = after.way("right_upper_arm", "left_upper_arm");
+    EXPECT_NEAR(turn_between(before.way("right_upper_arm", "left_upper_arm"), shoulders), 0.5,
+                0.01);
+    EXPECT_LT(shoulders.z, -0.1);
     EXPECT_LT(norm(after.way("left_foot", "left_toes") - before.way("left_foot", "left_toes")),
               0.01);
   }

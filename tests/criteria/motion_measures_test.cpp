@@ -22,7 +22,7 @@ BodyModel strong_hinges(std::size_t count) {
 TEST(JointLoads, TellTheWorstMomentOfEachJoint) {
   const BodyModel body = strong_hinges(2);
   Motion motion = motion_through(body, {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}});
-  motion.torques = {20.0, 5.0, -40.0, 5.0, 70.0, -10.0, 0.0, 0.0};
+  motion.torques = {20.0, -10.0, -40.0, 5.0, 70.0, 5.0, 0.0, 0.0};
   MotionMeasures measures;
   EXPECT_EQ(most_loaded(measures), nullptr);
   measures.loads = joint_loads(body, motion);
@@ -34,7 +34,7 @@ TEST(JointLoads, TellTheWorstMomentOfEachJoint) {
   EXPECT_DOUBLE_EQ(loads[0].time, motion.clip.frame_time);
   EXPECT_EQ(loads[1].dof, 1);
   EXPECT_DOUBLE_EQ(loads[1].torque, -10.0);
-  EXPECT_DOUBLE_EQ(loads[1].time, 2.0 * motion.clip.frame_time);
+  EXPECT_EQ(loads[1].time, 0.0);
   EXPECT_EQ(most_loaded(measures), &loads[0]);
 }
 

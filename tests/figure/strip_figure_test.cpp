@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -454,9 +455,21 @@ TEST(StripFigure, SettingsOutOfRangeAreRefusedWithTheRange) {
 
 TEST(StripFigure, FramesOutsideTheClipAreRefused) {
   StripSettings settings;
-  settings.first_frame = 3;
-  settings.last_frame = 12;
-  EXPECT_EQ(refusal(standing(5), {}, settings), "frames: 3 to 12 given; the clip has 0 to 4");
+  for (const auto& [first, last] : {std::pair{3, 12}, {0, 5}, {-1, 2}, {2, 1}, {1, 0}}) {
+    settings.first_frame = first;
+    settings.last_frame = last;
+    EXPECT_EQ(refusal(standing(5), {}, settings),
+              fmt::format("frames: {} to {} given; the clip has 0 to 4", first, last));
+  }
+}
+
+TEST(StripFigure, MorePiecesThanAFileShouldHaveAreRefused) {
+  SkeletonMotion motion = standing(1);
+  motion.skeleton.nodes.resize(1093, motion.skeleton.nodes.back());
+  StripSettings settings;
+  settings.poses = 60;
+  EXPECT_EQ(refusal(motion, {}, settings),
+            "skeleton: 1093 nodes in 60 poses; together at most 65536 allowed");
 }
 
 TEST(StripFigure, MapToNodesThatDoNotExistIsRefused) {
