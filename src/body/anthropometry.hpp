@@ -10,20 +10,20 @@ namespace shigusa {
 // Mass and mass distribution of one body segment. Source: P. de Leva, Adjustments to
 // Zatsiorsky-Seluyanov's segment inertia parameters, J. Biomechanics 29 (1996) 1223-1230, table 4.
 struct SegmentParameters {
-  double mass = 0.0;          // fraction of the body's mass
-  double com = 0.0;           // fraction of the segment's length, from its first-named end
-  double r_sagittal = 0.0;    // radius of gyration about the fore-aft axis, fraction of length
-  double r_transverse = 0.0;  // … about the left-right axis
-  double r_long = 0.0;        // … about the segment's own axis
+  double mass;          // fraction of the body's mass
+  double com;           // fraction of the segment's length, from its first-named end
+  double r_sagittal;    // radius of gyration about the fore-aft axis, fraction of length
+  double r_transverse;  // … about the left-right axis
+  double r_long;        // … about the segment's own axis
 };
 
 // One of three parts of the trunk, cut across. Same source.
 struct TrunkPart {
-  double mass = 0.0;          // fraction of the body's mass
-  double length = 0.0;        // fraction of mid-hips – C7
-  double r_sagittal = 0.0;    // radius of gyration, fraction of the part's length, …
-  double r_transverse = 0.0;  // … as above
-  double r_long = 0.0;
+  double mass;          // fraction of the body's mass
+  double length;        // fraction of mid-hips – C7
+  double r_sagittal;    // radius of gyration, fraction of the part's length, …
+  double r_transverse;  // … as above
+  double r_long;
 };
 
 struct SegmentTable {
@@ -37,8 +37,8 @@ struct SegmentTable {
   SegmentParameters foot;       // heel – toe tip
   // the trunk's three parts from below: mid-hips – navel – xiphoid – C7
   std::array<TrunkPart, 3> trunk_parts;
-  double mean_stature = 0.0;  // m, of the measured group
-  double mean_mass = 0.0;     // kg
+  double mean_stature;  // m, of the measured group
+  double mean_mass;     // kg
 };
 
 [[nodiscard]] const SegmentTable& segment_table(Sex sex);

@@ -86,7 +86,7 @@ std::vector<Effector> further_effectors(const BodyDefinition& body) {
            std::any_of(further.begin(), further.end(), same);
   };
   for (const BodyNode& node : body.nodes) {
-    if (node.name.empty() || node.end_site || node.link == kBaseLink) continue;
+    if (node.name.empty() || node.link == kBaseLink) continue;
     const std::string name = word_of_node(body, node.name);
     if (known(name, node.name)) continue;
     further.push_back({.name = name,

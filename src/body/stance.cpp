@@ -19,7 +19,7 @@ std::vector<const BodyNode*> base_nodes(const BodyModel& body) {
   std::vector<const BodyNode*> nodes;
   if (body.robot()) return nodes;
   for (const BodyNode& node : body.nodes()) {
-    if (node.link == kBaseLink && !node.end_site && !node.name.empty()) nodes.push_back(&node);
+    if (node.link == kBaseLink && !node.name.empty()) nodes.push_back(&node);
   }
   return nodes;
 }

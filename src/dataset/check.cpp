@@ -42,7 +42,7 @@ struct Check {
   const std::filesystem::path& folder;
   const CheckSettings& settings;
   ShardList shards;
-  std::uint64_t lone = 0;  // a task that is made again whatever the share
+  std::uint64_t lone;  // a task that is made again whatever the share
   CheckRun run{};
   CheckReport report{};
   std::map<std::uint64_t, std::string> sums{};  // of the shards that are whole
@@ -303,12 +303,15 @@ Result<CheckRun> check_dataset(const std::filesystem::path& folder, const CheckS
   }
   const Clock::time_point begin = Clock::now();
   SHG_TRY_ASSIGN(const DatasetPlan plan, DatasetPlan::read(folder / kPlanName));
-  Check check{
-      .plan = plan, .folder = folder, .settings = settings, .shards = list_shards(plan, folder)};
-  if (check.shards.there.empty()) {
+  const ShardList shards = list_shards(plan, folder);
+  if (shards.there.empty()) {
     return fail(ErrorCode::not_found, "has no shard to check", folder.string());
   }
-  check.lone = lone_task(plan, check.shards);
+  Check check{.plan = plan,
+              .folder = folder,
+              .settings = settings,
+              .shards = shards,
+              .lone = lone_task(plan, shards)};
   check.report.of = check.shards.there.size();
   for (const std::uint64_t shard : check.shards.there) {
     SHG_TRY(not_cancelled(check));

@@ -32,13 +32,13 @@ class Mannequin {
 
  private:
   struct Follower {
-    int node = -1;
+    int node;
     MannequinFollower turn;
   };
   struct Finger {
-    int node = -1;
-    const SkinBone* bone = nullptr;
-    Vec3d axis{};  // of its bend
+    int node;
+    const SkinBone* bone;
+    Vec3d axis;  // of its bend
   };
   class Builder;
 

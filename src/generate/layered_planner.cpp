@@ -134,7 +134,7 @@ class UpperSearch {
   // The values of a point as the search scored them.
   Parameters as_searched(std::span<const double> point) {
     if (!layers_) return whole(decoded(point));
-    return scorer_.play(decoded(point), {.rounds = 0, .coarse = true}).values;
+    return scorer_.play(decoded(point), {.rounds = 0}).values;
   }
 
  private:

@@ -217,9 +217,9 @@ Expanded LayeredScorer::play(const Parameters& upper, const Feedback& feedback) 
     return played;
   }
   retake_weights(clip, feedback, played);
-  if (feedback.coarse) return played;
+  if (!feedback.seed) return played;
   refine_swivels(clip, played.values);
-  settle_rest(clip, feedback, played.values);
+  settle_rest(clip, *feedback.seed, played.values);
   return played;
 }
 
@@ -279,7 +279,7 @@ void LayeredScorer::score_finals(const ReducedClip<double>& clip, std::span<cons
   batch_.score(inputs, keep, scores, {});
 }
 
-void LayeredScorer::settle_rest(const ReducedClip<double>& clip, const Feedback& feedback,
+void LayeredScorer::settle_rest(const ReducedClip<double>& clip, std::uint64_t seed,
                                 Parameters& parameters) {
   const std::size_t angles = parameters.finals.size();
   const RestEvaluation score = [&](std::span<const double> finals, std::span<double> scores) {
@@ -290,7 +290,7 @@ void LayeredScorer::settle_rest(const ReducedClip<double>& clip, const Feedback&
     }
     score_finals(clip, tried, scores);
   };
-  search_finals(problem_->layers, feedback.seed, score, parameters.finals);
+  search_finals(problem_->layers, seed, score, parameters.finals);
 }
 
 }  // namespace shigusa

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <shigusa/layered_settings.hpp>
 
 #include "layers/arm_feedback.hpp"
@@ -41,12 +42,12 @@ class LayeredScorer {
   // How much `play` searches. The upper layer reports arms that pass through the body to the lower
   // one (rule R11), which searches each of them again for this motion alone, up to `rounds` times;
   // the upper motion stays. Then arms that go by their swivel are given the best of all, and limbs
-  // that no goal moves the best final angles, unless `coarse`: then all is as score() has it.
+  // that no goal moves the best final angles by a search from `seed`; without one all is as score()
+  // has it.
   struct Feedback {
     int rounds = kCollisionRounds;
     LimbSearch search = LimbSearch::ladder;
-    bool coarse = false;
-    std::uint64_t seed = 0;  // of the search for final angles
+    std::optional<std::uint64_t> seed{};
   };
   // Plays one motion in full, with all that the layers below find for it.
   [[nodiscard]] Expanded play(const Parameters& upper, const Feedback& feedback);
@@ -72,8 +73,7 @@ class LayeredScorer {
   [[nodiscard]] double judged(const RolledOut& played) const;
   void retake_weights(const ReducedClip<double>& clip, const Feedback& feedback, Expanded& played);
   void refine_swivels(const ReducedClip<double>& clip, Parameters& parameters);
-  void settle_rest(const ReducedClip<double>& clip, const Feedback& feedback,
-                   Parameters& parameters);
+  void settle_rest(const ReducedClip<double>& clip, std::uint64_t seed, Parameters& parameters);
   // of motions that differ by their final angles alone
   void score_finals(const ReducedClip<double>& clip, std::span<const Parameters> tried,
                     std::span<double> scores);

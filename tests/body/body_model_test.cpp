@@ -97,6 +97,9 @@ TEST_P(BrokenDefinition, IsRefused) {
   BodyDefinition body = two_arms();
   body.feet = {{.name = "foot", .node = "foot", .link = 1, .centre = {}, .outline = {}}};
   body.nodes = {{.name = "hips", .parent = -1, .link = 0}};
+  body.feet[0].heel = Heel{.toes = 2, .ankle = 1, .forefoot = {}};
+  body.capsules = {{.name = "arm", .link = 1, .radius = 0.1}};
+  body.robot.emplace().joints = {{.name = "arm", .dof = 1}};
   body.couplings = {{.dof = 0, .driver = 1, .gain = 0.1, .driver_full = 1.0}};
   ASSERT_NO_THROW(BodyModel{body});
   GetParam().commit(body);
@@ -116,8 +119,26 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"limits_turned_round", [](Body& b) { b.dofs[1].lower = b.dofs[1].upper; }},
         Fault{"sign_of_two", [](Body& b) { b.dofs[1].sign = 2.0; }},
         Fault{"no_strength", [](Body& b) { b.dofs[1].torque_negative = 0.0; }},
+        Fault{"no_strength_forwards", [](Body& b) { b.dofs[1].torque_positive = 0.0; }},
+        Fault{"gives_not_at_all", [](Body& b) { b.dofs[1].give = 0.0; }},
+        Fault{"gives_more_than_all", [](Body& b) { b.dofs[1].give = 1.1; }},
+        Fault{"axis_turned_to_a_mirror_image",
+              [](Body& b) {
+                b.dofs[1].turn = Mat3d{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+              }},
+        Fault{"axis_turned_and_stretched",
+              [](Body& b) {
+                b.dofs[1].turn = Mat3d{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+              }},
         Fault{"effector_on_no_link", [](Body& b) { b.effectors[0].link = 3; }},
         Fault{"effector_without_limb", [](Body& b) { b.effectors[0].limb_root = kBaseLink; }},
+        Fault{"capsule_on_no_link", [](Body& b) { b.capsules[0].link = 3; }},
+        Fault{"capsule_without_radius", [](Body& b) { b.capsules[0].radius = 0.0; }},
+        Fault{"capsule_that_ends_in_a_point", [](Body& b) { b.capsules[0].to_radius = 0.0; }},
+        Fault{"heel_without_toes", [](Body& b) { b.feet[0].heel->toes = 3; }},
+        Fault{"heel_without_an_ankle", [](Body& b) { b.feet[0].heel->ankle = -1; }},
+        Fault{"robot_on_no_link", [](Body& b) { b.robot->link = 3; }},
+        Fault{"robot_joint_of_no_dof", [](Body& b) { b.robot->joints[0].dof = 3; }},
         Fault{"foot_on_no_link", [](Body& b) { b.feet[0].link = 3; }},
         Fault{"node_on_no_link", [](Body& b) { b.nodes[0].link = -2; }},
         Fault{"node_under_itself", [](Body& b) { b.nodes[0].parent = 0; }},

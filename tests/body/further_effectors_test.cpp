@@ -22,8 +22,18 @@ TEST(FurtherEffectors, HandsComeFirstAndAreTheOnlyOnesOfTheTable) {
 
 TEST(FurtherEffectors, JointsHaveTheWordsOfTheirFreedoms) {
   const BodyModel body = human_body();
-  for (const char* joint : {"right_elbow", "left_knee", "left_hip", "right_shoulder", "right_wrist",
-                            "left_clavicle", "neck", "head"}) {
+  // with the joint that their limb begins at: the standing foot's, of the trunk and its own leg
+  const std::string foot = body.dof(0).joint;
+  const std::pair<std::string, std::string> roots[] = {{"right_elbow", "right_shoulder"},
+                                                       {"right_wrist", "right_shoulder"},
+                                                       {"right_shoulder", "right_shoulder"},
+                                                       {"left_knee", "left_hip"},
+                                                       {"left_hip", "left_hip"},
+                                                       {"head", "neck"},
+                                                       {"neck", "neck"},
+                                                       {"left_clavicle", foot},
+                                                       {"right_knee", foot}};
+  for (const auto& [joint, root] : roots) {
     const auto index = body.find_effector(joint);
     ASSERT_TRUE(index) << joint;
     const Effector& effector = body.effector(*index);
@@ -32,10 +42,11 @@ TEST(FurtherEffectors, JointsHaveTheWordsOfTheirFreedoms) {
       if (body.dof(d).joint != joint) continue;
       found = true;
       const Vec3d centre = placed(body, body.start()).origin[static_cast<std::size_t>(d)];
-      EXPECT_LT(norm(effector_position(body, body.start(), joint) - centre), 1e-9) << joint;
+      EXPECT_LT(norm(effector_position(body, body.start(), joint.c_str()) - centre), 1e-9) << joint;
     }
     EXPECT_TRUE(found) << joint;
     EXPECT_TRUE(body.moves(effector.limb_root, effector.link)) << joint;
+    EXPECT_EQ(body.dof(effector.limb_root).joint, root) << joint;
   }
 }
 

@@ -45,6 +45,28 @@ TEST(Sole, OfTurnsAboutAnAxisTheBestOneCounts) {
   EXPECT_NEAR(sole.least_height({0, 0, 1}, {0, 0, 1}), 0.0, kRounding);
 }
 
+// A rotation whose first axis is that unit vector.
+Mat3d frame_on(const Vec3d& x) {
+  const Vec3d y = normalized(cross(x, Vec3d{0.3, 0.5, -0.7}));
+  return {x, y, cross(x, y)};
+}
+
+TEST(Sole, AboutAnAxisIsAsLowAsTheLowestOfItsTurns) {
+  const Sole sole = plain_sole();
+  const Vec3d ways[] = {{0, 0.6, 0.8}, {0.6, 0, -0.8}, {-0.48, 0.6, 0.64}, {0.8, -0.6, 0}};
+  for (const Vec3d& axis : ways) {
+    for (const Vec3d& direction : ways) {
+      double least = 1e9;
+      for (int k = 0; k < 720; ++k) {
+        const Mat3d turn = frame_on(direction) * rotation(Axis::x, radians(0.5 * k));
+        least = min(least, sole.least_height(turn * transpose(frame_on(axis))));
+      }
+      // half a degree of a corner that is 0.2 m away
+      EXPECT_NEAR(sole.least_height(axis, direction), least, 2e-3);
+    }
+  }
+}
+
 TEST(Sole, FootThatStartsBelowTheFloorMayStayThere) {
   const Sole sole = sole_under(plain_foot(), {}, {{}, {0.0, 0.07, 0.0}});
   EXPECT_NEAR(sole.least_height(Mat3d{}), 0.07, kRounding);

@@ -6,6 +6,8 @@
 #include <shigusa/export.hpp>
 #include <shigusa/file.hpp>
 
+#include "character/character_file.hpp"
+#include "core/check.hpp"
 #include "io/gltf_skin.hpp"
 #include "person/at_ease.hpp"
 #include "person/find_humanoid.hpp"
@@ -214,6 +216,12 @@ TEST(MeasureCharacter, GltfAndBvhOfAPersonAreMeasuredAlike) {
     EXPECT_LE(norm(gltf.landmarks->left_leg.toe - bvh.landmarks->left_leg.toe), 1e-6);
     // who stands in the file's rest pose is laid at ease, and stays so in a recording's frame
     EXPECT_LE(norm(gltf.landmarks->left_arm.fingertip - bvh.landmarks->left_arm.fingertip), 5e-3);
+  }
+}
+
+TEST(MeasureCharacter, OtherFilesThanPersonsAreNotParsed) {
+  for (const char* source : {"person.txt", "robot.urdf"}) {
+    EXPECT_THROW((void)parse_character("", {.source = source}), PreconditionError) << source;
   }
 }
 

@@ -6,7 +6,9 @@
 #include <bit>
 #include <shigusa/bvh.hpp>
 
+#include "character/character_file.hpp"
 #include "character/character_rig.hpp"
+#include "character/recording.hpp"
 #include "person/landmark_points.hpp"
 #include "person/stick_figure.hpp"
 #include "support/gltf_file.hpp"
@@ -404,6 +406,33 @@ TEST(StartFrame, OfAnAnimationInWhichThePersonLiesIsRefused) {
   const auto refused = loaded_glb(rising_glb({{"hips", Axis::x, -90.0}}), {.frame = 0});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().to_string(), HasSubstr("in frame 0 the person lies"));
+}
+
+// Of a mesh's or a tool's node a start does not depend.
+TEST(StartFrame, KeysWithoutNumbersCountOfThePersonsBonesAlone) {
+  const auto first = [](const char* node) {
+    const std::string file = rising_glb({{node, Axis::x, std::nan("")}});
+    return loaded_glb(file, {.animation = "rise"}).value().frame.value_or(0);
+  };
+  EXPECT_EQ(first("right_hand_grip"), 0);
+  EXPECT_EQ(first("right_lower_arm"), 30);  // of 0.5 s
+  EXPECT_EQ(first("hips"), 30);
+}
+
+TEST(StartFrame, StancesThatCannotBeHeldAreTriedAQuarterOfASecondApart) {
+  FilmedFigure figure;
+  figure.hold({}, (kStartsTried + 2) * 7);
+  CharacterSpec spec;
+  spec.source = "filmed.bvh";
+  CharacterFile file = parse_character(figure.bvh(), spec).value();
+  const PersonStart found = find_person(file, spec).value();
+  const std::vector<Transformd> world = world_transforms(file.skeleton, found.measured.clip(), 0);
+  const Recording recording(file, found.map, found.person, world);
+  int tried = 0;
+  const auto third = [&](const Landmarks&) { return ++tried == 3; };
+  EXPECT_EQ(recording.first_stand(true, third), 2 * 7);
+  EXPECT_EQ(recording.first_stand(true, third), std::nullopt);
+  EXPECT_EQ(tried, 3 + kStartsTried);
 }
 
 class AttachedFrame : public testing::Test {

@@ -10,19 +10,74 @@ namespace {
 
 using namespace testing_support;
 
+BodyModel strong_hinges(std::size_t count) {
+  BodyDefinition chain = chain_definition(std::vector<Pendulum>(count));
+  for (Dof& dof : chain.dofs) {
+    dof.torque_positive = 100.0;
+    dof.torque_negative = 50.0;
+  }
+  return BodyModel(chain);
+}
+
 TEST(JointLoads, TellTheWorstMomentOfEachJoint) {
-  BodyDefinition chain = chain_definition({{Axis::x, 1.0, 1.0}});
-  chain.dofs[0].torque_positive = 100.0;
-  chain.dofs[0].torque_negative = 50.0;
-  const BodyModel body(chain);
-  Motion motion = motion_through(body, {{0.0}, {0.0}, {0.0}, {0.0}});
-  motion.torques = {20.0, -40.0, 70.0, 0.0};
-  const std::vector<JointLoad> loads = joint_loads(body, motion);
-  ASSERT_EQ(loads.size(), 1u);
+  const BodyModel body = strong_hinges(2);
+  Motion motion = motion_through(body, {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}});
+  motion.torques = {20.0, -10.0, -40.0, 5.0, 70.0, 5.0, 0.0, 0.0};
+  MotionMeasures measures;
+  EXPECT_EQ(most_loaded(measures), nullptr);
+  measures.loads = joint_loads(body, motion);
+  const std::vector<JointLoad>& loads = measures.loads;
+  ASSERT_EQ(loads.size(), 2u);
   EXPECT_EQ(loads[0].dof, 0);
   EXPECT_DOUBLE_EQ(loads[0].torque, -40.0);
   EXPECT_DOUBLE_EQ(loads[0].share, 0.8);
   EXPECT_DOUBLE_EQ(loads[0].time, motion.clip.frame_time);
+  EXPECT_EQ(loads[1].dof, 1);
+  EXPECT_DOUBLE_EQ(loads[1].torque, -10.0);
+  EXPECT_EQ(loads[1].time, 0.0);
+  EXPECT_EQ(most_loaded(measures), &loads[0]);
+}
+
+TEST(LimitExcess, TellsTheMostOfEachJointTheWorstFirst) {
+  const BodyModel body = strong_hinges(3);  // to 2 rad both ways
+  const Clip clip = motion_through(body, {{2.1, 0.0, 2.001}, {2.05, -2.3, 0.0}}).clip;
+  const std::vector<LimitExcess> over = limit_excess(body, clip);
+  ASSERT_EQ(over.size(), 2u);
+  EXPECT_EQ(over[0].dof, "hinge_1.flexion");
+  EXPECT_NEAR(over[0].excess, 0.3, 1e-12);
+  EXPECT_EQ(over[1].dof, "hinge_0.flexion");
+  EXPECT_NEAR(over[1].excess, 0.1, 1e-12);
+}
+
+TEST(Suddenness, OfTorquesIsTheirGreatestChangeAsIfInSixtySteps) {
+  const BodyModel body = strong_hinges(2);
+  std::vector<std::vector<double>> postures(31, {0.0, 0.0});
+  postures[20] = {0.1, 0.1};  // where the floor presses is nothing to a body without feet
+  Motion motion = motion_through(body, postures);
+  for (std::size_t k = 0; k < motion.torques.size(); k += 2)
+    motion.torques[k] = 90.0;  // throughout
+  motion.torques[7] = 30.0;    // of 150 both ways
+  EXPECT_DOUBLE_EQ(suddenness(body, motion).torque, 0.2 * 30 / 60);
+  EXPECT_EQ(suddenness(body, motion).pressure, 0.0);
+}
+
+TEST(Suddenness, OfASlowMotionsPressureIsTheWayOfItsCentreOfMass) {
+  const BodyModel body = full_body();
+  const std::vector<double> start(body.start().begin(), body.start().end());
+  std::vector<double> leans = start;
+  leans[static_cast<std::size_t>(body.find_dof("right_ankle.flexion").value())] += 0.01;
+  Motion motion = motion_through(body, {start, leans});
+  motion.clip.frame_time = 1e4;  // s, too long for any inertia
+  Vec3d way = motion.centre_of_mass[1] - motion.centre_of_mass[0];
+  way.y = 0.0;
+  EXPECT_GT(norm(way), 0.005);
+  EXPECT_NEAR(suddenness(body, motion).pressure, norm(way) / 60, 1e-6);
+}
+
+TEST(Suddenness, JoltsWhereEitherIsSeen) {
+  EXPECT_FALSE((Suddenness{.pressure = 0.03, .torque = 0.3}.jolts()));
+  EXPECT_TRUE((Suddenness{.pressure = 0.031, .torque = 0.0}.jolts()));
+  EXPECT_TRUE((Suddenness{.pressure = 0.0, .torque = 0.31}.jolts()));
 }
 
 }  // namespace

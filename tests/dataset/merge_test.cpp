@@ -23,8 +23,10 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing_support::made;
+using testing_support::open_file;
 using testing_support::plan_of_json;
 using testing_support::read_index;
+using testing_support::read_text;
 using testing_support::small_plan;
 using testing_support::WorkFolder;
 
@@ -202,6 +204,22 @@ TEST(DatasetMerge, DamagedShardIsNamedAndTheIndexStaysAsItWas) {
   EXPECT_EQ(folder.get(kIndexName), index);
   // and nothing else is left beside it
   EXPECT_EQ(folder.contents().size(), 7u);
+}
+
+TEST(DatasetMerge, TellsByWhatPeopleAreToldApart) {
+  for (const auto& [people, told, of_card] :
+       {std::tuple{0, "character, sex, stature", "the same character, sex"},
+        {1, "the number that the plan's people have", "by the person's number"}}) {
+    const WorkFolder folder;
+    Json json = small_plan(2, 2);
+    json["people"] = people;
+    put_data(folder, json);
+    merged(folder);
+    const hdf5::Handle file = open_file(folder / kIndexName).value();
+    const hdf5::Handle splits(H5Gopen2(file.id(), kSplitsTable, H5P_DEFAULT), H5Gclose);
+    EXPECT_THAT(read_text(splits, "person").value(), HasSubstr(told));
+    EXPECT_THAT(folder.get(kCardName), HasSubstr(of_card));
+  }
 }
 
 TEST(DatasetMerge, ShardOfAnotherPlanIsNamed) {

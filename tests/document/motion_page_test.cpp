@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <shigusa/motion_page.hpp>
 
@@ -10,6 +11,7 @@
 #include "document/result_sample.hpp"
 #include "figure/strip_figure_body.hpp"
 #include "kinematics/skeleton_motion.hpp"
+#include "support/work_folder.hpp"
 
 namespace shigusa {
 namespace {
@@ -131,6 +133,17 @@ TEST(MotionPage, TellsWhatWasAskedAndWhatCameOfIt) {
 
 TEST(MotionPage, OfNothingIsAPageToo) {
   EXPECT_THAT(motion_page({}).value(), HasSubstr("<h1>Motions by shigusa</h1>"));
+}
+
+TEST(MotionPage, DrawsFiguresWhereTheyAreTold) {
+  if (std::system("command -v node > /dev/null") != 0) GTEST_SKIP() << "no Node.js here";
+  const WorkFolder folder;
+  folder.put("page.html", motion_page({}).value());
+  const std::string page = (folder / "page.html").string();
+  EXPECT_EQ(
+      std::system(
+          ("node '" SHIGUSA_SOURCE_DIR "/tests/document/page_script.mjs' '" + page + "'").c_str()),
+      0);
 }
 
 TEST(MotionPage, MoreCandidatesThanItShowsAreRefused) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -284,6 +285,50 @@ TEST(StripFigure, GivenFloorIsKept) {
   EXPECT_NE(svg(raised, {}, settings), svg(reaching(12)));
 }
 
+TEST(StripFigure, SolesAreSeenOfFeetOnTheFloorAlone) {
+  StripSettings settings;
+  settings.poses = 1;
+  settings.floor = 0.0;
+  const auto soles = [&](double lifted) {
+    SkeletonMotion motion = standing(1);
+    local(motion, 0, "hips").translation.y += lifted;
+    return filled(svg(motion, {}, settings), "#e4e8eb").size();
+  };
+  for (const double on_floor : {0.0, 0.05}) EXPECT_EQ(soles(on_floor), 1u) << on_floor;
+  for (const double away : {-0.1, 0.1, 0.3}) EXPECT_EQ(soles(away), 0u) << away;
+}
+
+TEST(StripFigure, ScaleBarIsTheLongestRoundLengthWithinAnEighthOfThePage) {
+  const double width = StripSettings{}.width_mm * kPointsPerMm;
+  for (const double size : {0.01, 0.4, 1.0, 1.7, 2.9, 50.0}) {
+    SkeletonMotion motion = standing(2);
+    for (SkeletonNode& node : motion.skeleton.nodes) node.offset = node.offset * size;
+    for (LocalTransform& x : motion.clip.local) x.translation = x.translation * size;
+    StripOverlay overlay;
+    overlay.hand_path = {{0.0, 0.4 * size, 0.0}, {0.0, 0.9 * size, 0.0}};
+    StripSettings level;
+    level.elevation_deg = 0.0;
+    const std::string text = svg(motion, overlay, level);
+    double height = 0.0;  // of the path
+    double bar = 0.0;
+    for (const Path& path : paths(text)) {
+      if (path.look.find("#c9705f") != path.look.npos)
+        height = max(height, path.bottom() - path.top());
+      if (path.look.find("#2f3942") != path.look.npos) bar = path.right() - path.left();
+    }
+    double metres = 0.0;
+    for (const Words& line : words(text)) {
+      if (line.text.ends_with(" m")) metres = std::atof(line.text.c_str());
+    }
+    EXPECT_NEAR(bar / metres, height / (0.5 * size), 0.01 * bar / metres) << size;
+    double next = 1e-3;  // the shortest round length that would not do
+    for (int k = 0; next < 1.0001 * metres; ++k) next *= k % 3 == 1 ? 2.5 : 2.0;
+    EXPECT_LE(bar, 0.12 * width) << size;
+    EXPECT_GT(bar * next / metres, 0.12 * width) << size;
+    EXPECT_LE(next, 2.501 * metres) << size;
+  }
+}
+
 // --- overlays ---
 
 TEST(StripFigure, EachOverlayIsDrawnInEachPose) {
@@ -410,9 +455,21 @@ TEST(StripFigure, SettingsOutOfRangeAreRefusedWithTheRange) {
 
 TEST(StripFigure, FramesOutsideTheClipAreRefused) {
   StripSettings settings;
-  settings.first_frame = 3;
-  settings.last_frame = 12;
-  EXPECT_EQ(refusal(standing(5), {}, settings), "frames: 3 to 12 given; the clip has 0 to 4");
+  for (const auto& [first, last] : {std::pair{3, 12}, {0, 5}, {-1, 2}, {2, 1}, {1, 0}}) {
+    settings.first_frame = first;
+    settings.last_frame = last;
+    EXPECT_EQ(refusal(standing(5), {}, settings),
+              fmt::format("frames: {} to {} given; the clip has 0 to 4", first, last));
+  }
+}
+
+TEST(StripFigure, MorePiecesThanAFileShouldHaveAreRefused) {
+  SkeletonMotion motion = standing(1);
+  motion.skeleton.nodes.resize(1093, motion.skeleton.nodes.back());
+  StripSettings settings;
+  settings.poses = 60;
+  EXPECT_EQ(refusal(motion, {}, settings),
+            "skeleton: 1093 nodes in 60 poses; together at most 65536 allowed");
 }
 
 TEST(StripFigure, MapToNodesThatDoNotExistIsRefused) {
@@ -461,6 +518,26 @@ TEST(StripFigure, OverlayOfAnotherLengthThanTheClipIsRefused) {
   StripOverlay overlay;
   overlay.hand_path.resize(3);
   EXPECT_EQ(refusal(standing(5), overlay), "hand path: 3 positions given; 0 or 5 allowed");
+}
+
+TEST(StripFigure, OverlaysUpToTheirLimitsAreDrawn) {
+  StripOverlay overlay;
+  overlay.things.resize(80, {std::vector<Vec3d>(64), 0.0});
+  overlay.goals.resize(64);
+  overlay.caption.resize(2000, 'w');
+  EXPECT_EQ(refusal(standing(1), overlay), "drawn");
+  StripOverlay more = overlay;
+  more.things.resize(81, {{{}}, 0.0});
+  EXPECT_EQ(refusal(standing(1), more), "things: 81 given; up to 80 allowed");
+  more = overlay;
+  more.things[3].corners.resize(65);
+  EXPECT_EQ(refusal(standing(1), more), "thing 3: 65 corners given; 1 to 64 allowed");
+  more = overlay;
+  more.goals.resize(65);
+  EXPECT_EQ(refusal(standing(1), more), "goals: 65 positions given; up to 64 allowed");
+  more = overlay;
+  more.caption += 'w';
+  EXPECT_EQ(refusal(standing(1), more), "caption: 2001 bytes given; up to 2000 allowed");
 }
 
 TEST(StripFigure, CaptionThatIsNotUtf8IsRefused) {
