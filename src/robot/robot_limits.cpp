@@ -14,7 +14,7 @@ constexpr double kWide = 2.0 * kTwoPi;       // rad: no joint of a limb turns tw
 constexpr double kNarrow = radians(kTwoPi);  // rad: radians that were taken for degrees
 constexpr double kMostDegrees = 360.0;       // more stands for no limit
 constexpr double kPerRadian = 180.0 / kPi;
-constexpr std::size_t kFewest = 4;  // joints, and limits that differ, that tell a unit
+constexpr std::size_t kFewest = 4;  // limits that differ tell a unit
 
 void set_limits(Robot::Joint& joint, double lower, double upper) {
   joint.limited = upper - lower < kTwoPi;
@@ -42,7 +42,7 @@ void mend_limits(Robot& robot) {
     if (upper - lower > kWide) ++wide;
     if (upper - lower <= kNarrow) ++narrow;
   }
-  if (told < kFewest || different.size() < kFewest) return;
+  if (different.size() < kFewest) return;
   double unit = 1.0;
   if (2 * wide > told && degrees) unit = 1.0 / kPerRadian;
   if (2 * narrow > told) unit = kPerRadian;
