@@ -48,7 +48,7 @@ void mend_limits(Robot& robot) {
   if (2 * narrow > told) unit = kPerRadian;
   if (unit == 1.0) return;
   for (Robot::Joint& joint : robot.joints) {
-    if (!joint.ends || max(abs((*joint.ends)[0]), abs((*joint.ends)[1])) >= 1000.0) continue;
+    if (!joint.ends) continue;
     set_limits(joint, (*joint.ends)[0] * unit, (*joint.ends)[1] * unit);
   }
   robot.doubts.push_back(unit < 1.0 ? say("limits_in_degrees", wide)

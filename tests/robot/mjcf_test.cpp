@@ -204,6 +204,11 @@ TEST(Mjcf, ShapesWeighWhatTheirSlicesWeigh) {
     EXPECT_NEAR(robot.links[1].mass, mass, 1e-6 * mass) << geom;
     EXPECT_LT(norm(Vec3d{inertia.cx.x, inertia.cy.y, inertia.cz.z} - moments), 1e-6 * mass) << geom;
   }
+  const Robot box = read(two_bodies("<geom type=\"box\" size=\"0.1 0.2 0.3\"/>"));
+  const double mass = 1000.0 * 0.2 * 0.4 * 0.6;
+  EXPECT_NEAR(box.links[1].mass, mass, 1e-9);
+  expect_near(box.links[1].inertia.cx, Vec3d{0.04 + 0.09, 0, 0} * (mass / 3.0));
+  expect_near(box.links[1].inertia.cz, Vec3d{0, 0, 0.01 + 0.04} * (mass / 3.0));
 }
 
 TEST(Mjcf, WhatOnlyShowsIsNoSole) {
