@@ -17,8 +17,7 @@ MassProperties held_mass(const BodyModel& body, int elbow) {
     const Transformd back = inverse(held_place(body, elbow, link));
     sum.add(link_mass(link_mass(body.link_mass(link)).in_frame(back.rotation, back.translation)));
   }
-  const Mat3d upright{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  return sum.mass > 0.0 ? sum.in_frame(upright, {}) : MassProperties{};
+  return sum.in_frame(Mat3d{}, {});
 }
 
 bool holds_more(const BodyModel& body, int elbow) {

@@ -46,7 +46,7 @@ class IdleCost {
     }
     for (Arm& arm : arms_) {
       const S depth = deepest_pair(arm, frame.kinematics);
-      if (first_) arm.at_start = max(depth, S(0));
+      if (first_) arm.at_start = depth;
       arm.deepest = max(arm.deepest, depth - arm.at_start);
     }
     first_ = false;
@@ -76,8 +76,9 @@ class IdleCost {
     S deepest{};   // m
   };
 
+  // How deep the arm is in the body (m), 0 where it is not.
   S deepest_pair(const Arm& arm, const Kinematics<S>& kinematics) const {
-    S most(-1e9);
+    S most(0);
     for (const CapsulePair& pair : arm.pairs->pairs) {
       const Capsule& limb = body_->capsules()[index(pair.limb)];
       const Capsule& part = body_->capsules()[index(pair.part)];

@@ -28,29 +28,31 @@ struct ParameterKindInfo {
   std::string_view of;    // what has such a parameter
   bool angle;             // in radians; people write it in degrees too
   bool of_freedom;        // its name is a freedom's, and the joint's name means all of the joint
-  double low;             // what is allowed, where a parameter says nothing else
-  double high;
   std::string_view sentence;
+  double low{};  // what is allowed, where a parameter says nothing else
+  double high{};
 };
 inline constexpr std::array kParameterKinds{
-    ParameterKindInfo{ParameterKind::weight, "weight", "joint", false, true, kWeightMin, kWeightMax,
-                      "The larger the weight, the less the freedom moves beside the others."},
-    ParameterKindInfo{ParameterKind::contraction, "contraction", "limb", false, false, 0.0,
-                      kContractionMax,
-                      "The limb ends shorter by this many of 15 parts of its range."},
-    ParameterKindInfo{ParameterKind::swivel, "swivel", "arm", true, false, 0.0, 0.0,
+    ParameterKindInfo{ParameterKind::weight, "weight", "joint", false, true,
+                      "The larger the weight, the less the freedom moves beside the others.",
+                      kWeightMin, kWeightMax},
+    ParameterKindInfo{ParameterKind::contraction, "contraction", "limb", false, false,
+                      "The limb ends shorter by this many of 15 parts of its range.", 0.0,
+                      kContractionMax},
+    ParameterKindInfo{ParameterKind::swivel, "swivel", "arm", true, false,
                       "The elbow ends turned outwards about the line from shoulder to hand."},
-    ParameterKindInfo{ParameterKind::final_angle, "final", "joint", true, true, 0.0, 0.0,
+    ParameterKindInfo{ParameterKind::final_angle, "final", "joint", true, true,
                       "The freedom ends at this angle."},
-    ParameterKindInfo{ParameterKind::mode, "", "posture", true, false, -kPostureMax, kPostureMax,
-                      ""},
-    ParameterKindInfo{ParameterKind::timing, "", "posture", false, false, 0.0, 0.0, ""},
-    ParameterKindInfo{ParameterKind::switch_at, "", "posture", false, false, kSwitchMin, kSwitchMax,
-                      "The second phase begins after this share of the duration."},
+    ParameterKindInfo{ParameterKind::mode, "", "posture", true, false, "", -kPostureMax,
+                      kPostureMax},
+    ParameterKindInfo{ParameterKind::timing, "", "posture", false, false, ""},
+    ParameterKindInfo{ParameterKind::switch_at, "", "posture", false, false,
+                      "The second phase begins after this share of the duration.", kSwitchMin,
+                      kSwitchMax},
     ParameterKindInfo{ParameterKind::support, "support", "resting hand", false, false,
-                      kSupportLeast, kSupportMost,
                       "The hand presses on its place with this share of the body's weight; below 0 "
-                      "it stays free."},
+                      "it stays free.",
+                      kSupportLeast, kSupportMost},
 };
 [[nodiscard]] constexpr const ParameterKindInfo& info_of(ParameterKind kind) {
   return kParameterKinds[static_cast<std::size_t>(kind)];

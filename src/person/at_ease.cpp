@@ -64,8 +64,8 @@ Landmarks moved_ahead(const Landmarks& person, double ahead) {
 
 // Where along the soles (0 heel, 1 tip) the centre of mass stands, and how long they are (m).
 struct OnSoles {
-  double share = 0.0;
-  double length = 0.0;
+  double share;
+  double length;
 };
 OnSoles mass_on_soles(const Landmarks& person, double stature) {
   double heel = 0.0;

@@ -53,7 +53,7 @@ MjcfValues::MjcfValues(MjcfFiles& files) : files_(files) {
   files.each(*files.root(), [&](const XmlElement& e) {
     if (e.name != "default") return;
     const char* name = e.attribute("class");
-    if (first && name != nullptr && main_ != name) {
+    if (first && name != nullptr) {
       classes_.erase(main_);
       main_ = name;
     }

@@ -14,7 +14,7 @@ constexpr double kWide = 2.0 * kTwoPi;       // rad: no joint of a limb turns tw
 constexpr double kNarrow = radians(kTwoPi);  // rad: radians that were taken for degrees
 constexpr double kMostDegrees = 360.0;       // more stands for no limit
 constexpr double kPerRadian = 180.0 / kPi;
-constexpr std::size_t kFewest = 4;  // joints, and limits that differ, that tell a unit
+constexpr std::size_t kFewest = 4;  // limits that differ tell a unit
 
 void set_limits(Robot::Joint& joint, double lower, double upper) {
   joint.limited = upper - lower < kTwoPi;
@@ -42,13 +42,13 @@ void mend_limits(Robot& robot) {
     if (upper - lower > kWide) ++wide;
     if (upper - lower <= kNarrow) ++narrow;
   }
-  if (told < kFewest || different.size() < kFewest) return;
+  if (different.size() < kFewest) return;
   double unit = 1.0;
   if (2 * wide > told && degrees) unit = 1.0 / kPerRadian;
   if (2 * narrow > told) unit = kPerRadian;
   if (unit == 1.0) return;
   for (Robot::Joint& joint : robot.joints) {
-    if (!joint.ends || max(abs((*joint.ends)[0]), abs((*joint.ends)[1])) >= 1000.0) continue;
+    if (!joint.ends) continue;
     set_limits(joint, (*joint.ends)[0] * unit, (*joint.ends)[1] * unit);
   }
   robot.doubts.push_back(unit < 1.0 ? say("limits_in_degrees", wide)

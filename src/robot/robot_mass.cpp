@@ -14,7 +14,7 @@ namespace {
 void add_segment(Robot::Link& link, const Transformd& place, const SegmentParameters& part,
                  double mass, const Vec3d& from, const Vec3d& to) {
   const double length = norm(to - from);
-  const Vec3d along = normalized(to - from, {0, -1, 0});
+  const Vec3d along = normalized(to - from);
   const double across = 0.5 * (part.r_sagittal + part.r_transverse) * length;
   const double about = part.r_long * length;
   const Mat3d rod = scaled(outer(along, along), mass * (about * about - across * across)) +

@@ -66,7 +66,7 @@ void RobotBuilder::add_nodes() {
   const Vec3d hips = (hip(0) + hip(1)) * 0.5;
   name_nodes();
   const int pelvis = group_[index(person_.pelvis)];
-  node_of_.assign(members_.size(), -1);
+  node_of_.resize(members_.size());
   node_of_[index(pelvis)] = add_node("hips", -1, pelvis, hips);
   for (const PersonLimb& leg : person_.legs) add_chain(leg.joints);
   add_chain(person_.spine);

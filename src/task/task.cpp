@@ -8,6 +8,7 @@
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "kinematics/forward_kinematics.hpp"
+#include "math/axes.hpp"
 #include "motion/minimum_jerk.hpp"
 #include "rollout/reach_problem.hpp"
 #include "task/natural_times.hpp"
@@ -17,13 +18,6 @@
 
 namespace shigusa {
 namespace {
-
-bool within(const Vec3d& v, double low, double high) {
-  for (int k = 0; k < 3; ++k) {
-    if (!(v[k] >= low && v[k] <= high)) return false;
-  }
-  return true;
-}
 
 Result<void> check_obstacle(const Obstacle& obstacle) {
   const auto wrong = [&obstacle](Message message) {
@@ -121,7 +115,7 @@ Result<void> check_timing(const Task& task) {
 }
 
 Result<void> check_gaze(const Task& task) {
-  if (!task.look_at || within(*task.look_at, -kGoalRange, kGoalRange)) return {};
+  if (!task.look_at || is_within(*task.look_at, kGoalRange)) return {};
   return fail(ErrorCode::invalid_argument,
               say("finite_numbers", Metres{kGoalRange}, Metres{kGoalRange}), "look_at");
 }

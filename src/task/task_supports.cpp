@@ -9,6 +9,7 @@
 
 #include "body/capsules.hpp"
 #include "core/say.hpp"
+#include "math/axes.hpp"
 #include "rollout/reachability.hpp"
 #include "rollout/rollout.hpp"
 
@@ -100,8 +101,7 @@ std::vector<SurfacePlace> places_near(const Obstacle& obstacle, const Vec3d& poi
   if (half.x <= 0.0 || half.y <= 0.0 || half.z <= 0.0) {
     Vec3d core{};
     for (int k = 0; k < 3; ++k) core[k] = clamp(p[k], -half[k], half[k]);
-    const Vec3d out = p - core;
-    add(core, norm(out) > 1e-9 ? normalized(out) : Vec3d{0, 1, 0});
+    add(core, normalized(p - core));
     return places;
   }
   for (int k = 0; k < 3; ++k) {
@@ -117,16 +117,9 @@ std::vector<SurfacePlace> places_near(const Obstacle& obstacle, const Vec3d& poi
     if (faces) add(local, normal);
   }
   if (places.empty()) {  // within it: up
+    const Vec3d normal = nearest_axis(transpose_times(axes, Vec3d{0, 1, 0}));
+    const int k = main_axis(normal);
     Vec3d local = p;
-    int k = 0;
-    for (int j = 1; j < 3; ++j) {
-      if (abs((axes * Vec3d{j == 0 ? 1.0 : 0.0, j == 1 ? 1.0 : 0.0, j == 2 ? 1.0 : 0.0}).y) > 0.7) {
-        k = j;
-      }
-    }
-    Vec3d normal{};
-    normal[k] = 1.0;
-    if ((axes * normal).y < 0.0) normal[k] = -1.0;
     local[k] = normal[k] * half[k];
     add(local, normal);
   }

@@ -11,7 +11,6 @@
 #include "core/index.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "robot/robot_size.hpp"
-#include "robot/urdf.hpp"
 #include "support/mjcf_file.hpp"
 #include "support/robot_file.hpp"
 #include "support/work_folder.hpp"
@@ -225,63 +224,6 @@ TEST(RobotSize, IsDoubtedWithItsUnit) {
   EXPECT_THAT(told(0.151), HasSubstr("0.151 m tall: its file may be 10 times too small"));
   EXPECT_THAT(told(0.0016), HasSubstr("1000 times"));
   EXPECT_THAT(told(8.986), HasSubstr("8.99 m tall: is its file in metres?"));
-}
-
-// A robot's file with its limits times a unit.
-std::string with_limits_times(double unit) {
-  const std::string text = RobotFile().text();
-  std::string scaled;
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t lower = text.find("lower=\"", at);
-    const std::size_t upper = text.find("upper=\"", at);
-    const std::size_t next = std::min(lower, upper);
-    if (next == text.npos) break;
-    const std::size_t begin = next + 7;
-    const std::size_t end = text.find('"', begin);
-    scaled += text.substr(at, begin - at);
-    scaled += fmt::format("{}", unit * std::stod(text.substr(begin, end - begin)));
-    at = end;
-  }
-  return scaled + text.substr(at);
-}
-
-TEST(RobotLimits, InDegreesAreReadSo) {
-  const Robot usual = parse_urdf(RobotFile().text(), "r.urdf").value();
-  EXPECT_THAT(usual.doubts, Each(Not(HasSubstr("degrees"))));
-  const Robot robot = parse_urdf(with_limits_times(180.0 / kPi), "r.urdf").value();
-  EXPECT_THAT(robot.doubts, Contains(HasSubstr("the limits are taken to be in degrees")));
-  const Robot tiny = parse_urdf(with_limits_times(kPi / 180.0), "r.urdf").value();
-  EXPECT_THAT(tiny.doubts, Contains(HasSubstr("the limits are taken to be in radians")));
-  for (std::size_t j = 0; j < usual.joints.size(); ++j) {
-    if (usual.joints[j].slides) continue;
-    EXPECT_NEAR(robot.joints[j].lower, usual.joints[j].lower, 1e-9) << usual.joints[j].name;
-    EXPECT_NEAR(robot.joints[j].upper, usual.joints[j].upper, 1e-9) << usual.joints[j].name;
-    EXPECT_NEAR(tiny.joints[j].upper, usual.joints[j].upper, 1e-9) << usual.joints[j].name;
-  }
-}
-
-// One joint that turns more than once, and limits that stand for none, tell no unit.
-TEST(RobotLimits, OfAFewJointsTellNoUnit) {
-  std::string text = RobotFile().text();
-  for (const char* elbow : {"lower=\"-2.2\" upper=\"-0.2\"", "lower=\"-2.2\" upper=\"-0.2\""}) {
-    text.replace(text.find(elbow), std::string(elbow).size(), "lower=\"-170\" upper=\"170\"");
-  }
-  const Robot robot = parse_urdf(text, "r.urdf").value();
-  EXPECT_THAT(robot.doubts, Each(Not(HasSubstr("degrees"))));
-}
-
-// The same wide limits of all joints stand for none, as models of people from motion capture have.
-TEST(RobotLimits, ThatAreAllAlikeTellNoUnit) {
-  std::string text = RobotFile().text();
-  for (const std::string key : {"lower=\"", "upper=\""}) {
-    for (std::size_t at = text.find(key); at != text.npos; at = text.find(key, at + 1)) {
-      const std::size_t begin = at + key.size();
-      text.replace(begin, text.find('"', begin) - begin, key[0] == 'l' ? "-10" : "10");
-    }
-  }
-  const Robot robot = parse_urdf(text, "r.urdf").value();
-  EXPECT_THAT(robot.doubts, Each(Not(HasSubstr("degrees"))));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "character/character_file.hpp"
 #include "character/character_rig.hpp"
 #include "character/recording.hpp"
+#include "person/find_humanoid.hpp"
 #include "person/landmark_points.hpp"
 #include "person/stick_figure.hpp"
 #include "support/gltf_file.hpp"
@@ -311,6 +312,29 @@ TEST(StartFrame, WhoStandsAlongAnotherAxisThanAtRestDoesNotLie) {
   at_hips.hold({.hips = Vec3d{} - standing_figure()["Hips"].at, .whole = about(Axis::x, 90)}, 10);
   EXPECT_FALSE(loaded(at_hips.bvh())->frame);
   EXPECT_TRUE(loaded(at_hips.bvh(), {.frame = 3}));
+}
+
+// How many frames are looked at closely where nobody could hold any, of somebody who stands.
+int starts_tried(int frames) {
+  FilmedFigure figure;
+  figure.hold({}, frames);
+  CharacterSpec spec;
+  spec.source = "filmed.bvh";
+  const CharacterFile file = parse_character(figure.bvh(), spec).value();
+  const std::vector<Transformd> world = world_transforms(file.skeleton, file.rest.clip(), 0);
+  const HumanoidMap map = find_humanoid(file.skeleton, world).value();
+  const MeasuredPerson person = measure_person(file.skeleton, world, map).value();
+  int tried = 0;
+  const auto never = [&tried](const Landmarks&) { return ++tried == 0; };
+  EXPECT_FALSE(Recording(file, map, person, world).first_stand(true, never));
+  return tried;
+}
+
+TEST(StartFrame, IsTriedFourTimesASecondForSixSeconds) {
+  EXPECT_EQ(starts_tried(7), 1);
+  EXPECT_EQ(starts_tried(8), 2);
+  EXPECT_EQ(starts_tried(50), 8);
+  EXPECT_EQ(starts_tried(500), 24);
 }
 
 TEST(StartFrame, ThatNobodyCouldHoldIsToldWhereItWasAskedFor) {

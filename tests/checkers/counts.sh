@@ -99,7 +99,8 @@ fails_with 'fewer than 80 %' 'three of four killed' mutants survivors
 fails_with 'half of them do not compile' 'a build that is broken' mutants broken
 fails_with 'no fate' 'a mutant of no fate' mutants odd
 fails_with 'or there are none' 'no mutant' mutants empty
-write src/core/a.cpp 'int f(int a) { return a < 3 ? a : 0; } // a < 4' 'const char* b = " < ";'
+write src/core/a.cpp 'int f(int a) { return a < 3 ? a : 0; } // a < 4' 'const char* b = " < ";' \
+  '#ifdef __wasm_simd128__' 'int c = 3;' '#endif' 'SHG_ASSERT(0 < 1);'
 passes 'changes' awk -f "$scripts/mutants.awk" "$tree/src/core/a.cpp"
 [ "$(printf '%s\n' "$output" | cut -f 2-4 | tr '\t\n' ':,')" = "1:25: < ,1:28:3,1:36:0," ] ||
   [ "$(printf '%s\n' "$output" | wc -l)" = 3 ] || report "mutants.awk gives other changes: $output"

@@ -106,6 +106,25 @@ TEST_F(ClipScoreTest, SmoothingTakesNoiseOutOfAccelerations) {
   EXPECT_LT(std::abs(smoothed - clean), 0.3 * std::abs(raw - clean));
 }
 
+// Each is looked for from the start posture, and may be one beside which others look alike.
+TEST_F(ClipScoreTest, PosturesFarFromTheStartAreFound) {
+  for (const BodyModel& body : {full_body(), human_body()}) {
+    Clip clip{.dofs = body.dof_count(), .frames = 8, .angles = {}};
+    clip.angles.assign(body.start().begin(), body.start().end());
+    Random random(1);
+    for (int f = 1; f < clip.frames; ++f) {
+      for (const Dof& dof : body.dofs())
+        clip.angles.push_back(random.uniform(dof.lower, dof.upper));
+    }
+    const std::string path = write(skeleton_motion(body, clip));
+    const RecordedMotion recorded = read_recorded(path, {.source = body.name()}, 0).value();
+    for (int f = 1; f < clip.frames; ++f) {
+      const ClipScore score = score_clip(recorded, {.first = f, .last = f, .cutoff = 0.0}).value();
+      EXPECT_LT(score.fit.worst_distance, 0.05) << body.name() << " frame " << f;
+    }
+  }
+}
+
 TEST_F(ClipScoreTest, AFootThatStepsIsADoubtAndNoRefusal) {
   const BodyModel body = full_body();
   Clip clip{.dofs = body.dof_count(), .frames = 20, .angles = {}};

@@ -69,6 +69,10 @@ TEST(ParetoMixtures, AreTheCriteriaAloneInPairsAndTogether) {
     sum += mixture.torque_weight;
   }
   EXPECT_NEAR(sum, 1.0 / 3.0 + 1.0 + 0.5 + 0.5, 1e-12);
+  // of more than three no pairs
+  CriteriaSettings four = pareto_criteria();
+  four.head_weight = 0.25;
+  EXPECT_EQ(pareto_mixtures(four).size(), 5U);
   CriteriaSettings one = pareto_criteria();
   one.torque_weight = one.balance_weight = 0.0;
   EXPECT_EQ(pareto_mixtures(one).size(), 1U);

@@ -191,6 +191,27 @@ TEST(GltfSkin, OfTooManyVerticesEverySecondIsTaken) {
   EXPECT_EQ(read(file.bytes()).vertices.size(), kSkinMaxVertices / 2 + 1);
 }
 
+// Many vertices of which few are drawn cost their share of the indices.
+TEST(GltfSkin, PartsOfMoreThanTheMostIndicesInAllAreLeftOut) {
+  MeshFile file(two_bones());
+  file.json["nodes"][2].erase("skin");
+  const std::size_t place = file.add(std::vector<float>{1, 2, 3}, "VEC3", 5126);
+  const std::size_t corners = file.add(std::vector<std::uint8_t>{0, 1, 2}, "SCALAR", 5121);
+  json& positions = file.json["accessors"][place];  // but for the first all are 0
+  positions["count"] = kSkinMaxIndices;
+  positions["sparse"] = {{"count", 1},
+                         {"indices", {{"bufferView", corners}, {"componentType", 5121}}},
+                         {"values", {{"bufferView", place}}}};
+  positions.erase("bufferView");
+  attributes(file)["POSITION"] = place;
+  json& parts = file.json["meshes"][0]["primitives"];
+  parts[0]["indices"] = corners;
+  while (parts.size() < 70) parts.push_back(parts[0]);
+  const Skin skin = read(file.bytes());
+  EXPECT_EQ(skin.vertices.size(), 3U * 63U);
+  EXPECT_THAT(skin.doubts, ElementsAre(HasSubstr("has more than 50000000 indices")));
+}
+
 struct Malformed {
   const char* name;
   std::function<void(MeshFile&)> make;

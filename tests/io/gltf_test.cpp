@@ -7,6 +7,7 @@
 #include <shigusa/landmarks.hpp>
 
 #include "io/glb.hpp"
+#include "io/gltf_json.hpp"
 #include "io/gltf_nodes.hpp"
 #include "person/find_humanoid.hpp"
 #include "person/measure_person.hpp"
@@ -327,6 +328,13 @@ TEST(Vrm, PersonOf0xWhoFacesBackwardsIsMeasuredAsTheSame) {
   EXPECT_LE(norm(turned.right_leg.toe - plain.right_leg.toe), kRounding);
   EXPECT_GT(turned.left_leg.hip.x, 0.0);
   EXPECT_GT(turned.left_leg.toe.z, turned.left_leg.ankle.z);
+}
+
+TEST(Gltf, ValuesInMessagesAreCutAtSixtyCharacters) {
+  const std::string sixty = '"' + std::string(58, 'a') + '"';
+  EXPECT_EQ(shown(std::string(58, 'a')), sixty);
+  EXPECT_EQ(shown(std::string(59, 'a')), '"' + std::string(59, 'a') + "…");
+  EXPECT_EQ(shown(std::string("é")), "\"\\u00e9\"");
 }
 
 TEST(Gltf, MeshesInTheTextCostNothing) {

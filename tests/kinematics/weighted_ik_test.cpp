@@ -131,6 +131,22 @@ TEST(WeightedIk, GoalThatLagsIsDampedByTheSquareOfItsLag) {
   EXPECT_NEAR(dq[0], 0.05 / (1.0 + share / 3.0), 1e-15);
 }
 
+TEST(WeightedIk, SupportIsDampedByItsMeanDiagonal) {
+  const BodyModel body = chain({{Axis::x, 2.0}});
+  const Effector& tip = body.effectors()[0];
+  const std::vector<IkSupport<double>> supports{
+      {.link = tip.link, .point = tip.point, .place = tip.point + Vec3d{0, 0, 0.1}, .holds = 1.0}};
+  IkSettings settings = kExact;
+  settings.support_damping = 0.3;
+  IkWorkspace<double> workspace(body);
+  const auto dq = weighted_ik_step<double>(
+      body, placed(body, Vector{0.0}),
+      {.targets = {}, .inverse_weights = Vector{1.0}, .reference = {}, .supports = supports},
+      settings, workspace);
+  // of three rows one moves, by 2 m per radian
+  EXPECT_NEAR(dq[0], 0.1 * 2.0 / (4.0 + 0.3 * 4.0 / 3.0), 1e-15);
+}
+
 TEST(WeightedIk, ContactIsHeldAgainstAGoalThatPullsAway) {
   // the tip is planted, the middle is asked for what the one freedom left cannot do: it gives way
   const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}});

@@ -4,6 +4,7 @@
 
 #include <shigusa/generate.hpp>
 
+#include "body/link_mass.hpp"
 #include "generate/layered_approaches.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "person/at_ease.hpp"
@@ -206,12 +207,25 @@ TEST(LayeredHuman, ArmAloneHoldsForearmAndHand) {
                                     whole.point(hand.link, hand.point) - shoulder);
   EXPECT_LT(norm(own.point(3, alone.effectors()[0].point) - way), 1e-12);
   double mass = 0.0;
+  LinkMass held;  // by the elbow
   for (int link = arm.flexion; link < body.dof_count(); ++link) {
-    if (body.moves(arm.flexion, link)) mass += body.link_mass(link).mass;
+    const MassProperties& part = body.link_mass(link);
+    if (body.moves(arm.flexion, link)) mass += part.mass;
+    const Mat3d& turn = whole.link_rotation(link);
+    if (!body.moves(arm.hinge, link)) continue;
+    held.add(LinkMass::of(part.mass, whole.point(link, part.com),
+                          turn * part.inertia * transpose(turn)));
   }
   EXPECT_NEAR(alone.mass(), mass, 1e-12);
-  // at the same angles the elbow takes the same torque
-  EXPECT_GT(alone.link_mass(3).mass, body.link_mass(hand.link).mass);
+  const MassProperties wanted = held.in_frame(whole.link_rotation(arm.carrier), shoulder);
+  const MassProperties& found = alone.link_mass(3);
+  EXPECT_NEAR(found.mass, wanted.mass, 1e-12);
+  EXPECT_LT(norm(own.point(3, found.com) - wanted.com), 1e-12);
+  const Mat3d& turn = own.link_rotation(3);
+  const Mat3d inertia = turn * found.inertia * transpose(turn);
+  EXPECT_LT(norm(inertia.cx - wanted.inertia.cx), 1e-12);
+  EXPECT_LT(norm(inertia.cy - wanted.inertia.cy), 1e-12);
+  EXPECT_LT(norm(inertia.cz - wanted.inertia.cz), 1e-12);
 }
 
 // A hand's path from its start to a place before the chest, and what the arm does of it.

@@ -80,6 +80,20 @@ TEST(NlpIk, GoalIsMetBeyondTheFirstOrder) {
   EXPECT_LT(norm(position_error(placed(body, found.q), target)), NlpIkSettings{}.goal_slack);
 }
 
+// Changes count by the damping times a third of the square of the way per radian.
+TEST(NlpIk, ChangesCountAlikeInBodiesOfAnySize) {
+  for (const double size : {0.01, 2.0}) {
+    const BodyModel body = chain({{Axis::x, size}});
+    const IkTarget<double> target = moves_by(body, {0.1}, {});
+    const Targets targets{target, target};
+    NlpIk ik(body, {.damping = 0.3});
+    ik.begin(targets, Vector{1.0});
+    Vector gradient(1);
+    const double value = ik.objective(targets, Vector{0.0}, {}, Vector{0.1}, gradient);
+    EXPECT_NEAR(value / (size * size), 0.5 * 0.3 / 3.0 * 0.1 * 0.1, 1e-12);
+  }
+}
+
 TEST(NlpIk, TakesTheReferenceWhereNoGoalNeedsTheJoints) {
   const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}});
   Targets targets{moves_by(body, {0, 0.5, 0.3}, {})};
@@ -318,6 +332,25 @@ RC_GTEST_PROP(NlpIkProperty, APlantedFootStandsHoweverTheHandsPull, (std::uint64
   const IkTarget<double> foot = planted(task.body);
   RC_ASSERT(norm(position_error(now, foot)) <= 1e-4);
   RC_ASSERT(kContactLength * tilt(now, foot) <= 1.01e-4);
+}
+
+TEST(NlpIk, NothingMovesRatherThanAFootByMoreThanFiveSlacks) {
+  const BodyModel body = chain({{Axis::x, 1.0}});
+  const Vector from{0.5};
+  IkTarget<double> foot = moves_by(body, from, {});
+  foot.contact = true;
+  foot.orientation = placed(body, from).link_rotation(foot.link);
+  const auto pulled = [&](double slack) {
+    return solve(body, from, {moves_by(body, from, {0, -0.1, 0.2}), foot}, {1.0},
+                 {.contact_slack = slack, .contact_corrections = 0, .goal_corrections = 0});
+  };
+  const Kinematics<double> now = placed(body, pulled(1.0).q);
+  const double off = max(norm(position_error(now, foot)), kContactLength * tilt(now, foot));
+  ASSERT_GT(off, 1e-3);
+  EXPECT_NE(pulled(off / 4.9).q, from);
+  EXPECT_TRUE(pulled(off / 4.9).outcome.converged);
+  EXPECT_EQ(pulled(off / 5.1).q, from);
+  EXPECT_FALSE(pulled(off / 5.1).outcome.converged);
 }
 
 RC_GTEST_PROP(NlpIkProperty, LockedJointsDoNotMoveAtAll, (std::uint64_t seed)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/mjcf.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,6 +71,9 @@ TEST(Mjcf, OrientationsAreReadInEachOfTheirForms) {
     SCOPED_TRACE(way);
     expect_near(read(two_bodies("", "", way)).joints[0].origin.rotation, quarter);
   }
+  // x to y, y to z and z to x
+  expect_near(read(two_bodies("", "", "quat=\"2 2 2 2\"")).joints[0].origin.rotation,
+              {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}});
 }
 
 TEST(Mjcf, OrderOfEulerAnglesIsTheCompilers) {
@@ -100,6 +104,13 @@ TEST(Mjcf, ClassesGiveWhatAnElementDoesNotSay) {
   EXPECT_NEAR(upper("<joint class=\"main\"/>", "childclass=\"y\""), 1.0, kRounding);
   EXPECT_NEAR(upper("<joint range=\"-3 3\"/>", "childclass=\"y\""), 3.0, kRounding);
   expect_near(read(two_bodies("<joint/>", classes, "childclass=\"y\"")).joints[0].axis, {1, 0, 0});
+  // of several the first is what holds for all
+  const std::string named =
+      "<default class=\"all\"><joint range=\"-4 4\"/></default>"
+      "<default class=\"z\"><joint range=\"-5 5\"/></default>";
+  EXPECT_NEAR(degrees(read(two_bodies("<joint/>", named)).joints[0].upper), 4.0, kRounding);
+  EXPECT_NEAR(degrees(read(two_bodies("<joint class=\"z\"/>", named)).joints[0].upper), 5.0,
+              kRounding);
 }
 
 TEST(Mjcf, HingesOfOneBodyAreAChainInTheirOrder) {
@@ -161,6 +172,43 @@ TEST(Mjcf, EffortIsWhatActuatorsAllow) {
       effort("<motor joint=\"j\" gear=\"20\" ctrlrange=\"-1 1\"/>", "actuatorfrcrange=\"-5 5\""),
       5.0);
   EXPECT_EQ(effort("<motor joint=\"j\" ctrlrange=\"-inf inf\"/>"), 0.0);
+}
+
+// Sums over thin slices across z: ellipses, which lessen beyond `even` (m) from the middle.
+TEST(Mjcf, ShapesWeighWhatTheirSlicesWeigh) {
+  struct Solid {
+    const char* geom;
+    Vec3d half;
+    double even;
+  };
+  constexpr int kSlices = 4000;
+  for (const auto& [geom, half, even] :
+       {Solid{"type=\"sphere\" size=\"0.2\"", {0.2, 0.2, 0.2}, 0.0},
+        Solid{"type=\"cylinder\" size=\"0.2 0.3\"", {0.2, 0.2, 0.3}, 0.3},
+        Solid{"type=\"capsule\" size=\"0.2 0.3\"", {0.2, 0.2, 0.5}, 0.3},
+        Solid{"type=\"ellipsoid\" size=\"0.1 0.2 0.3\"", {0.1, 0.2, 0.3}, 0.0}}) {
+    double mass = 0.0;
+    Vec3d moments{};
+    for (int k = 0; k < kSlices; ++k) {
+      const double z = half.z * ((2.0 * k + 1.0) / kSlices - 1.0);
+      const double beyond = abs(z) > even ? (abs(z) - even) / (half.z - even) : 0.0;
+      const double share = 1.0 - beyond * beyond;
+      const double xx = half.x * half.x * share;
+      const double yy = half.y * half.y * share;
+      const double slice = 1000.0 * kPi * half.x * half.y * share * 2.0 * half.z / kSlices;
+      mass += slice;
+      moments += Vec3d{yy / 4.0 + z * z, xx / 4.0 + z * z, (xx + yy) / 4.0} * slice;
+    }
+    const Robot robot = read(two_bodies(fmt::format("<geom {}/>", geom)));
+    const Mat3d& inertia = robot.links[1].inertia;
+    EXPECT_NEAR(robot.links[1].mass, mass, 1e-6 * mass) << geom;
+    EXPECT_LT(norm(Vec3d{inertia.cx.x, inertia.cy.y, inertia.cz.z} - moments), 1e-6 * mass) << geom;
+  }
+  const Robot box = read(two_bodies("<geom type=\"box\" size=\"0.1 0.2 0.3\"/>"));
+  const double mass = 1000.0 * 0.2 * 0.4 * 0.6;
+  EXPECT_NEAR(box.links[1].mass, mass, 1e-9);
+  expect_near(box.links[1].inertia.cx, Vec3d{0.04 + 0.09, 0, 0} * (mass / 3.0));
+  expect_near(box.links[1].inertia.cz, Vec3d{0, 0, 0.01 + 0.04} * (mass / 3.0));
 }
 
 TEST(Mjcf, WhatOnlyShowsIsNoSole) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "body/anthropometry.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
 #include "robot/robot.hpp"
@@ -206,6 +207,35 @@ TEST(RobotBody, WeighsWhatItsLinksWeigh) {
   double mass = 0.0;
   for (const Robot::Link& link : robot.links) mass += link.mass;
   EXPECT_NEAR(small_body().mass(), mass, 1e-9);
+}
+
+TEST(RobotBody, MassThatIsSpreadLiesAlongTheLimb) {
+  Robot robot = small_robot();
+  for (Robot::Link& link : robot.links) link.mass = 0.0;
+  const BodyModel body = build_robot(robot, find_humanoid(robot).value(), 50.0).value();
+  const auto expect_rod = [&](int link, const SegmentParameters& part, const Vec3d& from,
+                              const Vec3d& to) {
+    const MassProperties& rod = body.link_mass(link);
+    const auto square = [&](double gyration) {
+      return rod.mass * gyration * gyration * dot(to - from, to - from);
+    };
+    EXPECT_LT(norm(rod.com - (from + (to - from) * part.com)), 1e-12);
+    const Vec3d along = normalized(to - from);
+    const double about = dot(along, rod.inertia * along);
+    EXPECT_NEAR(about, square(part.r_long), 1e-12);
+    const double trace = rod.inertia.cx.x + rod.inertia.cy.y + rod.inertia.cz.z;
+    EXPECT_NEAR(trace - about, 2.0 * square(0.5 * (part.r_sagittal + part.r_transverse)), 1e-12);
+  };
+  const SegmentTable& table = segment_table(Sex::male);
+  const Foot& foot = body.feet()[1];
+  expect_rod(foot.link, table.foot, (foot.outline[1] + foot.outline[2]) * 0.5,
+             (foot.outline[0] + foot.outline[3]) * 0.5);
+  const int knee = body.find_dof("left_knee.flexion").value();
+  const Kinematics<double> start = placed(body, std::vector<double>(25, 0.0));
+  const int ankle = body.find_dof("left_ankle.flexion").value();
+  expect_rod(knee, table.shank, {},
+             transpose_times(start.link_rotation(knee),
+                             start.link_origin(ankle) - start.link_origin(knee)));
 }
 
 TEST(RobotBody, SkeletonOfItsNodesMovesAsItDoes) {

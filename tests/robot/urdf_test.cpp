@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 
 #include "support/robot_file.hpp"
 #include "support/work_folder.hpp"
@@ -73,18 +74,23 @@ TEST(Urdf, ContinuousJointsAndWholeTurnsHaveNoLimits) {
     EXPECT_TRUE(robot.joints[0].turns);
     EXPECT_FALSE(robot.joints[0].limited);
   }
+  const std::string fixed = with(kTwoLinks, "lower=\"-1\" upper=\"2\"", "lower=\"1\" upper=\"1\"");
+  EXPECT_FALSE(parse_urdf(fixed, "r.urdf").value().joints[0].turns);
 }
 
 TEST(Urdf, WhatStandsForNoLimitIsNone) {
-  for (const char* effort : {"1e+9", "inf", "INF", "1000000000", "1.5e12", "nan", "1e999"}) {
+  for (const char* effort :
+       {"1e+9", "inf", "INF", "1000000000", "2000000", "1.5e12", "nan", "1e999"}) {
     const std::string text = with(kTwoLinks, "effort=\"7\"", fmt::format("effort=\"{}\"", effort));
     const Result<Robot> robot = parse_urdf(text, "r.urdf");
     ASSERT_TRUE(robot) << robot.error().to_string();
     EXPECT_EQ(robot->joints[0].effort, 0.0) << effort;
     EXPECT_EQ(robot->joints[0].upper, 2.0);
   }
-  const Robot small = parse_urdf(with(kTwoLinks, "\"7\"", "\"1e-9\""), "r.urdf").value();
-  EXPECT_EQ(small.joints[0].effort, 1e-9);
+  for (const char* effort : {"1e-9", "999999", "0000000012", "9.5e5", "12345.678e1"}) {
+    const std::string text = with(kTwoLinks, "\"7\"", fmt::format("\"{}\"", effort));
+    EXPECT_EQ(parse_urdf(text, "r.urdf").value().joints[0].effort, std::strtod(effort, nullptr));
+  }
   for (const char* wide : {"lower=\"-inf\" upper=\"inf\"", "lower=\"-1e20\" upper=\"+1E20\""}) {
     const Robot robot =
         parse_urdf(with(kTwoLinks, "lower=\"-1\" upper=\"2\"", wide), "r.urdf").value();

@@ -229,6 +229,23 @@ TEST(PostureLaw, TheTrunkTurnsUntilEyesAreOnWhatIsBehind) {
   EXPECT_LT(chest_turned(24), 0.6 * chest_turned(60));
 }
 
+// Also where the trunk turns, and what is behind is farther aside than a half turn.
+TEST(PostureLaw, TheHeadDoesItsShareOfTheWayToTheGoal) {
+  const BodyModel body = human_body();
+  const auto neck = static_cast<std::size_t>(body.find_dof("neck.rotation").value());
+  const auto head = static_cast<std::size_t>(body.find_dof("head.rotation").value());
+  const int chest = body.dof(body.find_dof("neck.flexion").value()).parent;
+  for (int aside = 20; aside <= 180; aside += 40) {
+    const SinCos<double> way = sin_cos(radians(static_cast<double>(aside)));
+    const Vec3d goal{-0.5 * way.sin, 1.4, 0.05 + 0.5 * way.cos};
+    const Clip clip = roll_out(lawful_reach(body, goal), uniform_parameters(body)).motion.clip;
+    const Kinematics<double> end = placed(body, clip.frame(60));
+    const Vec3d to = transpose_times(end.link_rotation(chest), goal - end.origin[head]);
+    const double turned = clip.frame(60)[neck] + clip.frame(60)[head];
+    EXPECT_NEAR(turned, 0.75 * std::atan2(to.x, to.z), radians(0.5)) << aside;
+  }
+}
+
 TEST(PostureLaw, GoalsFeetAndLimitsStayWhatTheyAre) {
   const BodyModel body = human_body();
   for (const Vec3d& goal : {kAtTheFeet, kHigh, Vec3d{-0.6, 1.2, -0.1}, Vec3d{-0.35, 1.2, -0.35}}) {

@@ -190,9 +190,10 @@ TEST(CmaEs, RefusesSettingsOutOfRangeAndNamesThem) {
     EXPECT_THAT(refusal(3, {.precision = precision}), HasSubstr("precision is"));
   }
   EXPECT_THAT(refusal(3, {.scales = {1.0, 1.0}}), HasSubstr("2 scales for 3 genes"));
-  for (const double scale : {0.0, -1.0, 1e7, nan}) {
+  for (const double scale : {0.0, -1.0, 9e-7, 1.1e6, nan}) {
     EXPECT_THAT(refusal(3, {.scales = {1.0, scale, 1.0}}), HasSubstr("a scale is"));
   }
+  EXPECT_EQ(refusal(3, {.evaluations = 1, .scales = {1e-6, 1.0, 1e6}}), "accepted");
   EXPECT_THAT(refusal(3, {.diagonal_until = -1}), HasSubstr("diagonal_until is"));
 }
 

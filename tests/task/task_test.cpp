@@ -113,8 +113,29 @@ TEST(MakeProblem, RefusesCoordinatesThatAreNoPlace) {
   }
 }
 
-TEST(MakeProblem, TakesCoordinatesUpToTheRange) {
-  EXPECT_EQ(refusal(task_for({100, -100, 100})), "");
+TEST(MakeProblem, TakesCoordinatesAndLoadsUpToTheirRange) {
+  Task task = task_for({100, -100, 100});
+  EXPECT_EQ(refusal(task), "");
+  task.look_at = Vec3d{-100, 100, -100};
+  task.goals[0].load = kLoadMax;
+  EXPECT_EQ(refusal(task), "");
+  task.goals[0].load = kLoadMax + 0.1;
+  EXPECT_THAT(refusal(task), HasSubstr("load"));
+  task.look_at = Vec3d{0, 0, 100.5};
+  EXPECT_THAT(refusal(task), HasSubstr("look_at"));
+}
+
+TEST(PreparedTask, KeepsTheFootThatBears) {
+  Task task = task_for({-0.3, 1.0, 0.5});
+  const auto refused = [&task](const std::vector<std::string>& contacts) {
+    task.contacts = contacts;
+    const Result<PreparedTask> made = prepared(task);
+    return made ? "" : made.error().to_string();
+  };
+  EXPECT_EQ(refused({"right_foot"}), "");
+  EXPECT_EQ(refused({"left_foot", "right_foot"}), "");
+  EXPECT_THAT(refused({"left_foot"}), HasSubstr("right_foot"));
+  EXPECT_THAT(refused({"right_foot", "tail"}), HasSubstr("'tail'"));
 }
 
 // A task whose criteria were changed.
