@@ -25,7 +25,7 @@ struct FilePose {
   std::vector<LocalTransform> local;  // (nodes) turned from the rest pose
   std::vector<GltfPlace> places;      // (nodes) of glTF
 
-  [[nodiscard]] SkeletonClip clip() const { return {0.0, 1, local}; }
+  [[nodiscard]] SkeletonClip clip() const { return {.frames = 1, .local = local}; }
 };
 
 // A person's BVH, glTF or FBX file.

@@ -155,7 +155,6 @@ std::optional<PersonStart> in_own_pose(const CharacterFile& file, const Characte
   CharacterFile shown;
   shown.skeleton = file.skeleton;
   shown.motion = file.rest.clip();
-  shown.motion.frame_time = 1.0;  // s, of what does not move
   shown.rig.format = file.rig.format;
   if (!own || !begins_standing(shown, spec, *found)) return std::nullopt;
   found->start = std::move(*own);

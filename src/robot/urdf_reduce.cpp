@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <utility>
 
@@ -24,25 +21,14 @@ constexpr std::pair<std::string_view, std::string_view> kKept[] = {
     {"joint", "child"},      {"joint", "axis"},        {"joint", "limit"},
     {"joint", "mimic"},      {"robot", "group_state"}, {"group_state", "joint"}};
 
-// "inf" and "nan" in any case, and numbers of more than kUrdfMaxValue, by their digits.
+// "inf", "nan" and such words in any case, and numbers of kUrdfMaxValue or more.
 bool is_no_limit(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n+-");
   if (begin == text.npos) return false;
-  text.remove_prefix(begin);
-  const char first = text[0];
-  if (first == 'i' || first == 'I' || first == 'n' || first == 'N') return true;
-  const std::size_t mantissa = std::min(text.find_first_of("eE"), text.size());
-  const std::size_t whole = std::min(text.find('.'), mantissa);
-  const std::size_t zeros = std::min(text.find_first_not_of('0'), whole);
-  long exponent = 0;
-  if (mantissa < text.size()) {
-    std::string_view digits = text.substr(mantissa + 1);
-    if (digits.starts_with('+')) digits.remove_prefix(1);
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    if (read.ec == std::errc::result_out_of_range) return !digits.starts_with('-');
-  }
-  constexpr long kDigits = 6;  // of kUrdfMaxValue
-  return static_cast<long>(whole - zeros) + exponent > kDigits;
+  const char first = lower(text[begin]);
+  if (first == 'i' || first == 'n') return true;
+  const auto read = xml_numbers(text, 1);
+  return read && abs(read->front()) >= kUrdfMaxValue;
 }
 
 // A joint's limits. A word for none, "inf" or a number beyond all others, is no limit.

@@ -47,6 +47,12 @@ TEST(PostureModes, WhoStartsBentMayStraighten) {
   }
   const BodyModel half = starting(half_body().definition(), {{"right_knee.flexion", 30}});
   EXPECT_NEAR(degrees(mode_of(half, "squat").lower), -30, kRounding);
+  BodyDefinition stiff = full_body().definition();
+  for (Dof& dof : stiff.dofs) {
+    if (dof.joint.ends_with("knee")) dof.name = dof.joint + ".slide";
+  }
+  const BodyModel bent = starting(stiff, {{"right_hip.flexion", 60}, {"left_hip.flexion", 60}});
+  EXPECT_NEAR(degrees(mode_of(bent, "lean").lower), -20, kRounding);
 }
 
 // Where nodes are after so much (rad) of a mode.

@@ -42,6 +42,14 @@ TEST(NearestName, MendsWordByWord) {
 
 TEST(NearestName, CountsWhatStandsInFront) {
   EXPECT_EQ(nearest_name("xxxxab", std::vector<std::string>{"ab", "xxxxzz"}), "xxxxzz");
+  EXPECT_EQ(nearest_name("abcd", std::vector<std::string>{"xabzz", "axcy"}), "axcy");
+}
+
+TEST(NearestName, IsNearWhereAThirdOfTheLongerOneIsTheSame) {
+  EXPECT_EQ(nearest_name("abc", std::vector<std::string>{"axy"}), "axy");
+  EXPECT_EQ(nearest_name("abc", std::vector<std::string>{"axyz"}), "");
+  EXPECT_EQ(nearest_name("ab", std::vector<std::string>{"abcdef"}), "abcdef");
+  EXPECT_EQ(nearest_name("ab", std::vector<std::string>{"abcdefg"}), "");
 }
 
 TEST(NearestName, CountsWhatIsMissingAndWhatIsTooMuchOnce) {
@@ -51,6 +59,7 @@ TEST(NearestName, CountsWhatIsMissingAndWhatIsTooMuchOnce) {
 
 TEST(NearestName, TakesTheFirstAmongEquals) {
   EXPECT_EQ(nearest_name("_hand", kHands), "left_hand");
+  EXPECT_EQ(nearest_name("abcd", std::vector<std::string>{"axcy", "xbyd"}), "axcy");
 }
 
 TEST(UnknownName, SuggestsAndListsWhatIsKnown) {

@@ -22,7 +22,8 @@ BodyModel strong_hinges(std::size_t count) {
 TEST(JointLoads, TellTheWorstMomentOfEachJoint) {
   const BodyModel body = strong_hinges(2);
   Motion motion = motion_through(body, {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}});
-  motion.torques = {20.0, -10.0, -40.0, 5.0, 70.0, 5.0, 0.0, 0.0};
+  motion.torques = {20.0, -10.0, -40.0, 5.0, 70.0, 5.0, 0.0, 0.0, 1e9, 1e9};
+  motion.torques.resize(8);  // behind the last frame nothing counts
   MotionMeasures measures;
   EXPECT_EQ(most_loaded(measures), nullptr);
   measures.loads = joint_loads(body, motion);
@@ -40,13 +41,13 @@ TEST(JointLoads, TellTheWorstMomentOfEachJoint) {
 
 TEST(LimitExcess, TellsTheMostOfEachJointTheWorstFirst) {
   const BodyModel body = strong_hinges(3);  // to 2 rad both ways
-  const Clip clip = motion_through(body, {{2.1, 0.0, 2.001}, {2.05, -2.3, 0.0}}).clip;
+  const Clip clip = motion_through(body, {{2.002, 0.0, 2.0017}, {2.001, -2.3, 0.0}}).clip;
   const std::vector<LimitExcess> over = limit_excess(body, clip);
   ASSERT_EQ(over.size(), 2u);
   EXPECT_EQ(over[0].dof, "hinge_1.flexion");
   EXPECT_NEAR(over[0].excess, 0.3, 1e-12);
   EXPECT_EQ(over[1].dof, "hinge_0.flexion");
-  EXPECT_NEAR(over[1].excess, 0.1, 1e-12);
+  EXPECT_NEAR(over[1].excess, 0.002, 1e-12);
 }
 
 TEST(Suddenness, OfTorquesIsTheirGreatestChangeAsIfInSixtySteps) {

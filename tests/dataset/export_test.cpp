@@ -274,6 +274,43 @@ TEST(Export, HumanMl3dNeedsTwoArmsAndLegs) {
               HasSubstr("no motion can leave as humanml3d: motion 000000-1: the body has no node"));
 }
 
+struct Aim {
+  const char* effector;
+  Vec3d at;
+  double load;
+};
+// Of somebody of 1.7 m who squats, and reaches for these goals.
+std::string caption_for(const std::vector<Aim>& aims, double error = 0.0) {
+  const auto text = [](const char* name) {
+    return Column{.name = name, .type = ElementType::text, .text_size = 16};
+  };
+  Table motions{"/motions", {text("words"), {"error_m"}}};
+  motions["words"].push(std::string_view("squat"));
+  motions["error_m"].push(error);
+  Table tasks{"/tasks", {{"stature_m"}}};
+  tasks["stature_m"].push(1.7);
+  Table goals{"/goals", {text("effector"), {.name = "position_m", .shape = {3}}, {"load_kg"}}};
+  DataMotion motion{{&motions, 0}, {&tasks, 0}, {}, {}};
+  for (const Aim& aim : aims) {
+    motion.goals.push_back({&goals, motion.goals.size()});
+    goals["effector"].push(std::string_view(aim.effector));
+    goals["position_m"].push(aim.at);
+    goals["load_kg"].push(aim.load);
+  }
+  return caption_of(motion);
+}
+
+TEST(Export, CaptionsTellOfHandsThatAreNearEachOtherAsOne) {
+  EXPECT_EQ(caption_for({{"right_hand", {-0.27, 0.6, 0.5}, 2}, {"left_hand", {0.27, 0.8, 0.5}, 3}}),
+            "a person squats and reaches down in front with both hands, holding 5 kg");
+  EXPECT_EQ(caption_for({{"right_hand", {-0.4, 1.7, 0.5}, 2}, {"left_hand", {0.4, 0.1, -0.5}, 0}}),
+            "a person squats, reaches up in front to the right with the right hand, holding 2 kg "
+            "and reaches down to the floor behind to the left with the left hand");
+  EXPECT_EQ(caption_for({{"left_foot", {0.2, 0.1, 0}, 0}, {"right_hand", {0, 1.2, 0.1}, 0}}, 0.02),
+            "a person squats, moves the left foot down to the floor to the left and reaches out "
+            "with the right hand");
+}
+
 TEST(Export, TokensArePlainFormsOfKnownWords) {
   EXPECT_EQ(tokens_of("a person squats, turns left and reaches up with both hands, holding 5 kg"),
             "a/DET person/NOUN squat/VERB turn/VERB left/ADJ and/CCONJ reach/VERB up/ADV with/ADP "

@@ -91,19 +91,31 @@ Vec3d hand_of(const Robot& robot, const char* side) {
   return places[index(link_called(robot, side + std::string("hand")))].translation;
 }
 
-// The shape of a motor about the elbow tells no forearm's end.
-TEST(RobotEnds, AHandIsNeverNearerThanItsForearmsCentreOfMass) {
+// How far the hands are from the elbows of a robot whose forearms' shape is a box of such half
+// sides, its middle so far down.
+double length_of_forearm(const Vec3d& half, double down) {
   Robot robot = small_robot(false);
   for (const char* side : kSides) {
     link_of(robot, side + std::string("forearm")).collides = {
-        {Robot::Shape::Kind::box, {0.03, 0.03, 0.03}, {}}};
+        {Robot::Shape::Kind::box, half, {Mat3d{}, {0, 0, -down}}}};
   }
   const Robot whole = with_hands(robot);
-  const Robot plain = with_hands(small_robot(false));
-  for (const char* side : kSides) {
-    EXPECT_LE(norm(hand_of(whole, side) - hand_of(plain, side)), 1e-12) << side;
-  }
   EXPECT_NEAR(hand_of(whole, "left_").y, -hand_of(whole, "right_").y, 1e-9);
+  const int elbow = link_called(whole, "left_forearm");
+  return norm(hand_of(whole, "left_") - robot_places(whole)[index(elbow)].translation);
+}
+
+TEST(RobotEnds, AHandIsAtTheEndOfItsForearmsShape) {
+  EXPECT_NEAR(length_of_forearm({0.03, 0.03, 0.12}, 0.1), 0.22, 1e-9);
+  EXPECT_NEAR(length_of_forearm({0.03, 0.03, 0.12}, 0.03), 0.15, 1e-9);
+}
+
+// The shape of a motor about the elbow, or one that hardly goes down from there, tells no forearm's
+// end: that is twice as far as its centre of mass.
+TEST(RobotEnds, AHandIsNeverNearerThanItsForearmsCentreOfMass) {
+  EXPECT_NEAR(length_of_forearm({0.03, 0.03, 0.03}, 0.0), 0.2, 1e-9);
+  EXPECT_NEAR(length_of_forearm({0.03, 0.03, 0.03}, 0.05), 0.2, 1e-9);
+  EXPECT_NEAR(length_of_forearm({0.03, 0.03, 0.13}, 0.02), 0.2, 1e-9);
 }
 
 TEST(RobotEnds, AForearmOfWhichNothingIsKnownIsAsLongAsAPersons) {

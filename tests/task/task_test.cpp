@@ -204,6 +204,19 @@ TEST(Preset, HasItsOwnTraits) {
   }
 }
 
+TEST(Preset, TakesEaseWithoutLayersAndGazeWhereItIsNatural) {
+  for (const PresetTraits& preset : kPresets) {
+    Task task = with_preset(task_for({-0.3, 1.0, 0.5}), preset.preset);
+    EXPECT_EQ(refusal(task), "");
+    task.ease = kEaseMax;
+    EXPECT_THAT(refusal(task), HasSubstr(preset.layers ? preset.word : ""));
+    EXPECT_EQ(refusal(task).empty(), !preset.layers) << preset.word;
+    task.ease = 0.0;
+    task.gaze_lead = kGazeLeadMost;
+    EXPECT_EQ(refusal(task).empty(), preset.natural) << preset.word;
+  }
+}
+
 TEST(MakeProblem, PathsSwayOutwardsSquareToWayAndBow) {
   Task task = with_preset(Task(full_body()), Preset::flat);
   for (const Vec3d& way : {Vec3d{0, 0, 0.4}, Vec3d{0.1, -0.5, 0.1}, Vec3d{0, 0.9, 0.3}}) {
