@@ -5,7 +5,7 @@
 
 #include <shigusa/task.hpp>
 
-#include "generate/layered_approaches.hpp"
+#include "support/layered.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -17,7 +17,7 @@ TEST(IdleCost, IsOfAFreeArmThatComesIntoTheBody) {
   const BodyModel body = human_body();
   const Task task =
       with_preset(Task(body, {.goals = {{"right_hand", {-0.3, 1.2, 0.4}}}}), Preset::human);
-  const LayeredProblem problem = make_layered_problem(task).value();
+  const LayeredProblem problem = testing_support::make_layered_problem(task);
   const LayeredSetup setup(problem);
   IdleCost<double> idle(setup);
   const std::vector<double> none(body.dofs().size());

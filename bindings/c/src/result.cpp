@@ -73,7 +73,6 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
     put_character(character, file);
     SHG_TRY_ASSIGN(Task asked, task_of(file));
     asked.batch.threads = threads;
-    SHG_TRY(check_task(asked));
     Watched watched(watch, arithmetic);
     const auto begin = std::chrono::steady_clock::now();
     Result<GenerateResult> found = generate(asked, watched.progress());
