@@ -1,62 +1,72 @@
 // SPDX-License-Identifier: MIT
-// Tasks whose first choice would jolt in their usual time.
+// Motions that would jolt in their usual time.
 #include <gtest/gtest.h>
 
 #include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
+#include <shigusa/random.hpp>
 
-#include "core/index.hpp"
-#include "support/random_tasks.hpp"
-#include "task/make_problem.hpp"
+#include "generate/delivery.hpp"
+#include "generate/other_durations.hpp"
+#include "generate/parameter_space.hpp"
+#include "generate/problem_search.hpp"
 
 namespace shigusa {
 namespace {
 
-using namespace testing_support;
+const Task kBothHands(human_body(), {.goals = {{"right_hand", {-0.25, 0.35, 0.45}},
+                                               {"left_hand", {0.2, 0.35, 0.45}}}});
+constexpr int kMotions = 1000;
 
-constexpr int kTasks = 200;
-
-// The first random task that takes longer so as not to jolt.
-std::optional<Task> hasty_task() {
-  for (int k = 0; k < kTasks; ++k) {
-    if (task_kind(static_cast<std::uint64_t>(k)) != TaskKind::both_hands) continue;
-    TaskFile file = random_task(static_cast<std::uint64_t>(k));
-    file.character.source = "human";
-    adopt_preset(file, Preset::flat);
-    Task task = make_task(file, {}).value();
-    if (!task.duration && generate(task).value().gentled) return task;
+// The first motion of random parameters that jolts in the problem's time, as a search's result.
+std::optional<GenerateResult> jolting(const Problem& problem) {
+  const std::unique_ptr<Planner> planner = make_planner(problem).value();
+  const ParameterSpace space(problem.reach, GeneCode::natural);
+  Random random(1);
+  for (int k = 0; k < kMotions; ++k) {
+    std::vector<double> point;
+    for (int g = 0; g < space.genes(); ++g) point.push_back(random.uniform(0.0, 1.0));
+    GenerateResult found;
+    found.duration = problem.reach.duration;
+    found.candidates.push_back(played(*planner, space.decode(point)));
+    tell_status(true, found);
+    const Candidate& only = found.candidates.front();
+    if (found.status == ReachStatus::reached && only.measures.sudden.jolts()) return found;
   }
   return std::nullopt;
 }
 
 TEST(Gentler, TakesLongerWhereTheFirstChoiceWouldJoltAndIsPlayedSoAgain) {
-  const std::optional<Task> task = hasty_task();
-  ASSERT_TRUE(task);
-  const GenerateResult found = generate(*task).value();
-  const double usual = make_problem(*task).value().duration;
-  EXPECT_GE(found.duration, 1.1 * usual);
-  EXPECT_LE(found.duration, 1.8 * usual);
-  const Candidate& first = found.candidates.front();
+  const auto problem = prepare(kBothHands).value();
+  std::optional<GenerateResult> found = jolting(*problem);
+  ASSERT_TRUE(found);
+  try_gentler(*problem, *found);
+  EXPECT_TRUE(found->gentled);
+  EXPECT_GE(found->duration, 1.1 * problem->reach.duration);
+  EXPECT_LE(found->duration, 1.8 * problem->reach.duration);
+  const Candidate& first = found->candidates.front();
   EXPECT_FALSE(first.measures.sudden.jolts());
-  const Task played = played_task(*task, found);
-  const Candidate again = regenerate(played, first.parameters).value().candidates.front();
+  const Task longer = played_task(kBothHands, *found);
+  const Candidate again = regenerate(longer, first.parameters).value().candidates.front();
   EXPECT_EQ(again.motion.clip.angles, first.motion.clip.angles);
   EXPECT_EQ(again.score.total, first.score.total);
-  const bool fewer = found.candidates.size() < index(task->candidates);
-  EXPECT_EQ(fewer, !found.fewer.empty());
 }
 
 TEST(Gentler, LeavesADurationThatIsGiven) {
-  Task task = hasty_task().value();
-  task.duration = make_problem(task).value().duration;
-  const GenerateResult found = generate(task).value();
-  EXPECT_FALSE(found.gentled);
-  EXPECT_EQ(found.duration, *task.duration);
+  const auto usual = prepare(kBothHands).value();
+  const auto problem = with_duration(*usual, usual->reach.duration).value();
+  std::optional<GenerateResult> found = jolting(*problem);
+  ASSERT_TRUE(found);
+  try_gentler(*problem, *found);
+  EXPECT_FALSE(found->gentled);
+  EXPECT_EQ(found->duration, usual->reach.duration);
 }
 
 TEST(Gentler, IsOfCriteriaThatGiveJoltsAWeight) {
-  Task task = hasty_task().value();
+  Task task = kBothHands;
+  EXPECT_TRUE(minds_jolts(task));
   task.criteria.jolts_weight = 0.0;
-  EXPECT_FALSE(generate(task).value().gentled);
+  EXPECT_FALSE(minds_jolts(task));
 }
 
 }  // namespace
