@@ -23,8 +23,7 @@
 //   way while hand and feet stay where they should.
 // - An error of the planted foot just at contact_slack, or of the hand just at its tolerance, which
 //   one precision corrects (or refuses) and the other not.
-// - A torque has second differences: times 3600 per square second, a jump of 1e-4 rad in one frame,
-//   of either cause above, shows as up to a tenth of the torque's penalty and in nothing else.
+// So criteria are compared where both make the same motion, which is nearly everywhere.
 namespace shigusa {
 namespace {
 
@@ -43,10 +42,10 @@ constexpr int kMotions = 1000;  // sanitizers and SHG_ASSERT take their time
 template <class S>
 struct Played {
   BasicReachOutcome<S> outcome;
-  std::vector<S> last_angles;  // rad
-  std::vector<Vec3<S>> hand;   // (frames) m
-  std::vector<S> penalties;    // in the order of the table
-  S score;                     // by the paper's weights
+  std::vector<S> angles;      // (frames × dofs) rad
+  std::vector<Vec3<S>> hand;  // (frames) m
+  std::vector<S> penalties;   // in the order of the table
+  S score;                    // by the paper's weights
 };
 
 CriteriaSettings every_criterion() {
@@ -75,7 +74,7 @@ class Player {
       each_.add(frame);
       paper_.add(frame);
       played.hand.push_back(frame.kinematics.point(effector.link, effector.point));
-      played.last_angles.assign(frame.angles.begin(), frame.angles.end());
+      played.angles.insert(played.angles.end(), frame.angles.begin(), frame.angles.end());
     };
     played.outcome = rollout_.run(inverse_weights, visit);
     each_.visit_penalties(
@@ -111,11 +110,15 @@ struct Differences {
   }
 };
 
+// The same motion keeps every angle of every frame within this (rad).
+constexpr double kAlike = 1e-4;
+
 struct Comparison {
-  Differences angles;  // rad, the largest of the last frame
-  Differences hand;    // m, the largest of all frames
-  std::map<std::string, Differences> penalties;
-  Differences score;
+  Differences angles;                            // rad, the largest of the last frame
+  Differences hand;                              // m, the largest of all frames
+  std::map<std::string, Differences> penalties;  // of the same motions
+  Differences score;                             // likewise
+  int alike = 0;                                 // motions
   int met_in_double = 0;
   int met_in_one = 0;  // but not in the other
 
@@ -148,9 +151,12 @@ struct Comparison {
     met_in_double += met_double ? 1 : 0;
     met_in_one += met_double != met_lane ? 1 : 0;
     const bool met = met_double && met_lane;
-    double turned = 0.0;
-    for (std::size_t d = 0; d < exact.last_angles.size(); ++d) {
-      turned = max(turned, apart(exact.last_angles[d], lanes.last_angles[d][lane]));
+    double most = 0.0;  // rad
+    double last = 0.0;
+    for (std::size_t k = 0; k < exact.angles.size(); ++k) {
+      const double turned = apart(exact.angles[k], lanes.angles[k][lane]);
+      most = max(most, turned);
+      if (k + problem_.body->dofs().size() >= exact.angles.size()) last = max(last, turned);
     }
     double moved = 0.0;
     for (std::size_t f = 0; f < exact.hand.size(); ++f) {
@@ -158,8 +164,10 @@ struct Comparison {
       const Vec3d there = to_scalar<double>(Vec3<float>{at.x[lane], at.y[lane], at.z[lane]});
       moved = max(moved, norm(there - exact.hand[f]));
     }
-    angles.add(turned, met);
+    angles.add(last, met);
     hand.add(moved, met);
+    if (!met || most > kAlike) return;
+    ++alike;
     std::size_t k = 0;
     for_each_criterion([&](const auto& criterion) {
       penalties[criterion.name].add(apart(exact.penalties[k], lanes.penalties[k][lane]), met);
@@ -194,31 +202,45 @@ void expect_within(Differences& differences, const Bounds& bounds, const char* w
 
 // The bounds are two to four times what was measured with g++ 12 on x86-64; in comments, measured:
 // p50, p99, maximum of motions that are met in both precisions.
+
+// p50, p99, maximum of each criterion and of the score; a penalty that counts torques has second
+// differences in it, times 3600 per square second.
+const std::map<std::string, Bounds> kCriteria{
+    {"balance", {1e-6, 5e-5, 2e-4}},
+    {"balance_zone", {2e-7, 5e-5, 6e-4}},
+    {"centre_of_pressure", {5e-4, 5e-3, 0.03}},
+    {"collision", {7e-6, 2e-4, 3e-4}},
+    {"coordination", {8e-7, 6e-6, 7e-5}},
+    {"discomfort", {2e-7, 1e-5, 2e-4}},
+    {"feasibility", {4e-4, 8e-3, 0.025}},
+    {"hand_curve", {3e-6, 3e-5, 3e-4}},
+    {"head", {3e-7, 5e-6, 2e-4}},
+    {"joint_acceleration", {2e-5, 6e-4, 3e-3}},
+    {"joint_range", {4e-7, 3e-5, 2e-4}},
+    {"jolts", {3e-4, 0.04, 0.15}},
+    {"low_back", {8e-4, 0.02, 0.06}},
+    {"mass_ahead", {7e-7, 7e-6, 3e-5}},
+    {"torque", {4e-5, 2e-3, 8e-3}},
+    {"trunk_travel", {7e-7, 5e-6, 8e-5}},
+    {"work", {7e-5, 2e-3, 9e-3}},
+};
+
+void expect_criteria_within(Comparison& comparison) {
+  EXPECT_GE(comparison.alike, comparison.met_in_double * 97 / 100);  // 100, 98.8 %
+  EXPECT_EQ(comparison.penalties.size(), kCriteria.size());
+  for (auto& [name, differences] : comparison.penalties) {
+    expect_within(differences, kCriteria.at(name), name.c_str());
+  }
+  expect_within(comparison.score, {1e-5, 5e-4, 3e-3}, "score");
+}
+
 TEST(LanesAgainstDouble, HalfBody) {
   Comparison half(half_body());
   expect_within(half.angles, {1e-6, 1e-4, 3e-4}, "angles");  // 3.1e-7, 2.7e-5, 8.0e-5 rad
   expect_within(half.hand, {1.5e-6, 4e-5, 1.5e-4}, "hand");  // 4.2e-7, 1.0e-5, 4.1e-5 m
-  // 2.6e-8, 3.4e-6, 6.8e-6
-  expect_within(half.penalties["joint_range"], {1e-7, 1e-5, 3e-5}, "joint_range");
-  // 0, 0, 2.6e-6: it saturates
-  expect_within(half.penalties["balance"], {1e-7, 1e-6, 1e-5}, "balance");
-  // 0, 8.5e-8, 5.7e-5: likewise
-  expect_within(half.penalties["torque"], {1e-7, 1e-6, 2e-4}, "torque");
-  // 5.5e-8, 2.8e-6, 6.3e-6
-  expect_within(half.penalties["balance_zone"], {2e-7, 1e-5, 2e-5}, "balance_zone");
-  // 5.2e-8, 5.7e-6, 1.0e-5
-  expect_within(half.penalties["discomfort"], {2e-7, 2e-5, 4e-5}, "discomfort");
-  // 7.0e-7, 4.5e-5, 5.1e-4
-  expect_within(half.penalties["joint_acceleration"], {2e-6, 2e-4, 2e-3}, "joint_acceleration");
-  // 0, 8.9e-5, 9.7e-4: it saturates
-  expect_within(half.penalties["work"], {1e-7, 3e-4, 3e-3}, "work");
-  // 1.7e-4, 2.4e-3, 5.2e-3: the worst frame's torque
-  expect_within(half.penalties["low_back"], {5e-4, 7e-3, 0.015}, "low_back");
-  // 3.7e-8, 1.1e-5, 8.7e-6
-  expect_within(half.penalties["head"], {1e-7, 3e-5, 3e-5}, "head");
-  expect_within(half.score, {8e-8, 6e-6, 4e-5}, "score");  // 2.3e-8, 1.9e-6, 1.2e-5
-  EXPECT_GE(half.met_in_double, kMotions * 9 / 10);        // 93 %
-  EXPECT_LE(half.met_in_one, kMotions / 1000);             // none
+  expect_criteria_within(half);
+  EXPECT_GE(half.met_in_double, kMotions * 9 / 10);  // 93 %
+  EXPECT_LE(half.met_in_one, kMotions / 1000);       // none
 }
 
 TEST(LanesAgainstDouble, FullBody) {
@@ -226,27 +248,9 @@ TEST(LanesAgainstDouble, FullBody) {
   expect_within(full.angles, {3e-6, 4e-3, 0.4}, "angles");  // 8.2e-7, 1.2e-3, 0.12 rad
   // both within a millimetre of the path, so no more than two apart
   expect_within(full.hand, {2e-6, 9e-4, 2e-3}, "hand");  // 5.4e-7, 3.0e-4, 9.7e-4 m
-  // 1.5e-7, 8.9e-4, 0.013
-  expect_within(full.penalties["joint_range"], {5e-7, 3e-3, 0.04}, "joint_range");
-  // 2.6e-7, 2.5e-4, 0.013
-  expect_within(full.penalties["balance"], {1e-6, 1e-3, 0.04}, "balance");
-  // 8.2e-6, 7.3e-4, 0.27
-  expect_within(full.penalties["torque"], {3e-5, 3e-3, 0.6}, "torque");
-  // 5.0e-8, 1.5e-4, 0.031
-  expect_within(full.penalties["balance_zone"], {2e-7, 5e-4, 0.1}, "balance_zone");
-  // 8.5e-8, 4.4e-4, 3.6e-3
-  expect_within(full.penalties["discomfort"], {3e-7, 1.5e-3, 0.012}, "discomfort");
-  // 3.0e-6, 3.0e-4, 0.61
-  expect_within(full.penalties["joint_acceleration"], {1e-5, 1e-3, 0.9}, "joint_acceleration");
-  // 1.7e-5, 1.3e-3, 0.47
-  expect_within(full.penalties["work"], {5e-5, 4e-3, 0.9}, "work");
-  // 5.5e-5, 7.7e-3, 0.53
-  expect_within(full.penalties["low_back"], {2e-4, 0.025, 0.9}, "low_back");
-  // 5.9e-8, 2.6e-5, 0.020
-  expect_within(full.penalties["head"], {2e-7, 8e-5, 0.06}, "head");
-  expect_within(full.score, {1e-5, 3e-3, 0.15}, "score");  // 3.0e-6, 8.7e-4, 0.062
-  EXPECT_GE(full.met_in_double, kMotions * 8 / 10);        // 87 %
-  EXPECT_LE(full.met_in_one, kMotions * 8 / 1000);         // 0.3 %
+  expect_criteria_within(full);
+  EXPECT_GE(full.met_in_double, kMotions * 8 / 10);  // 87 %
+  EXPECT_LE(full.met_in_one, kMotions * 8 / 1000);   // 0.3 %
 }
 
 }  // namespace
