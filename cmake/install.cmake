@@ -20,6 +20,7 @@ endif()
 
 # In a folder of their own: beside bin, a package that is not installed would be found where the program is on PATH.
 set(shigusa_package ${PROJECT_BINARY_DIR}/package)
+file(REMOVE ${PROJECT_BINARY_DIR}/shigusaConfig.cmake ${PROJECT_BINARY_DIR}/shigusaConfigVersion.cmake) # of old builds
 configure_package_config_file(cmake/shigusaConfig.cmake.in ${shigusa_package}/shigusaConfig.cmake
                               INSTALL_DESTINATION ${shigusa_package_dir})
 # below 1.0 a minor version may change the interface

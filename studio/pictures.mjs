@@ -14,7 +14,7 @@ if (!folder) {
 }
 await mkdir(folder, { recursive: true });
 const site = await serve();
-const browser = await launch();
+const browser = await launch({ smooth: true });
 
 /** Shows the posture at a share of the motion's time. */
 function scrub(page, share) {
