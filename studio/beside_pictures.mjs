@@ -27,7 +27,7 @@ if (!folder || characters.length === 0) {
 }
 await mkdir(folder, { recursive: true });
 const site = await serve();
-const browser = await launch({ smooth: true });
+const browser = await launch({ full: true });
 const columns = [];
 for (const character of characters) columns.push(await photograph(character));
 await sheet();

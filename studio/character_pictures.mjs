@@ -17,7 +17,7 @@ if (!folder || results.length === 0) {
   process.exit(2);
 }
 await mkdir(folder, { recursive: true });
-const browser = await launch({ smooth: true });
+const browser = await launch({ full: true });
 const page = await browser.newPage();
 page.on('pageerror', (error) => console.error(String(error)));
 let glb = '';

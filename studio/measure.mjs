@@ -43,7 +43,7 @@ async function firstMotions() {
 }
 
 const first = await firstMotions();
-const browser = await launch({ smooth: true });
+const browser = await launch({ full: true });
 const { page } = await openStudio(browser, site.url);
 await settled(page);
 await drag(page, 'right_hand', 60, 80, { hold: 60, steps: kDrags });

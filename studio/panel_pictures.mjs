@@ -23,7 +23,7 @@ if (!folder) {
 }
 await mkdir(folder, { recursive: true });
 const site = await serve();
-const browser = await launch({ smooth: true });
+const browser = await launch({ full: true });
 let findings = 0;
 
 /** What is shown, one after another: its name and how to come there from the one before. */

@@ -14,7 +14,7 @@ if (!folder) {
 }
 await mkdir(folder, { recursive: true });
 const site = await serve();
-const browser = await launch({ smooth: true });
+const browser = await launch({ full: true });
 
 /** Shows the posture at a share of the motion's time. */
 function scrub(page, share) {

@@ -53,9 +53,12 @@ async function isDrawnAsComputed(page, name) {
   const { figure: { low, high }, stature } = await page.evaluate(() => ({ figure: window.shigusa.figure(), stature: window.shigusa.document.character.description.stature_m }));
   assert.ok(low > -0.1 * stature && high > 0.5 * stature && high < 1.6 * stature, `${name}: ${low} to ${high} m of ${stature}`);
   assert.equal(await page.evaluate(() => window.shigusa.state.undrawn), null, name);
+  const { status, goals } = await state(page);
+  assert.notEqual(status, 'unreachable', name);
+  assert.ok(distance(await page.evaluate(() => window.shigusa.hand()), goals[0].position_m) < 2e-3, name);
 }
 
-test('characters are drawn where they are computed', options, async () => {
+test('characters are drawn where they are computed, and reach', options, async () => {
   const { page, context, errors } = await openStudio(browser, site.url);
   await settled(page);
   const all = process.env.SHIGUSA_LONG ? readdirSync(folder).filter((name) => !kOdd.test(name)).sort() : kSix;

@@ -8,50 +8,17 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { validateBytes } from 'gltf-validator';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { drag, drawn as pictured, drop, dropAll, openStudio, openTab, settled, state, take, visit } from './support.mjs';
+import { drag, drop, dropAll, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 /** The folder of characters beside the project, where there is one. */
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
 const files = existsSync(folder) ? readdirSync(folder).sort() : [];
 /** Files that no character can be read from. */
 const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|Acrobot|\.tsv$/;
-/** Whose right arm ends before the hand: no node can be drawn there. */
-const kHandless = /godot_platformer|BrainStem/;
 
 const { site, browser } = await visit();
 
 const distance = (a, b) => Math.hypot(...a.map((value, k) => value - b[k]));
-
-/** One of four of these, and all at night. */
-const people = files.filter((name) => /\.(vrm|glb|bvh)$/.test(name) && !kOdd.test(name)).filter((_, k) => process.env.SHIGUSA_LONG || k % 4 === 0);
-
-test('each character that is a person is drawn and reaches', { skip: files.length === 0 && 'no characters here', timeout: 600_000 }, async (t) => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
-  for (const file of people) {
-    await t.test(file, async () => {
-      await drop(page, file, readFileSync(join(folder, file)));
-      await page.waitForFunction((name) => window.shigusa.document.character.spec.source === name || window.shigusa.state.notice?.kind === 'failure', file, { timeout: 60_000 });
-      await settled(page);
-      const now = await state(page);
-      assert.equal(now.notice?.failure?.message, undefined);
-      assert.notEqual(now.status, 'unreachable', file);
-      const hand = await page.evaluate(() => window.shigusa.hand());
-      assert.ok(distance(hand, now.goals[0].position_m) < 2e-3);
-      await page.waitForFunction(() => window.shigusa.time === window.shigusa.document.result.summary.candidates[window.shigusa.chosen].duration_s);
-      await pictured(page);
-      const drawn = await page.evaluate(() => window.shigusa.drawn('right_hand'));
-      assert.equal(drawn === null, kHandless.test(file), file);
-      if (drawn) assert.ok(distance(drawn, hand) < 2e-3, `drawn at ${drawn}, not ${hand}`);
-      if (process.env.SHIGUSA_SHOTS) {
-        await page.waitForTimeout(1500);
-        await page.screenshot({ path: join(process.env.SHIGUSA_SHOTS, `${file}.png`) });
-      }
-    });
-  }
-  assert.deepEqual(errors, []);
-  await context.close();
-});
 
 test('an odd file is told of, and the page still works', { skip: files.length === 0 && 'no characters here', timeout: 300_000 }, async () => {
   const { page, context, errors } = await openStudio(browser, site.url);
