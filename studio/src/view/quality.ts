@@ -8,12 +8,6 @@ export interface Quality {
   thumbnails: number; // pictures a second
 }
 
-/** Whether the processor draws, as where there is no graphics card. */
-export function drawsBySoftware(gl: WebGLRenderingContext | WebGL2RenderingContext): boolean {
-  const names = gl.getExtension('WEBGL_debug_renderer_info');
-  return names !== null && /swiftshader|llvmpipe|software/i.test(String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)));
-}
-
 const kLevels: readonly Quality[] = [
   { pixels: 1, shadow: 1024, thumbnails: 40 },
   { pixels: 0.8, shadow: 1024, thumbnails: 14 },
@@ -25,14 +19,9 @@ const kPatience = 8; // pictures in a row until the level changes
 const kMemory = 0.75; // of the mean
 
 export class QualityControl {
-  private level: number;
+  private level = 0;
   private mean = 1 / 60;
   private since = 0;
-
-  /** `slow`: begins coarse. */
-  constructor(slow: boolean) {
-    this.level = slow ? kLevels.length - 1 : 0;
-  }
 
   get moving(): Quality {
     return kLevels[this.level]!;

@@ -10,7 +10,7 @@ import { Light } from './light';
 import { forgetUploads } from './lost_context';
 import { type Palette, palettes } from './palette';
 import { onBackground, type PictureSettings, pngOfView, smallPicture } from './picture';
-import { drawsBySoftware, type Quality, QualityControl } from './quality';
+import { type Quality, QualityControl } from './quality';
 
 const kInside = 0.86; // of the picture, from its middle
 const kBelowMessages = 0.7;
@@ -29,8 +29,8 @@ export class Stage {
   /** Part of the scene: all that casts shadows. */
   readonly casters = new Scene();
   readonly light: Light;
-  readonly quality: QualityControl;
-  private drawn: Quality;
+  readonly quality = new QualityControl();
+  private drawn: Quality = this.quality.still;
   private dirty = true;
   private last = 0;
   private rested = 0; // s since something moved
@@ -54,8 +54,6 @@ export class Stage {
   constructor(private readonly host: HTMLElement, canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.debug.checkShaderErrors = false; // who asks waits for the shader
-    this.quality = new QualityControl(drawsBySoftware(this.renderer.getContext()));
-    this.drawn = this.quality.still;
     this.light = new Light(this.renderer, this.casters, this.drawn);
     for (const [event, lost] of [['webglcontextlost', true], ['webglcontextrestored', false]] as const) {
       canvas.addEventListener(event, () => this.setLost(lost));
