@@ -79,7 +79,7 @@ Error about_task(const Error& error, const std::string& task) {
     } else if (task.find_first_not_of("0123456789.,-+") == task.npos) {
       hint = "; a goal is EFFECTOR=X,Y,Z: --goal right_hand=" + task;
     } else if (parse_formats(task)) {
-      hint = "; formats are joined by commas: --formats glb," + task;
+      hint = "; formats are joined by commas, as in --formats bvh,glb";
     }
   } else if (std::filesystem::is_directory(task, ignored)) {
     hint = "; a task file (JSON) is expected";

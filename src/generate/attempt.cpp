@@ -32,14 +32,16 @@ constexpr int kLongerSearch = 3;
 
 constexpr std::uint64_t kOtherNumbers = 0x9e3779b97f4a7c15U;
 
+}  // namespace
+
 // A budget that was given is used up: then candidates are played in the longer duration.
-std::optional<Attempt> slower(const Problem& problem, const GenerateResult& found) {
+std::optional<Attempt> slower_attempt(const Problem& problem, const GenerateResult& found) {
   const std::optional<double> duration = possible_duration(found);
   if (!wants_more(found) || problem.task.duration || !duration) return std::nullopt;
   return Attempt{run_of(problem), duration, problem.task.evaluations.has_value()};
 }
 
-std::optional<Attempt> longer(const Problem& problem, const GenerateResult& found) {
+std::optional<Attempt> longer_attempt(const Problem& problem, const GenerateResult& found) {
   const Task& task = problem.task;
   if (task.evaluations || found.end == SearchEnd::cancelled || task.pareto) return std::nullopt;
   const bool chooses = found.status == ReachStatus::reached && !traits_of(task.preset).layers;
@@ -50,27 +52,12 @@ std::optional<Attempt> longer(const Problem& problem, const GenerateResult& foun
 }
 
 // As many motions as the first search scored: a sixth of what was spent by then.
-std::optional<Attempt> other_numbers(const Problem& problem, const GenerateResult& found) {
+std::optional<Attempt> other_numbers_attempt(const Problem& problem, const GenerateResult& found) {
   const Task& task = problem.task;
   if (task.evaluations || task.pareto || task.own_search || !wants_more(found)) return std::nullopt;
   Attempt attempt{run_of(problem)};
   attempt.run.seed ^= kOtherNumbers;
   return attempt;
-}
-
-}  // namespace
-
-std::optional<Attempt> next_attempt(AttemptKind kind, const Problem& problem,
-                                    const GenerateResult& found) {
-  switch (kind) {
-    case AttemptKind::slower:
-      return slower(problem, found);
-    case AttemptKind::longer:
-      return longer(problem, found);
-    case AttemptKind::other_numbers:
-      return other_numbers(problem, found);
-  }
-  return std::nullopt;
 }
 
 Result<GenerateResult> made(const Attempt& attempt, const Problem& problem,

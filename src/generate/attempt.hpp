@@ -17,16 +17,16 @@ struct Attempt {
   bool on_all = false;               // as search_problem has it
 };
 
+// An attempt at a problem; none where it does not apply to what was found by then.
+using NextAttempt = std::optional<Attempt>(const Problem& problem, const GenerateResult& found);
+// In a longer duration, where motions are impossible only for their haste.
+[[nodiscard]] NextAttempt slower_attempt;
+// With more motions.
+[[nodiscard]] NextAttempt longer_attempt;
+// With other random numbers.
+[[nodiscard]] NextAttempt other_numbers_attempt;
 // The attempts, in the order in which they are made.
-enum class AttemptKind {
-  slower,         // in a longer duration, where motions are impossible only for their haste
-  longer,         // with kLongerSearch times as many motions
-  other_numbers,  // with other random numbers
-};
-
-// The attempt of a kind; none where it does not apply to what was found by then.
-[[nodiscard]] std::optional<Attempt> next_attempt(AttemptKind kind, const Problem& problem,
-                                                  const GenerateResult& found);
+inline constexpr NextAttempt* kAttempts[] = {slower_attempt, longer_attempt, other_numbers_attempt};
 
 // The result of an attempt by itself; motions that it plays alone are not counted. Fails as
 // search_problem does, and where the duration is out of range.

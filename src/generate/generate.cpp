@@ -56,10 +56,8 @@ Result<GenerateResult> generate(const Task& task, const Progress& progress) {
   const bool on_all = traits.natural && lanes && !traits.layers && !task.pareto;
   SHG_TRY_ASSIGN(GenerateResult found,
                  search_problem(*problem, run_of(*problem), joint.part(1.0), on_all));
-  constexpr AttemptKind kAttempts[] = {AttemptKind::slower, AttemptKind::longer,
-                                       AttemptKind::other_numbers};
-  for (const AttemptKind kind : kAttempts) {
-    const auto attempt = traits.natural ? next_attempt(kind, *problem, found) : std::nullopt;
+  for (NextAttempt* const next : kAttempts) {
+    const auto attempt = traits.natural ? next(*problem, found) : std::nullopt;
     if (!attempt) continue;
     Result<GenerateResult> other = made(*attempt, *problem, found, joint);
     if (!other) continue;

@@ -4,7 +4,6 @@
 #include <shigusa/generate.hpp>
 #include <shigusa/progress.hpp>
 
-#include "joint_progress.hpp"
 #include "planner.hpp"
 
 namespace shigusa {
@@ -23,7 +22,7 @@ namespace shigusa {
 [[nodiscard]] Result<GenerateResult> played_anew(const Problem& problem,
                                                  const GenerateResult& generation);
 
-// Tells what is left to the goals by the first candidate.
+// Sets the status by all candidates, and what is left to the goals by the first.
 void tell_status(bool in_reach, GenerateResult& generation);
 
 }  // namespace shigusa

@@ -10,8 +10,7 @@ namespace shigusa {
 namespace {
 
 Result<std::unique_ptr<const Problem>> posed(PreparedTask task) {
-  CriteriaSettings criteria = task_criteria(task);
-  auto problem = std::make_unique<Problem>(std::move(task), std::move(criteria), Plan{});
+  auto problem = std::make_unique<Problem>(std::move(task));
   SHG_TRY_ASSIGN(problem->reach, make_problem(problem->task));
   SHG_TRY_ASSIGN(problem->plan, plan_of(problem->task.body, problem->task, problem->criteria));
   return problem;

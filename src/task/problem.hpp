@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <shigusa/task.hpp>
+#include <utility>
 
 #include "layers/plan.hpp"
 #include "rollout/reach_problem.hpp"
@@ -13,11 +14,10 @@ namespace shigusa {
 struct Problem {
   PreparedTask task;
   CriteriaSettings criteria;  // task_criteria
-  Plan plan;                  // plan_of
+  Plan plan{};                // plan_of
   ReachProblem reach{};       // make_problem; points to the task's body
 
-  Problem(PreparedTask of, CriteriaSettings scored, Plan parameters)
-      : task(std::move(of)), criteria(std::move(scored)), plan(std::move(parameters)) {}
+  explicit Problem(PreparedTask of) : task(std::move(of)), criteria(task_criteria(task)) {}
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 };

@@ -111,7 +111,7 @@ async function editOf(studio: Studio, character: Character, { assignments, base 
 
 function show(studio: Studio, { look, view, tab, selected, compareMode, overlays, speed, playing, time_s, fps, snap = false, symmetric = false }: Work['picture']): void {
   const known = studio.document && placeOf(studio.document, selected) !== undefined;
-  studio.store.set({ view: { ...initialView, ...view }, tab, compareMode, overlays, speed, playing, fps, snap, symmetric, ...(known && { selected }) });
+  studio.store.set({ view: { ...initialView, ...view }, tab, compareMode, overlays, speed, playing: playing && !studio.calm, fps, snap, symmetric, ...(known && { selected }) });
   studio.clock.time = time_s;
   if (!look) return;
   if (studio.eye) studio.eye.lookFrom(look);
