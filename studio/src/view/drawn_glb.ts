@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A built-in body's motion as GLB: the mannequin as it is drawn, on the body's own nodes.
 import {
-  AnimationClip, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, Scene, Vector3, VectorKeyframeTrack,
+  AnimationClip, BufferAttribute, type BufferGeometry, InterpolateLinear, type KeyframeTrack, Mesh, QuaternionKeyframeTrack, Scene, Vector3, VectorKeyframeTrack,
 } from 'three';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import type { Candidate, Character, Series } from '../../../bindings/wasm/src/types';
@@ -80,9 +80,12 @@ export async function drawnGlb(character: Character, clips: readonly DrawnClip[]
     figure.joints.color = palettes.light.joints;
     figure.object.traverse((item) => {
       if (!(item instanceof Mesh)) return;
-      normalize(item.geometry as BufferGeometry);
-      (item.geometry as BufferGeometry).deleteAttribute('uv'); // nothing is painted on
-      if ((item.geometry as BufferGeometry).hasAttribute('paint')) paintByPicture(item.geometry as BufferGeometry, figure.skin, palettes.light);
+      const geometry = item.geometry as BufferGeometry;
+      normalize(geometry);
+      geometry.deleteAttribute('uv'); // nothing is painted on
+      if (!geometry.hasAttribute('paint')) return;
+      paintByPicture(geometry, figure.skin, palettes.light);
+      geometry.setIndex(new BufferAttribute(geometry.getIndex()!.array.slice(0, geometry.drawRange.count), 1)); // without the coarse corners
     });
     const animations = clips.map((clip) => animation(clip, figure, inPlace));
     // nodes are found by their own names while a figure moves

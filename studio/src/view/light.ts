@@ -47,6 +47,7 @@ export class Light {
   /** A shadow of fewer pixels is as soft. */
   setQuality({ shadow: pixels }: Quality): void {
     const { shadow } = this.key;
+    if (shadow.map && shadow.mapSize.width === pixels) return;
     shadow.mapSize.set(pixels, pixels);
     shadow.radius = (kPenumbra * pixels) / kSide;
     shadow.map?.dispose();

@@ -3,6 +3,7 @@
 import { Bone, Group, Matrix4, MeshStandardMaterial, type Object3D, Skeleton, SkinnedMesh } from 'three';
 import type { Candidate, CharacterDescription } from '../../../bindings/wasm/src/types';
 import { BodyBones } from './body_bones';
+import { drawCoarseFromAfar } from './coarse_skin';
 import { downOf, FingerBone, Follower, handAt } from './followers';
 import { makeSkin, type MannequinMesh, type Shape, type SkinBone } from './mannequin_file';
 import { mannequinMaterial } from './mannequin_material';
@@ -99,6 +100,7 @@ export function makeMannequin(description: CharacterDescription, mesh: Mannequin
   drawn.castShadow = true;
   drawn.receiveShadow = true;
   drawn.frustumCulled = false;
+  drawCoarseFromAfar(drawn, mesh.coarse.length);
   drawn.bind(new Skeleton(bones, inverses), new Matrix4());
   object.add(drawn);
   const closed = { left: 0, right: 0 };

@@ -3,6 +3,7 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../../bindings/wasm/src/types';
 import address from '../../../data/mannequin.bin?url';
+import { coarseCorners } from './coarse_skin';
 import { Unpacker } from './mannequin_pack';
 
 /** What moves the skin: a node of the body, a follower of a joint (`of`), which turns by a part of it, or a finger's bone. */
@@ -38,6 +39,7 @@ export interface MannequinMesh extends Head {
   weights: Uint8Array; // theirs, of 255
   paints: Float32Array; // m inside of joints and of visor, and past the seam at a limb's root
   corners: Uint16Array;
+  coarse: Uint16Array; // corners of fewer triangles
 }
 
 /** The half that is in the file, and its mirror image, which share the vertices in the plane of symmetry. */
@@ -73,7 +75,7 @@ function decode(buffer: ArrayBuffer): MannequinMesh {
     const [a, b, c] = [half.corners[t]!, half.corners[t + 1]!, half.corners[t + 2]!];
     corners.set([other[a]!, other[c]!, other[b]!], half.corners.length + t);
   }
-  return {
+  const mesh = {
     ...head, shifts, corners,
     positions: vectors((v, axis) => head.step * half.positions[3 * v + axis]!),
     skin: Uint8Array.from({ length: 4 * all }, (_, k) => {
@@ -83,6 +85,7 @@ function decode(buffer: ArrayBuffer): MannequinMesh {
     weights: Uint8Array.from({ length: 4 * all }, (_, k) => (255 / head.weightSum) * half.weights[4 * source[k >> 2]! + (k & 3)]!),
     paints: Float32Array.from({ length: 3 * all }, (_, k) => half.paints[3 * source[Math.floor(k / 3)]! + (k % 3)]! * head.paint),
   };
+  return { ...mesh, coarse: coarseCorners(mesh) };
 }
 
 let loading: Promise<MannequinMesh> | null = null;
@@ -103,7 +106,7 @@ export interface Shape {
   mass: number; // of that of an average person of the stature
 }
 
-/** The skin of a person. */
+/** The skin of a person; the coarse corners follow the fine ones. */
 export function makeSkin(mesh: MannequinMesh, { female, mass }: Shape): BufferGeometry {
   const share = (name: string): number => (mass - 1) / (mesh.volumes[name]! / mesh.volumes['male']! - 1);
   const by: Record<string, number> = { female, heavy: mass > 1 ? Math.min(share('heavy'), 1.5) : 0, light: mass < 1 ? Math.min(share('light'), 1.2) : 0 };
@@ -119,5 +122,9 @@ export function makeSkin(mesh: MannequinMesh, { female, mass }: Shape): BufferGe
   geometry.setAttribute('paint', new BufferAttribute(mesh.paints, 3));
   geometry.setIndex(new BufferAttribute(mesh.corners, 1));
   geometry.computeVertexNormals();
+  const both = new Uint16Array(mesh.corners.length + mesh.coarse.length);
+  both.set(mesh.corners);
+  both.set(mesh.coarse, mesh.corners.length);
+  geometry.setIndex(new BufferAttribute(both, 1));
   return geometry;
 }

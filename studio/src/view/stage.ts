@@ -188,7 +188,7 @@ export class Stage {
 
   /** Has the graphics card make ready what the scene is drawn with, while nothing is drawn yet. */
   prepare(): void {
-    if (!this.begun) this.renderer.compile(this.scene, this.lens.shown);
+    if (!this.begun) this.renderer.compile(this.casters, this.lens.shown, this.scene);
   }
 
   private draw(quality: Quality): void {
@@ -197,9 +197,9 @@ export class Stage {
       this.light.setQuality(quality);
       this.resize();
     }
-    this.dirty = false;
     this.onDraw();
     this.lens.sync();
+    this.dirty = false; // what moved meanwhile, such as the camera, is in this picture
     if (this.shown) this.light.update(); // the first picture comes without shadows, a quarter sooner
     this.renderer.render(this.scene, this.lens.shown);
   }

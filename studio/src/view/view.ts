@@ -49,11 +49,11 @@ export interface DrawnFigure {
   closed: Record<'left' | 'right', number> | null; // -1 open, 0 relaxed, 1 in a grip; of the mannequin
 }
 
-/** What others show. A search tells its progress many times, while it needs the machine for itself. */
-const kElsewhere: ReadonlySet<string> = new Set<keyof State>(['search', 'saving', 'offline', 'project', 'tab', 'fps', 'files']);
+/** All that the picture depends on. What others show, such as the progress of a search, must not take the machine from it. */
+const kSeen = ['document', 'preview', 'trial', 'dragging', 'playing', 'selected', 'rings', 'compareMode', 'overlays', 'view', 'theme'] as const;
 
 function isSeen(state: State, previous: State): boolean {
-  return (Object.keys(state) as (keyof State)[]).some((key) => state[key] !== previous[key] && !kElsewhere.has(key));
+  return kSeen.some((key) => state[key] !== previous[key]);
 }
 
 export class View {
