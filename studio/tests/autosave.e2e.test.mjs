@@ -207,7 +207,7 @@ test('a damaged record is told of and left as it is', { timeout: 240_000 }, asyn
   await saved(page);
   const [good] = await records(page, 'works');
   const bad = [
-    'text', null, {}, { ...good.work, chosen: -1 }, { ...good.work, found: { ...good.work.found, task: {} } },
+    'text', { ...good.work, found: { ...good.work.found, task: {} } },
     { ...good.work, edits: { 0: { assignments: { squat_deg: 'much' } } } },
   ];
   for (const damaged of bad) {

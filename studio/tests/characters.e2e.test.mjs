@@ -26,7 +26,7 @@ const isDrawn = (page, row) => page.waitForFunction((n) => {
 }, row, { timeout: 30_000 });
 
 test('characters are kept with what was done with them, and switched', { timeout: 240_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
+  const { page, context, errors } = await openStudio(browser, site.url, { seen: true });
   await settled(page);
   const bvh = await take(page, 'bvh');
   await dropped(page, 'person.bvh', bvh);

@@ -17,11 +17,13 @@ const kHandless = /godot_platformer|BrainStem/;
 const kSix = ['RobotExpressive.glb', 'Geno.fbx', 'VRM-Addon-for-Blender__basic_armature.vrm', 'makehuman_tpose.bvh', 'Quaternius_Character_HumanoidRig.glb'];
 
 const { site, browser } = await visit();
+const { page, errors } = await openStudio(browser, site.url, { seen: true });
+await settled(page);
 
 const read = (name) => readFileSync(`${folder}${name}`);
 const distance = (a, b) => Math.hypot(...a.map((value, k) => value - b[k]));
 
-async function open(page, name, bytes) {
+async function open(name, bytes) {
   await drop(page, name, bytes);
   await page.waitForFunction((file) => window.shigusa.document.character.spec.source === file || window.shigusa.state.notice?.kind === 'failure', name, { timeout: 60_000 });
   await settled(page);
@@ -29,7 +31,7 @@ async function open(page, name, bytes) {
 }
 
 /** How far the hand is drawn from where the engine has it, m, at a share of the first motion; null where it has no node. */
-async function apart(page, share) {
+async function apart(share) {
   await page.locator('.scrub').evaluate((range, value) => {
     range.value = String(1000 * value);
     range.dispatchEvent(new Event('input', { bubbles: true }));
@@ -44,9 +46,9 @@ async function apart(page, share) {
   return drawn && distance(drawn, computed);
 }
 
-async function isDrawnAsComputed(page, name) {
+async function isDrawnAsComputed(name) {
   for (const share of [1, 0]) {
-    const off = await apart(page, share);
+    const off = await apart(share);
     assert.equal(off === null, kHandless.test(name), name);
     assert.ok(off < 2e-3, `${name}: ${off} m off at ${share}`);
   }
@@ -59,12 +61,10 @@ async function isDrawnAsComputed(page, name) {
 }
 
 test('characters are drawn where they are computed, and reach', options, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   const all = process.env.SHIGUSA_LONG ? readdirSync(folder).filter((name) => !kOdd.test(name)).sort() : kSix;
   for (const name of all) {
-    await open(page, name, read(name));
-    await isDrawnAsComputed(page, name);
+    await open(name, read(name));
+    await isDrawnAsComputed(name);
     if (name !== 'makehuman_tpose.bvh') continue;
     // in decimetres, which the GLB that the page draws must have
     const saved = parseGlb(await take(page, 'glb'));
@@ -72,14 +72,11 @@ test('characters are drawn where they are computed, and reach', options, async (
     assert.ok(distance(endOfNode(saved, joint), hand) < 2e-3);
   }
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 const corpora = fileURLToPath(new URL('../../tests/fuzz/', import.meta.url));
 
 test('files that fuzzing starts from are drawn or told of', { skip: !process.env.SHIGUSA_LONG && 'in the night', timeout: 1_800_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   const files = ['bvh', 'fbx', 'gltf', 'urdf', 'mjcf'].flatMap((kind) => readdirSync(`${corpora}${kind}_corpus`).map((name) => [kind, name]));
   for (const [kind, name] of files) {
     const unlike = `${kind}_${name}`; // each its own
@@ -90,7 +87,6 @@ test('files that fuzzing starts from are drawn or told of', { skip: !process.env
     // what three says of a file that leaves out what the standard asks for is true
     assert.deepEqual(errors.filter((text) => !text.startsWith('THREE.GLTFLoader: Missing')), [], unlike);
   }
-  await context.close();
 });
 
 /** The same with another JSON part, with other bytes or with more behind them. */
@@ -118,31 +114,26 @@ function halved() {
 }
 
 test('limbs of next to no length, and scales that a frame changes, are drawn too', options, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
-  await open(page, 'short.bvh', shortLegs());
-  await isDrawnAsComputed(page, 'short.bvh');
-  await open(page, 'halved.glb', halved());
+  await open('short.bvh', shortLegs());
+  await isDrawnAsComputed('short.bvh');
+  await open('halved.glb', halved());
   await openTab(page, 'body');
   await page.locator('[data-key="start posture"]').selectOption({ index: 2 });
   await page.waitForFunction(() => window.shigusa.document.character.spec.animation !== undefined, undefined, { timeout: 30_000 });
   await settled(page);
   assert.equal(await page.evaluate(() => window.shigusa.document.character.description.nodes.find(({ name }) => name === 'RobotArmature').scale[0]), 50);
-  await isDrawnAsComputed(page, 'halved.glb');
+  await isDrawnAsComputed('halved.glb');
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('packed meshes are drawn, and measured as plain ones', options, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   const plain = read('Quaternius_Character_HumanoidRig.glb');
   const packed = [
     ['EXT', await packedByMeshopt(plain, 'EXT_meshopt_compression')], ['KHR', await packedByMeshopt(plain, 'KHR_meshopt_compression')], ['Draco', await packedByDraco(plain)],
   ];
   const seen = async (name, bytes) => {
-    await open(page, `${name}.glb`, bytes);
-    await isDrawnAsComputed(page, name);
+    await open(`${name}.glb`, bytes);
+    await isDrawnAsComputed(name);
     const { description } = await page.evaluate(() => window.shigusa.document.character);
     const { stature_m, feet, capsules, doubts } = description;
     return { figure: await page.evaluate(() => window.shigusa.figure()), measured: { stature_m, feet, capsules, doubts } };
@@ -155,12 +146,9 @@ test('packed meshes are drawn, and measured as plain ones', options, async () =>
     else assert.ok(Math.abs(measured.stature_m - right.measured.stature_m) < 1e-3 && Math.abs(measured.feet[0].floor_m - right.measured.feet[0].floor_m) < 2e-3 && measured.doubts.length === right.measured.doubts.length);
   }
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('damaged packed meshes are told of, and nothing is lost', options, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   const plain = read('Quaternius_Character_HumanoidRig.glb');
   const [meshopt, draco] = [await packedByMeshopt(plain, 'EXT_meshopt_compression'), await packedByDraco(plain)];
   const packedView = ({ bufferViews }) => bufferViews.find(({ extensions }) => extensions);
@@ -179,23 +167,21 @@ test('damaged packed meshes are told of, and nothing is lost', options, async ()
     'faces.glb': changed(draco, (json) => (json.accessors[json.meshes[0].primitives[0].indices].count = 3)),
     'ends.glb': changed(draco, (json) => (dracoView(json).byteLength = 60)),
   };
+  const { character } = await state(page);
   for (const [name, bytes] of Object.entries(damaged)) {
     await drop(page, name, bytes);
     await page.waitForFunction((file) => window.shigusa.state.notice?.key === 'badPacked' && window.shigusa.state.notice.values.name === file, name, { timeout: 30_000 });
     assert.match(await page.locator('.message').innerText(), /packed meshes are damaged/);
-    assert.equal(await page.evaluate(() => window.shigusa.document.character.spec.source), 'human');
+    assert.equal((await state(page)).character, character);
   }
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('what cannot be drawn as it is computed is told in place of a verdict', options, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   const robot = read('RobotExpressive.glb');
   // three hangs what a scene names, without the armature above it, which is scaled by 100
-  await open(page, 'elsewhere.glb', changed(robot, (json) => (json.scenes[0].nodes = [2, ...json.nodes[0].children.slice(1)])));
-  const off = await apart(page, 1);
+  await open('elsewhere.glb', changed(robot, (json) => (json.scenes[0].nodes = [2, ...json.nodes[0].children.slice(1)])));
+  const off = await apart(1);
   assert.ok(off > 0.1, `${off} m off`);
   const line = page.locator('.verdict-line .verdict');
   assert.match(await line.innerText(), /cannot be drawn as it is computed: a hand is drawn \d+.* cm off/);
@@ -206,12 +192,11 @@ test('what cannot be drawn as it is computed is told in place of a verdict', opt
   await page.locator('.topbar select').last().selectOption('en');
   await page.waitForFunction(() => document.documentElement.lang === 'en');
 
-  await open(page, 'unknown.glb', changed(robot, (json) => (json.meshes[0].primitives[0].mode = 9)));
+  await open('unknown.glb', changed(robot, (json) => (json.meshes[0].primitives[0].mode = 9)));
   assert.match(await line.innerText(), /mesh cannot be drawn/);
-  assert.ok(await apart(page, 1) < 2e-3, 'the mannequin stands where its nodes are, whatever their scales');
+  assert.ok(await apart(1) < 2e-3, 'the mannequin stands where its nodes are, whatever their scales');
 
-  await open(page, 'RobotExpressive.glb', robot);
+  await open('RobotExpressive.glb', robot);
   assert.match(await line.innerText(), /can be done|hard|not possible/);
   assert.deepEqual(errors, []);
-  await context.close();
 });

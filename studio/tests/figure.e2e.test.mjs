@@ -6,9 +6,13 @@ import { test } from 'node:test';
 import { inflateRawSync } from 'node:zlib';
 import { makeFile } from '../figure/make.mjs';
 import { parseGlb, valuesOf } from './glb.mjs';
-import { drawn, drop, openStudio, settled, take, visit } from './support.mjs';
+import { ask, drawn, drop, openStudio, settled, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
+const { page, errors } = await openStudio(browser, site.url, { seen: true });
+await settled(page);
+
+const kReach = { goals: [{ effector: 'right_hand', position_m: [-0.2, 1, 0.35] }] };
 
 test('the mannequin is what its script makes, and small', { timeout: 240_000 }, () => {
   const kept = readFileSync(new URL('../../data/mannequin.bin', import.meta.url));
@@ -16,7 +20,7 @@ test('the mannequin is what its script makes, and small', { timeout: 240_000 }, 
   assert.ok(makeFile().equals(inflateRawSync(kept)), 'npm run figure makes another file');
 });
 
-const figureAt = async (page, share) => {
+const figureAt = async (share) => {
   await page.locator('.scrub').evaluate((range, value) => {
     range.value = String(value * 1000);
     range.dispatchEvent(new Event('input'));
@@ -27,47 +31,41 @@ const figureAt = async (page, share) => {
   return page.evaluate(() => window.shigusa.figure());
 };
 
-async function open(page, character) {
+async function open(character) {
   await page.evaluate(() => (window.before = window.shigusa.document.character.id));
-  await drop(page, 'task.json', Buffer.from(JSON.stringify({ character, goals: [{ effector: 'right_hand', position_m: [-0.2, 1, 0.35] }] })));
+  await drop(page, 'task.json', Buffer.from(JSON.stringify({ ...kReach, character })));
   await page.waitForFunction(() => window.shigusa.document.character.id !== window.before, undefined, { timeout: 60_000 });
   await settled(page);
 }
 
 test('the mannequin stands on the floor as tall as its body, whatever sex and mass', { timeout: 240_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   for (const character of [
     { source: 'human', sex: 'female', stature_m: 1.5 }, { source: 'human', stature_m: 1.95, mass_kg: 130 }, { source: 'full_body' }, { source: 'half_body' },
   ]) {
-    await open(page, character);
+    await open(character);
     const stature = await page.evaluate(() => window.shigusa.document.character.description.stature_m);
-    const { low, high, closed } = await figureAt(page, 0);
+    const { low, high, closed } = await figureAt(0);
     const name = JSON.stringify(character);
     assert.ok(Math.abs(low) < 0.006 * stature, `${name}: its soles are at ${low}`);
     assert.ok(Math.abs(high - stature) < 0.015 * stature, `${name}: its head ends at ${high}`);
     assert.deepEqual(closed, { left: 0, right: 0 }, `${name}: at rest its hands are relaxed`);
   }
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('the hand that reaches opens on the way and closes at the end', { timeout: 120_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
-  const way = await figureAt(page, 0.6);
+  await ask(page, kReach);
+  const way = await figureAt(0.6);
   assert.ok(way.closed.right < -0.5, `open by ${way.closed.right}`);
   assert.equal(way.closed.left, 0);
-  const end = await figureAt(page, 1);
+  const end = await figureAt(1);
   assert.ok(end.closed.right > 0.3, `closed by ${end.closed.right}`);
   assert.equal(end.closed.left, 0);
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('a GLB of a built-in body has the skin with its paint, and fingers that move', { timeout: 120_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
+  await ask(page, kReach);
   const glb = parseGlb(await take(page, 'glb'));
   const { json } = glb;
   const [primitive] = json.meshes.flatMap(({ primitives }) => primitives);
@@ -87,5 +85,4 @@ test('a GLB of a built-in body has the skin with its paint, and fingers that mov
   const [skin] = json.skins;
   assert.equal(new Set(skin.joints).size, skin.joints.length, 'each joint once');
   assert.deepEqual(errors, []);
-  await context.close();
 });

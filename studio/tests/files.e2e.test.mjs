@@ -8,7 +8,7 @@ import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { validateBytes } from 'gltf-validator';
 import { endOfNode, parseGlb } from './glb.mjs';
-import { drag, drop, dropAll, openStudio, openTab, settled, state, take, visit } from './support.mjs';
+import { ask, drag, drop, dropAll, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 /** The folder of characters beside the project, where there is one. */
 const folder = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
@@ -17,12 +17,12 @@ const files = existsSync(folder) ? readdirSync(folder).sort() : [];
 const kOdd = /IndexOutOfRange|invalid-buffer|fuzz|simple_skin|Acrobot|\.tsv$/;
 
 const { site, browser } = await visit();
+const { page, errors } = await openStudio(browser, site.url);
+await settled(page);
 
 const distance = (a, b) => Math.hypot(...a.map((value, k) => value - b[k]));
 
 test('an odd file is told of, and the page still works', { skip: files.length === 0 && 'no characters here', timeout: 300_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   const odd = files.filter((name) => kOdd.test(name)).map((name) => [name, readFileSync(join(folder, name))]);
   const made = [['empty.glb', ''], ['letter.bvh', 'Dear reader'], ['half.json', '{"version": 1'], ['other.json', '{"a": 1}'], ['picture.png', 'x']];
   for (const [name, bytes] of [...odd, ...made]) {
@@ -36,12 +36,9 @@ test('an odd file is told of, and the page still works', { skip: files.length ==
   await page.locator('.card .pick').nth(1).click();
   await settled(page);
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('a character of a file leaves as GLB with its hand on the goal', { skip: !files.includes('KayKit_Knight.glb') && 'no knight here', timeout: 120_000 }, async () => {
-  const { page, context } = await openStudio(browser, site.url);
-  await settled(page);
   await drop(page, 'KayKit_Knight.glb', readFileSync(join(folder, 'KayKit_Knight.glb')));
   await page.waitForFunction(() => window.shigusa.document.character.spec.source === 'KayKit_Knight.glb');
   await settled(page);
@@ -56,61 +53,10 @@ test('a character of a file leaves as GLB with its hand on the goal', { skip: !f
   const node = reached.gltf_node === undefined ? reached.joint : glb.json.nodes[reached.gltf_node].name;
   const world = endOfNode(glb, node, animation).map((value) => unit * value);
   assert.ok(distance(world, reached.goal_m) < 2e-3, `${world} is not ${reached.goal_m}`);
-  await context.close();
-});
-
-test('a result that is dropped back and a link bring the task again', { timeout: 120_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url, { permissions: ['clipboard-read', 'clipboard-write'] });
-  await settled(page);
-  await page.click('#tab-goals');
-  await page.locator('[data-key="right_hand up"]').fill('80');
-  await page.locator('[data-key="right_hand up"]').press('Enter');
-  await settled(page);
-  await openTab(page, 'take');
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click('[data-format="result"]')]);
-  const text = readFileSync(await download.path());
-  const before = await state(page);
-
-  await page.reload();
-  await settled(page);
-  await drop(page, 'result.json', text);
-  await page.waitForFunction(() => Math.abs(window.shigusa.document.goals[0].position_m[1] - 0.8) < 1e-9);
-  await settled(page);
-  const after = await state(page);
-  assert.deepEqual(after.words, before.words);
-  assert.deepEqual(after.goals, before.goals);
-
-  await openTab(page, 'take');
-  await page.click('[data-format="link"]');
-  await page.waitForFunction(() => window.shigusa.state.notice?.key === 'linkCopied');
-  const link = await page.evaluate(() => navigator.clipboard.readText());
-  assert.ok(link.startsWith(`${site.url}#work=1.`), link);
-  const other = await context.newPage();
-  await other.goto(link);
-  await settled(other);
-  const linked = await state(other);
-  assert.deepEqual(linked.goals, before.goals);
-  assert.deepEqual(linked.words, before.words);
-
-  // links of earlier versions hold the task alone
-  const task = Buffer.from(JSON.stringify({ character: 'human', goals: before.goals })).toString('base64url');
-  await other.goto('about:blank');
-  await other.goto(`${site.url}#task=${task}`);
-  await settled(other);
-  assert.deepEqual((await state(other)).goals, before.goals);
-
-  await other.goto('about:blank');
-  await other.goto(`${site.url}#task=%%%`);
-  await settled(other);
-  assert.match(await other.locator('.message').innerText(), /damaged/);
-  assert.deepEqual(errors, []);
-  await context.close();
 });
 
 const kRobot = 'VRM-Addon-for-Blender__debug_robot.vrm';
 test('a VRM character leaves in every format', { skip: !files.includes(kRobot) && 'no robot here', timeout: 120_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   await drop(page, kRobot, readFileSync(join(folder, kRobot)));
   await page.waitForFunction((name) => window.shigusa.document.character.spec.source === name, kRobot);
   await settled(page);
@@ -124,28 +70,10 @@ test('a VRM character leaves in every format', { skip: !files.includes(kRobot) &
     assert.deepEqual(issues.messages.filter((message) => message.severity < 2), [], format);
   }
   assert.deepEqual(errors, []);
-  await context.close();
-});
-
-test('files leave at the frames a second that are chosen', { timeout: 120_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
-  await openTab(page, 'take');
-  const rate = page.getByLabel('Frames a second', { exact: true });
-  assert.equal(await rate.inputValue(), '60');
-  await rate.selectOption('24');
-  assert.match((await take(page, 'bvh')).toString(), /Frame Time: 0\.041666666666666664/);
-  const glb = parseGlb(await take(page, 'glb'));
-  const times = glb.json.accessors[glb.json.animations[0].samplers[0].input];
-  const { duration_s } = await page.evaluate(() => window.shigusa.document.result.summary.candidates[window.shigusa.chosen]);
-  assert.equal(times.count, Math.ceil(duration_s * 24 - 1e-6) + 1);
-  assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('a result that comes with other files than it describes is told of', { timeout: 120_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
+  await ask(page, { goals: [{ effector: 'right_hand', position_m: [-0.2, 0.8, 0.4] }] });
   const summary = JSON.parse(await take(page, 'result'));
   const csv = await take(page, 'csv');
   const digest = createHash('sha256').update(csv).digest('hex');
@@ -161,12 +89,9 @@ test('a result that comes with other files than it describes is told of', { time
   await dropAll(page, [['summary.json', JSON.stringify(summary)], ['candidate-1.csv', csv], ['notes.txt', 'mine']]);
   await page.waitForFunction((n) => window.shigusa.document.result?.summary.candidates.length === n, count);
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('what a task says that the page has no place for is kept, and its obstacles are seen', { timeout: 120_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   const table = { name: 'table', position_m: [0, 0.4, 0.55], size_m: [1.2, 0.8, 0.5] };
   const task = {
     version: 1, character: 'human', goals: [{ effector: 'right_hand', position_m: [-0.15, 0.9, 0.55] }], obstacles: [table],
@@ -192,12 +117,9 @@ test('what a task says that the page has no place for is kept, and its obstacles
   assert.deepEqual(mirrored.obstacles[0].size_m, table.size_m);
   assert.equal(mirrored.goals[0].effector, 'left_hand');
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('a task that asks for a front is ranked by its mixture', { timeout: 240_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   const task = { character: 'human', goals: [{ effector: 'right_hand', position_m: [-0.2, 0.9, 0.5] }], pareto: true, evaluations: 600 };
   await drop(page, 'task.json', JSON.stringify(task));
   await page.waitForFunction(() => window.shigusa.document.settings.more.pareto === true);
@@ -212,5 +134,4 @@ test('a task that asks for a front is ranked by its mixture', { timeout: 240_000
   const shown = await page.locator('.score').evaluateAll((all) => all.map((element) => Number(element.dataset.score)));
   assert.deepEqual(shown, scores.map((score) => Number(score.toFixed(3))), 'as the engine scored them');
   assert.deepEqual(errors, []);
-  await context.close();
 });

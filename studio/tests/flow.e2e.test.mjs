@@ -28,12 +28,14 @@ test('a person reaches on opening, and a sentence says what to drag', async () =
 });
 
 test('drag, choose the third, move a slider, export: the hand stays on its goal', async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
+  const { page, context, errors } = await openStudio(browser, site.url, { seen: true });
   await settled(page);
   const before = await state(page);
   const { time, duration } = await page.evaluate(() => ({ time: window.shigusa.time, duration: window.shigusa.document.result.candidates[0].summary.duration_s }));
   assert.deepEqual([before.playing, time], [false, duration], 'who wants little to move sees the end');
+  assert.ok(await page.locator('.hint').isVisible());
   await drag(page, 'right_hand', -40, -60, { hold: 60, followed: true });
+  assert.ok(!(await page.locator('.hint').isVisible()), 'who has dragged needs no hint');
   assert.ok((await page.evaluate(() => window.shigusa.timings.dragToPose.length)) > 0, 'the body followed the drag');
   await settled(page);
   const dragged = await state(page);

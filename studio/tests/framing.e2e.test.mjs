@@ -48,7 +48,7 @@ const filled = (canvas) => canvas.evaluate((element) => {
 });
 
 test('cards: a figure that fills its picture, a strip to be read, bars with names, a word for the score', { timeout: 240_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
+  const { page, context, errors } = await openStudio(browser, site.url, { seen: true });
   await settled(page);
   const card = page.locator('.card').first();
   assert.match(await card.locator('.score').innerText(), /^best\b/);

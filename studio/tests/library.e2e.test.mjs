@@ -20,7 +20,7 @@ const pick = (page, text, name = 'library.json') =>
   page.locator('[data-library="file"]').setInputFiles({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
 
 test('goals with things in the way and start postures are kept, used by a click as one step, renamed, deleted, brought back and carried', { timeout: 300_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url, { viewport: { width: 940, height: 620 } });
+  const { page, context, errors } = await openStudio(browser, site.url, { seen: true, viewport: { width: 940, height: 620 } });
   await settled(page);
   await page.click('[data-key="add thing"]');
   await settled(page);

@@ -45,7 +45,7 @@ async function stillPicture(canvas) {
 }
 
 test('feet have their contact shadow, and a lost WebGL context comes back with figure, ghosts and shadows', { timeout: 240_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url, { viewport: { width: 940, height: 520 } });
+  const { page, context, errors } = await openStudio(browser, site.url, { seen: true, viewport: { width: 940, height: 520 } });
   await settled(page);
   const canvas = page.locator('canvas.view');
   const bare = await stillPicture(canvas);

@@ -17,7 +17,7 @@ test('from opening to one’s own character in an adjusted motion in eight actio
   const own = await take(maker.page, 'glb');
   await maker.context.close();
 
-  const { page, context, errors } = await openStudio(browser, site.url, { cards: true });
+  const { page, context, errors } = await openStudio(browser, site.url, { cards: true, seen: true });
   await settled(page);
   let actions = 0;
   const act = async (action) => {

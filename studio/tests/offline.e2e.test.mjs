@@ -61,6 +61,7 @@ test('offline the page opens, with every panel, every export and both languages'
   }
   const formats = await page.locator('[data-format]:not([data-format="link"]):not(:disabled)').evaluateAll((all) => all.map((button) => button.dataset.format));
   for (const format of ['bvh', 'csv', 'svg', 'png', 'glb', 'picture', 'film', 'result']) assert.ok(formats.includes(format), `${format} of ${formats}`);
+  await page.locator('[data-film="size"]').selectOption('640 × 360');
   const saved = new Map();
   for (const format of formats) saved.set(format, await take(page, format));
   for (const [format, bytes] of saved) assert.ok(bytes.length > 100, `${format}: ${bytes.length} bytes`);

@@ -25,7 +25,7 @@ async function read(page, bytes) {
 }
 
 test('a picture has the size that was asked for, and a background or none', { timeout: 240_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url, { viewport: { width: 940, height: 520 } });
+  const { page, context, errors } = await openStudio(browser, site.url, { seen: true, viewport: { width: 940, height: 520 } });
   await settled(page);
   await openTab(page, 'take');
   const [width, height] = await page.locator('canvas.view').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);

@@ -32,7 +32,7 @@ async function rename(page, from, to) {
 }
 
 test('projects are named, begun, opened again as they were, duplicated, deleted and brought back', { timeout: 300_000 }, async () => {
-  const { page, context, errors } = await open();
+  const { page, context, errors } = await open({ seen: true });
   await settled(page);
   await menu(page);
   await listed(page, ['Untitled']); // it is filled after it has opened

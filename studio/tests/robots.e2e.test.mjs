@@ -9,20 +9,22 @@ import { saved } from './kept.mjs';
 import { drop, openStudio, openTab, settled, state, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
+const { page, errors } = await openStudio(browser, site.url, { seen: true });
+await settled(page);
 const fuzz = fileURLToPath(new URL('../../tests/fuzz/', import.meta.url));
 const shared = process.env.SHIGUSA_CHARACTERS ?? fileURLToPath(new URL('../../../shared/characters/', import.meta.url));
 const robots = ['unitree_ros__g1_29dof.urdf', 'icub-models__model.urdf', 'mujoco__humanoid.xml'].map((name) => shared + name).filter(existsSync);
 const small = readFileSync(`${fuzz}urdf_corpus/small_robot.urdf`);
 const maker = readFileSync(`${fuzz}mjcf_corpus/maker.xml`);
 
-async function dropped(page, name, bytes) {
+async function dropped(name, bytes) {
   await drop(page, name, bytes);
   await page.waitForFunction((file) => window.shigusa.document.character.spec.source === file, name, { timeout: 60_000 });
   await settled(page);
 }
 
 /** The hand ends where its goal is, and is drawn there. */
-async function reaches(page) {
+async function reaches() {
   await page.waitForFunction(() => window.shigusa.time === window.shigusa.document.result.summary.candidates[window.shigusa.chosen].duration_s);
   await page.waitForFunction(() => {
     const [hand, drawn] = [window.shigusa.hand(), window.shigusa.drawn('right_hand')];
@@ -33,10 +35,8 @@ async function reaches(page) {
 }
 
 test('a robot is a character as others: drawn, kept, switched, and its joints leave as CSV', { timeout: 240_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
-  await dropped(page, 'small_robot.urdf', small);
-  await reaches(page);
+  await dropped('small_robot.urdf', small);
+  await reaches();
   const csv = String(await take(page, 'csv')).split('\n')[0].split(',');
   for (const column of ['root.x [m]', 'root.qw', 'left_knee [rad]', 'right_elbow [rad]']) {
     assert.ok(csv.includes(column), `${column} is not among ${csv}`);
@@ -44,8 +44,8 @@ test('a robot is a character as others: drawn, kept, switched, and its joints le
   assert.equal(String((await take(page, 'glb')).subarray(0, 4)), 'glTF', 'its rods leave with the motion');
   const left = await state(page);
 
-  await dropped(page, 'maker.xml', maker);
-  await reaches(page);
+  await dropped('maker.xml', maker);
+  await reaches();
   await openTab(page, 'body');
   const rows = page.locator('.characters li');
   assert.equal(await rows.count(), 3);
@@ -62,14 +62,11 @@ test('a robot is a character as others: drawn, kept, switched, and its joints le
   await page.reload();
   await settled(page);
   assert.equal((await state(page)).character, 'small_robot.urdf', 'it is kept');
-  await reaches(page);
+  await reaches();
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('a file that is no robot is told of by its line, and harms nothing', { timeout: 120_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   const cases = [
     ['bomb.urdf', '<!DOCTYPE r [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;">]>\n<robot name="&b;"/>', /line 1 of bomb\.urdf/],
     ['deep.urdf', '<a>'.repeat(100_000), /nested deeper than 64/],
@@ -77,25 +74,22 @@ test('a file that is no robot is told of by its line, and harms nothing', { time
     ['cut.urdf', small.subarray(0, 4000), /cut\.urdf/],
     ['circle.urdf', readFileSync(`${fuzz}urdf_corpus/circle.urdf`), /hangs in a circle/],
   ];
+  const { character } = await state(page);
   for (const [name, bytes, told] of cases) {
     await page.evaluate(() => document.querySelector('.message .icon-button')?.click());
     await drop(page, name, bytes);
     await page.waitForFunction(() => window.shigusa.state.notice !== null && !window.shigusa.state.opening, undefined, { timeout: 30_000 });
     assert.match(await page.locator('.message').innerText(), told);
-    assert.equal((await state(page)).character, 'human', name);
+    assert.equal((await state(page)).character, character, name);
   }
   assert.deepEqual(errors, []);
-  await context.close();
 });
 
 test('robots of others reach', { skip: robots.length === 0 && 'no robots here', timeout: 240_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, site.url);
-  await settled(page);
   for (const path of robots) {
-    await dropped(page, path.split('/').pop(), readFileSync(path));
+    await dropped(path.split('/').pop(), readFileSync(path));
     assert.notEqual((await state(page)).status, 'unreachable', path);
-    await reaches(page);
+    await reaches();
   }
   assert.deepEqual(errors, []);
-  await context.close();
 });

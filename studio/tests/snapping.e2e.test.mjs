@@ -68,7 +68,7 @@ test('what is dragged snaps to faces and the floor, as the switch or Ctrl says',
   const table = { name: 'table', position_m: [-0.4, 0.7, 0.6], size_m: [0.8, 0.04, 0.6] };
   const box = { name: 'box', position_m: [0.6, 0.19, 0.3], size_m: [0.3, 0.3, 0.3] };
   const task = { character: 'human', evaluations: 64, obstacles: [table, box], goals: [{ effector: 'right_hand', position_m: [-0.3, 1, 0.5] }, { effector: 'left_hand', position_m: [0.2, 1.2, 0.4] }] };
-  const { page, context, errors } = await openStudio(browser, linkTo(site, task));
+  const { page, context, errors } = await openStudio(browser, linkTo(site, task), { seen: true });
   await settled(page);
   const thick = await page.evaluate(() => window.shigusa.document.character.description.capsules.find(({ name }) => name === 'right_hand').radius_m);
   assert.ok(thick > 0.005);

@@ -72,9 +72,16 @@ export function hear(page, errors) {
   });
 }
 
-/** A page that is open, with motions that do not play unasked, as drawing by software takes all of a machine; `errors` gets what the console complains of. `cards`: as at a first visit, with the cards to begin with. Without the service worker, which each context would have fetch all files. */
-export async function openStudio(browser, url, { cards = false, ...options } = {}) {
+/** Leaves the graphics card without work: a processor that draws takes most of a test's time. */
+function drawNothing() {
+  const { prototype } = WebGL2RenderingContext;
+  for (const name of ['clear', 'compileShader', 'drawArrays', 'drawElements', 'generateMipmap', 'linkProgram', 'texImage2D', 'texStorage2D', 'texSubImage2D', 'useProgram']) prototype[name] = () => undefined;
+}
+
+/** A page that is open, with motions that do not play unasked, as drawing by software takes all of a machine; `errors` gets what the console complains of. `cards`: as at a first visit, with the cards to begin with. `seen`: its view and its small pictures are drawn. Without the service worker, which each context would have fetch all files. */
+export async function openStudio(browser, url, { cards = false, seen = false, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, reducedMotion: 'reduce', serviceWorkers: 'block', ...options });
+  if (!seen) await context.addInitScript(drawNothing);
   if (!cards) {
     await context.addInitScript(() => {
       // an empty page has no storage
@@ -95,6 +102,17 @@ export async function openStudio(browser, url, { cards = false, ...options } = {
 /** The address at which the page opens a task. */
 export function linkTo(site, task) {
   return `${site.url}#task=${Buffer.from(JSON.stringify(task)).toString('base64url')}`;
+}
+
+/** Opens a task in a page that is open, as its link does; sooner than the page anew. Back once its motions are there. */
+export async function ask(page, task) {
+  await page.evaluate((hash) => {
+    window.before = window.shigusa.document;
+    history.replaceState(null, '', location.pathname); // the same one may come again
+    location.hash = hash;
+  }, new URL(linkTo({ url: 'http://a/' }, task)).hash);
+  await page.waitForFunction(() => window.shigusa.document !== window.before);
+  await settled(page);
 }
 
 /** Waits until motions are found and drawn. */

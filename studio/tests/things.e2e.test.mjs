@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { seriousFindings } from './axe.mjs';
 import { angleBetween, turnByRings } from './rings.mjs';
-import { drop, linkTo, openStudio, settled, take, visit } from './support.mjs';
+import { ask, drop, linkTo, openStudio, settled, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -71,18 +71,16 @@ test('a thing is turned by numbers, stays on its floor, and is turned back by un
   await page.click('#tab-goals');
   for (const angle of ['roll', 'heading']) await type(page, `thing 0 ${angle}`, '0');
   assert.equal((await thing(page)).rotation_xyzw, undefined);
+
+  await ask(page, { ...task, obstacles: [lying] });
+  assert.equal(await field(page, 'thing 0 roll').inputValue(), '90');
+  near((await thing(page)).rotation_xyzw, lying.rotation_xyzw);
   assert.deepEqual(errors, []);
   await context.close();
-
-  const second = await openStudio(browser, linkTo(site, { ...task, obstacles: [lying] }));
-  await settled(second.page);
-  assert.equal(await field(second.page, 'thing 0 roll').inputValue(), '90');
-  near((await thing(second.page)).rotation_xyzw, lying.rotation_xyzw);
-  await second.context.close();
 });
 
 test('rings turn the thing that is selected, where it is', { timeout: 240_000 }, async () => {
-  const { page, context, errors } = await openStudio(browser, linkTo(site, task));
+  const { page, context, errors } = await openStudio(browser, linkTo(site, task), { seen: true });
   await settled(page);
   await field(page, 'thing 0 rings').focus();
   await page.waitForFunction(() => window.shigusa.state.selected === '@thing 0');
