@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "problem/make_problem.hpp"
 #include "rollout/reach_problem.hpp"
-#include "task/make_problem.hpp"
 
 // The subject of measurement: the paper's first experiment, and random genomes of its code.
 namespace shigusa::bench {

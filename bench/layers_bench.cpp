@@ -10,16 +10,14 @@
 #include "generate/layered_approaches.hpp"
 #include "generate/layered_search.hpp"
 #include "generate/parameter_space.hpp"
+#include "problem/plan_of.hpp"
 #include "rollout/batch_rollout.hpp"
-#include "task/plan_of.hpp"
 
 namespace shigusa::bench {
 namespace {
 
 Task human_task(Preset preset) {
-  return prepared(
-             with_preset(Task(human_body(), {.goals = {{"right_hand", kLowFrontLeft}}}), preset))
-      .value();
+  return with_preset(Task(human_body(), {.goals = {{"right_hand", kLowFrontLeft}}}), preset);
 }
 
 // (motions × genes) about the middle, where searches spend most of their time

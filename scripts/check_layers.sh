@@ -10,7 +10,7 @@
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
-files=$(find include src apps bindings examples bench tests -type f \
+files=$(find include src dataset apps bindings examples bench research tests -type f \
   \( -name '*.hpp' -o -name '*.h' -o -name '*.cpp' \) 2>/dev/null | LC_ALL=C sort) || true
 [ -n "$files" ] || { echo "check_layers: no sources below $(pwd)" >&2; exit 1; }
 
@@ -37,61 +37,72 @@ function check_room(target) {
 BEGIN {
   allow("core", "")
   allow("math", "core")
+  allow("files", "core")
   allow("simd", "math core")
   allow("search", "math core")
   allow("body", "math core")
   allow("motion", "body math core")
-  allow("person", "body math core")
-  allow("kinematics", "person motion body math core")
+  allow("human", "body math core")
+  allow("rig", "human body math core")
+  persons = "measure rig human body math core"
+  allow("measure", persons)
+  allow("kinematics", "motion " persons)
   allow("dynamics", "kinematics motion body math core")
   allow("criteria", "dynamics kinematics motion body math core")
-  allow("rollout", "criteria dynamics kinematics motion body math core simd")
-  motions = "rollout criteria dynamics kinematics motion person body math core simd"
+  allow("plan", "criteria dynamics kinematics motion body math core")
+  motions = "plan criteria dynamics kinematics motion " persons " simd"
+  allow("rollout", motions)
+  motions = "rollout " motions
   allow("nlp", motions)
-  allow("layers", "search " motions)
-  allow("task", "layers search " motions)
-  allow("generate", "task layers nlp search " motions)
-  generates = "generate task layers nlp search " motions
-  allow("io", "person motion body math core")
-  allow("figure", "person motion body math core")
-  allow("robot", "io person kinematics motion body math core")
-  allow("character", "robot io " motions)
-  allow("document", "character figure robot io " generates)
-  allow("edit", "document character robot io " generates)
-  allow("dataset", "document character robot io " generates)
-  all = "dataset edit document character figure robot io " generates
+  allow("paper", motions)
+  allow("problem", "search " motions)
+  generates = "nlp paper problem search " motions
+  allow("generate", generates)
+  generates = "generate " generates
+  allow("robot", "kinematics motion " persons)
+  allow("formats", "robot files motion " persons)
+  allow("character", "formats robot files criteria dynamics kinematics motion " persons)
+  allow("draw", generates)
+  documents = "draw character formats robot files " generates
+  allow("document", documents)
+  allow("edit", "document " documents)
+  all = "dataset edit document " documents
+  allow("dataset", "edit document " documents)
   allow("shigusa", all)  # the one header that gathers the others
-  outside = "apps examples tests bindings bench"
+  outside = "apps examples tests bindings bench research"
   n = split(outside, list, " ")
   for (i = 1; i <= n; ++i) allow(list[i], "shigusa " all)
 
   face("core", "message result progress random words field parallel")
   face("math", "scalar vec3 mat3 quat transform")
+  face("files", "file")
   face("body", "skeleton body_model body_build goal")
   face("motion", "motion")
-  face("person", "landmarks human_body")
+  face("human", "landmarks human_body")
   face("criteria", "criteria motion_measures")
   face("search", "search")
-  face("rollout", "parameters")
-  face("layers", "layered_settings")
-  face("task", "request task")
+  face("plan", "parameters layered_settings")
+  face("problem", "request task")
   face("generate", "generate verdict")
-  face("io", "bvh file file_format")
-  face("figure", "strip_figure")
+  face("formats", "bvh file_format")
+  face("draw", "strip_figure motion_page result_words")
   face("character", "character")
-  face("document", "task_file result_file result_words motion_page export score_clip limb_cache facts")
+  face("document", "task_file result_file export score_clip limb_cache facts")
   face("edit", "edit")
   face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export dataset_read")
   face("shigusa", "shigusa")
+
+  # a component of its own has public headers, and of these rooms what lies within
+  inside["dataset"] = " dataset core files formats body kinematics criteria plan rollout problem document "
 }
 
 FNR == 1 {
   split(FILENAME, part, "/")
-  public = part[1] == "include"
-  internal_allowed = part[1] == "src" || part[1] == "bench" || (part[1] == "tests" && part[2] != "consumer")
+  public = part[1] == "include" || part[2] == "include"
+  internal_allowed = part[1] == "src" || part[1] == "bench" || part[1] == "research" || part[1] in inside || (part[1] == "tests" && part[2] != "consumer")
   if (public) {
     header = FILENAME
-    sub(/^include\/shigusa\//, "", header)
+    sub(/^(dataset\/)?include\/shigusa\//, "", header)
     room = room_of[header]
     if (room == "") complain("\"" header "\" belongs to no room")
   } else {
@@ -122,6 +133,8 @@ FNR == 1 {
     for (i = 1; i < n && !(part[i] in known); ++i) {}
     if (i < n || target ~ /(^|\/)(src|include)\//) {
       if (!internal_allowed) complain(room " must use public headers only, not \"" target "\"")
+      else if (room in inside && index(inside[room], " " part[i] " ") == 0)
+        complain(room " must not include \"" target "\"")
       else if (i < n) check_room(part[i])
     }
   }

@@ -5,12 +5,12 @@
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
-# Texts that no page shows: what the operating system says of files and folders, which pages have none of (io/file,
-# io/descriptor, document/result_folder, document/result_store), tables that the library itself has filled wrongly (io/csv),
-# settings of strip figures, which are options of the command line (figure), and data sets, which no page makes (dataset). The command line and the C interface
+# Texts that no page shows: what the operating system says of files and folders, which pages have none of (files/file,
+# files/descriptor, document/result_folder, document/result_store), tables that the library itself has filled wrongly (formats/csv),
+# settings of strip figures, which are options of the command line (draw), and data sets, which no page makes (dataset). The command line and the C interface
 # (apps, bindings) speak English to the people who call them.
-files=$(find src include -type f \( -name '*.hpp' -o -name '*.cpp' \) ! -path 'src/core/*' ! -path 'src/figure/*' ! -path 'src/dataset/*' \
-  ! -path src/io/file.cpp ! -path src/io/descriptor.cpp ! -path src/io/csv.cpp \
+files=$(find src include -type f \( -name '*.hpp' -o -name '*.cpp' \) ! -path 'src/core/*' ! -path 'src/draw/*' \
+  ! -path src/files/file.cpp ! -path src/files/descriptor.cpp ! -path src/formats/csv.cpp \
   ! -path src/document/result_folder.cpp ! -path src/document/result_store.cpp | LC_ALL=C sort) || true
 [ -n "$files" ] || { echo "check_messages: no sources below $(pwd)" >&2; exit 1; }
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # coverage.awk FLOORS SUMMARY: read by scripts/coverage. Of llvm-cov's summary prints how many lines of each room
-# (src/ROOM) were run, or with `record` lines of a new FLOORS, a point below. Fails where a room is below its floor or
+# (src/ROOM, and dataset) were run, or with `record` lines of a new FLOORS, a point below. Fails where a room is below its floor or
 # has none, where one of `rooms` (words) or of FLOORS was not counted, and where none was.
 
 function number(name,   rest) {
@@ -18,7 +18,7 @@ FILENAME == ARGV[1] { if ($0 !~ /^#/) floor[$1] = $2; next }
 
 # "filename":…, "summary": {…, "lines": {"count": N, "covered": N, …}, …}, and "totals" in the end
 /"filename":/ || /"totals":/ {
-  room = match($0, /\/src\/[a-z]+\/[a-z_0-9]+\.[ch]pp/) ? substr($0, RSTART, RLENGTH) : ""
+  room = match($0, /\/(src\/[a-z]+|dataset)\/[a-z_0-9]+\.[ch]pp/) ? substr($0, RSTART, RLENGTH) : ""
   sub(/\/[^\/]*$/, "", room)
   sub(/.*\//, "", room)
 }

@@ -180,8 +180,7 @@ void add_edit(CLI::App& app, int& exit_code) {
             .brief = "A parameter's value: squat_deg=20, right_elbow.locked=true",
             .full = "NAME.weight=NUMBER or NAME.locked=true|false, NAME a joint or a freedom such "
                     "as right_shoulder.flexion, which the result's summary.json lists; or of the "
-                    "posture squat_deg=NUMBER and so on. later.NAME is for the second phase of a "
-                    "motion, which begins about switch=NUMBER (0.2 to 0.8). Of the preset layers "
+                    "posture squat_deg=NUMBER and so on. Of the preset layers "
                     "also legs.contraction=NUMBER (0 to 15), and right_arm.NAME for the arm's own; "
                     "of human right_arm.swivel_deg=NUMBER and left_elbow.final_deg=NUMBER. "
                     "Repeatable.",

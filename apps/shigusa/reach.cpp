@@ -156,9 +156,8 @@ Result<int> reach(const ReachOptions& options) {
   note_other_axes(task);
   task.batch = batch;
   task.layers.store = limb_store();
-  if (const auto checked = check_task(task); !checked) {
-    return tl::unexpected(in_task(checked.error(), options));
-  }
+  const Result<PreparedTask> prepared = PreparedTask::of(task);
+  if (!prepared) return tl::unexpected(in_task(prepared.error(), options));
   for (const Message& odd : goal_notes(task)) note("goal", odd.text);
   SHG_TRY(prepare_out(options.out));
   const auto begin = std::chrono::steady_clock::now();
@@ -167,7 +166,7 @@ Result<int> reach(const ReachOptions& options) {
     progress.deadline = begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                     std::chrono::duration<double>(*options.seconds));
   }
-  const Result<GenerateResult> generation = generate(task, progress);
+  const Result<GenerateResult> generation = generate(*prepared, progress);
   end_progress_line();
   if (!generation) return tl::unexpected(generation.error());
   return deliver({file, task, *generation, search_info(task, begin)},

@@ -223,14 +223,15 @@ std::string headline(const FinishedRun& run) {
   std::string text = hanging(printable(
       fmt::format("{}: {}, {}", word_of(generation.status), task.body.name(), asked_words(task))));
   std::string found = fmt::format("{:.2f} s of motion", generation.duration);
-  if (generation.evaluations > 0) {
-    found += fmt::format("; {} motions in {} generations{}, {:.0f} ms", generation.evaluations,
-                         generation.generations,
-                         generation.runs > 1 ? fmt::format(" of {} runs", generation.runs) : "",
-                         info.elapsed_ms);
+  if (generation.log.evaluations > 0) {
+    found +=
+        fmt::format("; {} motions in {} generations{}, {:.0f} ms", generation.log.evaluations,
+                    generation.log.generations,
+                    generation.log.runs > 1 ? fmt::format(" of {} runs", generation.log.runs) : "",
+                    info.elapsed_ms);
   }
-  if (generation.cells_searched > 0) {
-    found += fmt::format("; {} cells of the limb library searched", generation.cells_searched);
+  if (generation.log.cells_searched > 0) {
+    found += fmt::format("; {} cells of the limb library searched", generation.log.cells_searched);
   }
   if (generation.end == SearchEnd::cancelled) found += "; stopped early";
   return text + hanging(found);
@@ -238,7 +239,7 @@ std::string headline(const FinishedRun& run) {
 
 // Words on a goal that no possible motion meets; the rate was measured for the preset flat.
 std::string_view unsteady_words(const FinishedRun& run) {
-  if (run.generation.evaluations == 0) return "not by a motion that this body could make";
+  if (run.generation.log.evaluations == 0) return "not by a motion that this body could make";
   if (run.task.preset != Preset::flat) return "no motion was found that this body could make";
   return "no motion was found that this body could make (another --seed finds one for one such "
          "task "
@@ -266,11 +267,11 @@ void note_supports(const FinishedRun& run) {
 void note_run(const FinishedRun& run, const Judgement& start) {
   const auto& [file, task, generation, info] = run;
   for (const Message& doubt : task.body.doubts()) note(task.body.name(), doubt.text);
-  if (generation.replay_differs > 0) {
+  if (generation.log.replay_differs > 0) {
     note("search", fmt::format("{} of {} candidates scored up to {:.4f} otherwise in the search's "
                                "single precision than in double, whose scores are given",
-                               generation.replay_differs, generation.candidates.size(),
-                               generation.replay_difference));
+                               generation.log.replay_differs, generation.candidates.size(),
+                               generation.log.replay_difference));
   }
   if (generation.meets_goals() && !generation.fewer.empty())
     note("candidates", generation.fewer.text);

@@ -11,6 +11,7 @@
 #include <shigusa/task.hpp>
 #include <shigusa/verdict.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shigusa {
@@ -109,6 +110,32 @@ struct Candidate {
   std::optional<ArmCollision> arm_collision{};  ///< of plans with several layers
 };
 
+/// Counts of what a search took and left out.
+struct SearchLog {
+  int evaluations = 0;   ///< motions scored by the search
+  int runs = 1;          ///< of the preset paper: with other random numbers each, see generate
+  int generations = 0;   ///< of the search, in all runs
+  int rejected_nan = 0;  ///< motions that a criterion scored NaN
+  int near_copies = 0;   ///< distinct genomes that move nearly as a better one
+  int missed = 0;        ///< final genomes that missed a goal, left the path or moved a foot
+  int collided = 0;      ///< left out as others pass through nothing, or less deep through it
+  int jolting = 0;       ///< left out as others do not jolt, see Suddenness
+  int strange = 0;       ///< left out as they end as nobody does who need not
+  int over_limit = 0;    ///< of layers that hold limits: left out as others are within them
+  /// candidates whose score in the search was off by over kReplayTolerance
+  int replay_differs = 0;
+  double replay_difference = 0.0;  ///< the most that a candidate's score in the search was off by
+  int cells_searched = 0;          ///< of the arms' libraries, which were in no store
+
+  /// Adds the motions that another search of the task scored.
+  void spend(const SearchLog& other) {
+    evaluations += other.evaluations;
+    rejected_nan += other.rejected_nan;
+  }
+  /// Adds what another run scored, copied and missed.
+  void add_run(const SearchLog& other);
+};
+
 /// The result of a search for motions.
 struct GenerateResult {
   ReachStatus status = ReachStatus::reached;  ///< whether the goals are met
@@ -127,22 +154,9 @@ struct GenerateResult {
   /// strains: this is a longer one in which it does not, for a strain by 1.3 times at the most. See
   /// played_task.
   bool gentled = false;
-  int evaluations = 0;   ///< motions scored by the search
-  int runs = 1;          ///< of the preset paper: with other random numbers each, see generate
-  int generations = 0;   ///< of the search, in all runs
-  int rejected_nan = 0;  ///< motions that a criterion scored NaN
-  int near_copies = 0;   ///< distinct genomes that move nearly as a better one
-  int missed = 0;        ///< final genomes that missed a goal, left the path or moved a foot
-  int collided = 0;      ///< left out as others pass through nothing, or less deep through it
-  int jolting = 0;       ///< left out as others do not jolt, see Suddenness
-  int strange = 0;       ///< left out as they end as nobody does who need not
-  int over_limit = 0;    ///< of layers that hold limits: left out as others are within them
-  /// candidates whose score in the search was off by over kReplayTolerance
-  int replay_differs = 0;
-  double replay_difference = 0.0;  ///< the most that a candidate's score in the search was off by
+  SearchLog log{};                       ///< what it took, and what was left out
   std::optional<Parameters> best_seen;   ///< the best of all genomes evaluated, kept or not
   double best_seen_score = 0.0;          ///< of that genome
-  int cells_searched = 0;                ///< of the arms' libraries, which were in no store
   SearchEnd end = SearchEnd::converged;  ///< why the search ended
 
   /// Whether the candidates end at their goals.
@@ -177,11 +191,26 @@ inline constexpr double kReplayTolerance = 0.05;
 /// How near (m) a candidate must come to the closest point where the goal is out of reach.
 inline constexpr double kEdgeTolerance = 5e-3;
 
-/// Fails as generate would, at once.
-[[nodiscard]] Result<void> check_task(const Task& task);
+/// All that a task means for its body.
+struct Problem;
+
+/// A task that was checked and made a problem once, to be searched or played.
+class PreparedTask {
+ public:
+  /// Fails as generate would, at once.
+  [[nodiscard]] static Result<PreparedTask> of(const Task& task);
+
+  /// The task with its goals' loads in the body's hands, whose body stands on its contacts.
+  [[nodiscard]] const Task& task() const;
+  [[nodiscard]] const Problem& problem() const { return *problem_; }  ///< what was made of it
+
+ private:
+  explicit PreparedTask(std::shared_ptr<const Problem> problem) : problem_(std::move(problem)) {}
+  std::shared_ptr<const Problem> problem_;
+};
 
 /// Finds natural motions for a task: the distinct genomes that the search ends with, ranked
-/// (paper, sections 3.2 and 4). Fails where check_task does; an unreachable
+/// (paper, sections 3.2 and 4). Fails where PreparedTask::of does; an unreachable
 /// goal is a status. When cancelled, returns the best so far. Same task, same result. An
 /// exception of a user's own criterion or search passes through.
 ///
@@ -200,6 +229,9 @@ inline constexpr double kEdgeTolerance = 5e-3;
 /// motion; the upper motions that are kept are given the best swivel of all, then the best final
 /// angles of free arms.
 [[nodiscard]] Result<GenerateResult> generate(const Task& task, const Progress& progress = {});
+/// The same for a task that is prepared.
+[[nodiscard]] Result<GenerateResult> generate(const PreparedTask& task,
+                                              const Progress& progress = {});
 
 /// Makes motions of one task from given values of the plan's parameters (plan_of), without a
 /// search: the parameter editor (paper, section 4.2 and figure 7). Work that depends on the task

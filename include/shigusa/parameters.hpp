@@ -74,11 +74,6 @@ inline constexpr double kWeightMax = 1e3;
 /// natural postures, and wider ones add nothing.
 inline constexpr double kLogWeightRange = 5.5;
 inline constexpr double kPostureMax = 3.2;  ///< rad, of a posture mode's value
-/// The earliest share of the duration about which a motion's second phase may begin.
-inline constexpr double kSwitchMin = 0.2;
-/// The latest share of the duration about which it may begin.
-inline constexpr double kSwitchMax = 0.8;
-
 /// How readily one joint freedom moves.
 struct JointWeight {
   double weight = 1.0;  ///< > 0; the larger, the less the freedom moves beside the others
@@ -95,37 +90,17 @@ struct PostureParameters {
   friend bool operator==(const PostureParameters&, const PostureParameters&) = default;
 };
 
-/// Weights and posture of a motion's second phase; all else is as in the first. Each phase draws by
-/// its posture for as long as it lasts, so that of both together a part of each is drawn.
-struct LaterPhase {
-  double switch_at = 0.5;           ///< share of the duration about which they change
-  std::vector<JointWeight> joints;  ///< (dofs)
-  std::vector<double> modes;        ///< (posture_modes of the body) rad, as PostureParameters'
-
-  friend bool operator==(const LaterPhase&, const LaterPhase&) = default;
-};
-
-/// The names of the later phase begin with this: "later.right_knee.flexion", "later.squat".
-inline constexpr std::string_view kLaterPrefix = "later.";
-/// The name of the number that tells when the later phase begins.
-inline constexpr std::string_view kSwitchName = "switch";
-/// "squat" of "later.squat"; a name of the first phase as it is.
-[[nodiscard]] constexpr std::string_view name_within_phase(std::string_view name) {
-  return name.starts_with(kLaterPrefix) ? name.substr(kLaterPrefix.size()) : name;
-}
-
 /// The freedoms of an arm that moves by weights.
 inline constexpr int kArmDofs = 4;
 /// The weights of shoulder flexion, abduction and rotation, and of elbow flexion.
 using ArmWeights = std::array<JointWeight, kArmDofs>;
 
 /// The few readable numbers that a motion is generated from: a search finds them, a person edits
-/// them. Which of them a motion has, and what each is called, its plan tells (layers/plan.hpp).
+/// them. Which of them a motion has, and what each is called, its plan tells (plan/plan.hpp).
 struct Parameters {
   std::vector<JointWeight> joints;  ///< (dofs of the plan's first layer) in that body's order
   /// of the whole body; no modes: weights alone, as in the paper
   PostureParameters posture{};
-  std::optional<LaterPhase> later{};  ///< the second phase, of a motion that has one
   /// Of layers that shorten limbs: (limbs) 0..kContractionMax, where the limb is longest and
   /// shortest.
   std::vector<double> contractions{};
@@ -144,13 +119,9 @@ struct Parameters {
 /// A limb's range has this many parts; all of them make it shortest.
 inline constexpr int kContractionMax = 15;
 
-/// Gives a motion of one phase a later one that is like the first.
-void add_later_phase(Parameters& parameters);
-
-/// Values of which a search leaves some as a person has set them. In a search of two phases what is
-/// set of the first holds in both, unless the later phase has it set too.
+/// Values of which a search leaves some as a person has set them.
 struct FixedParameters {
-  Parameters values;      ///< with a posture; with a later phase if some of that is set too
+  Parameters values;      ///< with a posture
   std::vector<bool> set;  ///< (the plan's parameters that the values have) which are set
 };
 

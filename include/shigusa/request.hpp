@@ -103,7 +103,7 @@ inline constexpr double kTaskDurationMax = 60.0;  ///< s
 inline constexpr double kEaseMax = 0.8;
 inline constexpr double kGazeLeadMost = 0.35;    ///< share of the duration, of a head that is early
 inline constexpr double kGazeLeadLeast = -0.45;  ///< … and of one that is late
-inline constexpr int kPhasesMax = 2;             ///< weights and posture change once at most
+inline constexpr int kPhasesMax = 2;             ///< of old tasks, which are read and refused
 
 /// The method that makes a motion from parameters.
 enum class MotionGenerator {
@@ -157,7 +157,7 @@ struct Request {
   CriteriaSettings criteria = traits_of(Preset::flat).criteria();
   std::vector<std::string> fixed_assignments{};              ///< "squat_deg=60"
   MotionGenerator generator = MotionGenerator::weighted_ik;  ///< the other not of layered presets
-  int phases = 1;  ///< 2: a LaterPhase is searched too, twice as many parameters
+  int phases = 1;  ///< 1: motions of two phases are gone, and old tasks say so
   FingerPlay finger_play = FingerPlay::grip;  ///< of characters that have fingers
   /// The same seed gives the same motions.
   std::uint64_t seed = 0;
@@ -321,8 +321,7 @@ inline constexpr FieldTable kFields<Request>{
         Field{"fixed",
               &Request::fixed_assignments,
               "Parameters that the search leaves as given, such as squat_deg=60 or "
-              "right_shoulder.flexion.locked=true (as --set of edit); of two phases these hold in "
-              "both, and later.squat_deg=30 in the second.",
+              "right_shoulder.flexion.locked=true (as --set of edit).",
               {.option = "--fix",
                .form = "NAME=VALUE",
                .group = OptionGroup::search,
@@ -338,15 +337,8 @@ inline constexpr FieldTable kFields<Request>{
                .rare = true}},
         Field{"phases",
               &Request::phases,
-              "Of the preset flat: with 2, weights and postures change once during the motion; 1 "
-              "when not given.",
-              {.low = 1,
-               .high = kPhasesMax,
-               .option = "--phases",
-               .form = "N",
-               .group = OptionGroup::search,
-               .brief = "2: weights and postures change once on the way (default 1)",
-               .rare = true}},
+              "1: motions have one phase. Old tasks with 2 are refused with what to write.",
+              {.low = 1, .high = kPhasesMax}},
         Field{
             "finger_play",
             &Request::finger_play,

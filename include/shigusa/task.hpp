@@ -53,15 +53,6 @@ struct Task : Request {
 /// first goal of a limb, or between those of two hands, where nothing else is said.
 [[nodiscard]] CriteriaSettings task_criteria(const Task& task);
 
-/// A task with its goals' loads in the body's hands, whose body stands on its contacts.
-struct PreparedTask : Task {
-  /// The task that `prepared` has made.
-  explicit PreparedTask(Task task) : Task(std::move(task)) {}
-};
-/// Prepares a task; one that has no loads and frees no foot stays as it is. Fails as make_problem
-/// does, and where a foot has no way to be what is asked of it.
-[[nodiscard]] Result<PreparedTask> prepared(Task task);
-
 /// Notes on goals of hands that may be an oversight: in the body's own head or a foot, where these
 /// are at the start, below the floor (y < 0), or nearer to it than the hand is thick. They refuse
 /// nothing.

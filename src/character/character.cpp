@@ -12,12 +12,12 @@
 #include "character_places.hpp"
 #include "character_robot.hpp"
 #include "core/say.hpp"
-#include "io/file_kind.hpp"
-#include "person/at_ease.hpp"
-#include "person/finger_bones.hpp"
-#include "person/landmark_points.hpp"
-#include "person/segment_mass.hpp"
-#include "person/stance.hpp"
+#include "formats/file_kind.hpp"
+#include "human/at_ease.hpp"
+#include "human/landmark_points.hpp"
+#include "human/segment_mass.hpp"
+#include "human/stance.hpp"
+#include "rig/finger_bones.hpp"
 
 namespace shigusa {
 namespace {

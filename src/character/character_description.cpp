@@ -7,13 +7,13 @@
 #include "character/character_rig.hpp"
 #include "core/index.hpp"
 #include "criteria/support_zone.hpp"
-#include "io/json_reader.hpp"
-#include "io/message_json.hpp"
+#include "formats/json_reader.hpp"
+#include "formats/message_json.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/rig.hpp"
 #include "kinematics/skeleton_motion.hpp"
-#include "person/measure_person.hpp"
-#include "person/twist_bones.hpp"
+#include "measure/measure_person.hpp"
+#include "rig/twist_bones.hpp"
 
 namespace shigusa {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "core/check.hpp"
 #include "core/say.hpp"
-#include "io/by_format.hpp"
-#include "io/fbx.hpp"
-#include "io/gltf_animation.hpp"
-#include "io/gltf_skin.hpp"
-#include "io/gltf_write.hpp"
+#include "formats/by_format.hpp"
+#include "formats/fbx.hpp"
+#include "formats/gltf_animation.hpp"
+#include "formats/gltf_skin.hpp"
+#include "formats/gltf_write.hpp"
 #include "limb_ends.hpp"
 
 namespace shigusa {

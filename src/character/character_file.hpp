@@ -5,8 +5,8 @@
 
 #include "body/skin.hpp"
 #include "character/character_rig.hpp"
-#include "io/gltf_animation.hpp"
-#include "person/measure_person.hpp"
+#include "formats/gltf_animation.hpp"
+#include "measure/measure_person.hpp"
 
 namespace shigusa {
 

@@ -5,8 +5,8 @@
 
 #include "core/index.hpp"
 #include "core/say.hpp"
-#include "person/human_frames.hpp"
-#include "person/landmark_points.hpp"
+#include "human/human_frames.hpp"
+#include "human/landmark_points.hpp"
 
 namespace shigusa {
 namespace {

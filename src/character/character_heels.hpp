@@ -5,7 +5,7 @@
 #include <shigusa/human_body.hpp>
 #include <shigusa/skeleton.hpp>
 
-#include "person/measure_person.hpp"
+#include "measure/measure_person.hpp"
 
 namespace shigusa {
 

@@ -3,7 +3,7 @@
 
 #include <shigusa/character.hpp>
 
-#include "io/json_reader.hpp"
+#include "formats/json_reader.hpp"
 #include "kinematics/rig.hpp"
 
 namespace shigusa {

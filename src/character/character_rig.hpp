@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/gltf.hpp"
+#include "formats/gltf.hpp"
 #include "kinematics/rig.hpp"
 
 namespace shigusa {

@@ -7,11 +7,11 @@
 
 #include "character_file.hpp"
 #include "core/say.hpp"
+#include "formats/mjcf.hpp"
+#include "formats/urdf.hpp"
 #include "humanoid_request.hpp"
-#include "robot/mjcf.hpp"
 #include "robot/robot_size.hpp"
 #include "robot/settled_posture.hpp"
-#include "robot/urdf.hpp"
 
 namespace shigusa {
 namespace {

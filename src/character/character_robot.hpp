@@ -5,7 +5,7 @@
 #include <shigusa/skeleton.hpp>
 
 #include "core/index.hpp"
-#include "person/landmark_points.hpp"
+#include "human/landmark_points.hpp"
 
 namespace shigusa {
 

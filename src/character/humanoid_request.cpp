@@ -9,8 +9,8 @@
 #include <shigusa/words.hpp>
 
 #include "core/say.hpp"
-#include "person/landmark_points.hpp"
-#include "person/likeness.hpp"
+#include "human/landmark_points.hpp"
+#include "rig/likeness.hpp"
 
 namespace shigusa {
 namespace {

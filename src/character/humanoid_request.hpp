@@ -4,7 +4,7 @@
 #include <shigusa/character.hpp>
 #include <shigusa/skeleton.hpp>
 
-#include "io/json_text.hpp"
+#include "formats/json_text.hpp"
 
 namespace shigusa {
 

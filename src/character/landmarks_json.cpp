@@ -7,7 +7,7 @@
 
 #include "body/anthropometry.hpp"
 #include "core/say.hpp"
-#include "person/measure_person.hpp"
+#include "measure/measure_person.hpp"
 
 namespace shigusa {
 

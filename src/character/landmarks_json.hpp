@@ -4,8 +4,8 @@
 #include <optional>
 #include <shigusa/landmarks.hpp>
 
-#include "io/json_reader.hpp"
-#include "person/landmark_points.hpp"
+#include "formats/json_reader.hpp"
+#include "human/landmark_points.hpp"
 
 namespace shigusa {
 

@@ -8,10 +8,10 @@
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
-#include "io/gltf_nodes.hpp"
+#include "formats/gltf_nodes.hpp"
+#include "human/landmark_points.hpp"
 #include "math/linear_map.hpp"
-#include "person/find_humanoid.hpp"
-#include "person/landmark_points.hpp"
+#include "rig/find_humanoid.hpp"
 
 namespace shigusa {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "body/skin.hpp"
-#include "io/gltf.hpp"
+#include "formats/gltf.hpp"
 
 namespace shigusa {
 

@@ -5,12 +5,12 @@
 #include <array>
 
 #include "core/index.hpp"
+#include "human/at_ease.hpp"
+#include "human/landmark_points.hpp"
+#include "human/segment_mass.hpp"
+#include "human/stance.hpp"
 #include "math/axes.hpp"
-#include "person/at_ease.hpp"
-#include "person/landmark_points.hpp"
-#include "person/segment_mass.hpp"
-#include "person/stance.hpp"
-#include "person/trunk_and_legs.hpp"
+#include "rig/trunk_and_legs.hpp"
 
 namespace shigusa {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "character_file.hpp"
-#include "person/measure_person.hpp"
+#include "measure/measure_person.hpp"
 
 namespace shigusa {
 

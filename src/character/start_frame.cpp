@@ -6,8 +6,8 @@
 
 #include "core/say.hpp"
 #include "dynamics/clip_dynamics.hpp"
-#include "person/at_ease.hpp"
-#include "person/stance.hpp"
+#include "human/at_ease.hpp"
+#include "human/stance.hpp"
 #include "recording.hpp"
 
 namespace shigusa {

@@ -11,9 +11,9 @@
 
 #include "character/character_rig.hpp"
 #include "core/say.hpp"
+#include "formats/gltf_write.hpp"
 #include "in_place.hpp"
-#include "io/gltf_write.hpp"
-#include "person/measure_person.hpp"
+#include "measure/measure_person.hpp"
 
 namespace shigusa {
 namespace {

@@ -15,13 +15,13 @@
 #include "criteria/motion_frame.hpp"
 #include "criteria/support_margin.hpp"
 #include "dynamics/contact_forces.hpp"
+#include "formats/file_kind.hpp"
+#include "formats/gltf_animation.hpp"
 #include "generate/candidate.hpp"
 #include "generate/posture_meter.hpp"
-#include "io/file_kind.hpp"
-#include "io/gltf_animation.hpp"
 #include "kinematics/fit_clip.hpp"
 #include "motion/low_pass.hpp"
-#include "person/find_humanoid.hpp"
+#include "rig/find_humanoid.hpp"
 
 namespace shigusa {
 namespace {

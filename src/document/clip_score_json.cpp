@@ -2,7 +2,7 @@
 #include <shigusa/score_clip.hpp>
 #include <shigusa/task_file.hpp>
 
-#include "io/message_json.hpp"
+#include "formats/message_json.hpp"
 #include "measures_json.hpp"
 #include "task_values.hpp"
 

@@ -8,8 +8,8 @@
 #include "character/character_rig.hpp"
 #include "core/say.hpp"
 #include "export_file.hpp"
-#include "io/by_format.hpp"
-#include "io/json_reader.hpp"
+#include "formats/by_format.hpp"
+#include "formats/json_reader.hpp"
 #include "kinematics/held_resample.hpp"
 
 namespace shigusa {

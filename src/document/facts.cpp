@@ -7,8 +7,8 @@
 
 #include "core/messages.hpp"
 #include "criteria/built_in_criteria.hpp"
-#include "io/json_text.hpp"
-#include "io/message_json.hpp"
+#include "formats/json_text.hpp"
+#include "formats/message_json.hpp"
 #include "joint_names.hpp"
 
 namespace shigusa {
@@ -83,9 +83,8 @@ Json ranges_to_json() {
   Json ranges;
   add_ranges<Goal>({"position_m", "load_kg", "tolerance_m"}, ranges);
   add_ranges<CharacterSpec>({"stature_m", "mass_kg", "seat_m"}, ranges);
-  add_ranges<Request>(
-      {"duration_s", "ease", "gaze_lead", "obstacles", "phases", "candidates", "evaluations"},
-      ranges);
+  add_ranges<Request>({"duration_s", "ease", "gaze_lead", "obstacles", "candidates", "evaluations"},
+                      ranges);
   ranges["fps"] = {kRateMin, kRateMax};
   return ranges;
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/say.hpp"
-#include "io/json_reader.hpp"
-#include "io/message_json.hpp"
+#include "formats/json_reader.hpp"
+#include "formats/message_json.hpp"
 
 namespace shigusa {
 

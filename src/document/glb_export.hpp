@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "io/gltf_write.hpp"
+#include "formats/gltf_write.hpp"
 
 namespace shigusa {
 

@@ -4,7 +4,7 @@
 #include <shigusa/character.hpp>
 #include <shigusa/export.hpp>
 
-#include "figure/mannequin.hpp"
+#include "draw/mannequin.hpp"
 #include "glb_export.hpp"
 #include "kinematics/rig.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "core/bytes.hpp"
 #include "core/index.hpp"
-#include "io/glb.hpp"
-#include "io/json_text.hpp"
+#include "formats/glb.hpp"
+#include "formats/json_text.hpp"
 
 namespace shigusa {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "figure/mannequin.hpp"
+#include "draw/mannequin.hpp"
 
 namespace shigusa {
 

@@ -3,7 +3,7 @@
 
 #include <shigusa/verdict.hpp>
 
-#include "io/json_text.hpp"
+#include "formats/json_text.hpp"
 
 namespace shigusa {
 

@@ -13,12 +13,11 @@ constexpr const char* kWeights = "weights";
 constexpr const char* kLocked = "locked";
 constexpr const char* kContractions = "contractions";
 constexpr const char* kPosture = "posture";
-constexpr const char* kLater = "later";
 constexpr const char* kArms = "arms";
 constexpr const char* kSupports = "supports";
 constexpr const char* kReflected = "reflected";
 
-// Where a parameter stands: {"later", "posture", "squat_rad"}.
+// Where a parameter stands: {"posture", "squat_rad"}.
 struct Placed {
   std::vector<std::string> path;
   Parameter parameter;
@@ -26,9 +25,8 @@ struct Placed {
 
 std::vector<std::string> path_of(const Parameter& parameter) {
   const ParameterInfo& info = *parameter.info;
-  const std::string name(name_within_phase(info.name));
+  const std::string& name = info.name;
   std::vector<std::string> path;
-  if (info.later) path.emplace_back(kLater);
   switch (info.kind) {
     case ParameterKind::weight:
       if (parameter.below) path = {kArms, parameter.layer->name};
@@ -44,13 +42,10 @@ std::vector<std::string> path_of(const Parameter& parameter) {
       path = {parameter.layer->name, name + "_rad"};
       break;
     case ParameterKind::mode:
-      path.insert(path.end(), {kPosture, name + "_rad"});
+      path = {kPosture, name + "_rad"};
       break;
     case ParameterKind::timing:
       path = {kPosture, name};
-      break;
-    case ParameterKind::switch_at:
-      path.push_back(name);
       break;
     case ParameterKind::support:
       path = {kSupports, name};
@@ -134,11 +129,6 @@ Json parameters_to_json(std::span<const Layer> plan, Parameters values) {
   json[kContractions] = Json::object();
   json[kPosture] = Json::object();
   if (!moves_whole_body(plan)) json[kArms] = Json::object();
-  if (values.later) {
-    json[kLater] = empty_weights();
-    json[kLater][std::string(kSwitchName)] = values.later->switch_at;
-    json[kLater][kPosture] = Json::object();
-  }
   for (const Placed& one : placed(plan, values)) {
     Json* object = &json;
     for (std::size_t k = 0; k + 1 < one.path.size(); ++k) {
@@ -163,7 +153,7 @@ Result<Parameters> read_parameters(std::span<const Layer> plan, const Json& cand
   JsonReader reader(*member, place + ".parameters");
   Parameters values = start_values(plan);
   const bool whole = moves_whole_body(plan);
-  if (whole && reader.has(kLater)) add_later_phase(values);
+  if (whole && reader.has("later")) reader.wrong("later", say("one_phase"));
   give_posture(plan, values);
   read_object(reader, placed(plan, values), 0);
   reader.truth(kReflected, values.reflected);
@@ -174,7 +164,6 @@ Result<Parameters> read_parameters(std::span<const Layer> plan, const Json& cand
   }
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   if (!has_posture(*member)) values.posture = {};
-  if (values.later && !has_posture((*member)[kLater])) values.later->modes.clear();
   return values;
 }
 

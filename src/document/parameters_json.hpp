@@ -4,18 +4,17 @@
 #include <span>
 #include <string>
 
-#include "io/json_reader.hpp"
-#include "layers/plan.hpp"
+#include "formats/json_reader.hpp"
+#include "plan/plan.hpp"
 
 namespace shigusa {
 
 // A candidate's values as results hold them: each stands under what it is of, "weights" and
-// "locked", "contractions" or "posture", those of the later phase below "later", those of an arm's
-// own layer below "arms" and its name.
+// "locked", "contractions" or "posture", those of an arm's own layer below "arms" and its name.
 [[nodiscard]] Json parameters_to_json(std::span<const Layer> plan, Parameters values);
 
 // The values of one stored candidate; every number of the plan must be there, but for a posture,
-// of which what is missing is 0, and the later phase.
+// of which what is missing is 0.
 [[nodiscard]] Result<Parameters> read_parameters(std::span<const Layer> plan, const Json& candidate,
                                                  const std::string& place);
 

@@ -10,7 +10,7 @@
 #include "character/character_rig.hpp"
 #include "character_export.hpp"
 #include "core/say.hpp"
-#include "io/gltf_animation.hpp"
+#include "formats/gltf_animation.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
 #include "math/linear_map.hpp"

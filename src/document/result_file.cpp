@@ -8,10 +8,10 @@
 #include "character/character_rig.hpp"
 #include "character_export.hpp"
 #include "core/say.hpp"
-#include "io/message_json.hpp"
+#include "formats/message_json.hpp"
 #include "measures_json.hpp"
 #include "parameters_json.hpp"
-#include "task/plan_of.hpp"
+#include "problem/plan_of.hpp"
 #include "task_json.hpp"
 
 namespace shigusa {
@@ -139,13 +139,13 @@ Json candidate_to_json(const FinishedRun& run, std::span<const Layer> plan, std:
 
 Json search_to_json(std::span<const Layer> plan, const GenerateResult& generation) {
   Json json{{"end", word_of(generation.end)},
-            {"generations", generation.generations},
-            {"missed", generation.missed},
-            {"collided", generation.collided},
-            {"near_copies", generation.near_copies},
-            {"rejected_nan", generation.rejected_nan},
-            {"replay_differs", generation.replay_differs},
-            {"replay_difference", generation.replay_difference}};
+            {"generations", generation.log.generations},
+            {"missed", generation.log.missed},
+            {"collided", generation.log.collided},
+            {"near_copies", generation.log.near_copies},
+            {"rejected_nan", generation.log.rejected_nan},
+            {"replay_differs", generation.log.replay_differs},
+            {"replay_difference", generation.log.replay_difference}};
   if (generation.best_seen) {
     json["best_seen"] = {{"score", generation.best_seen_score},
                          {"parameters", parameters_to_json(plan, *generation.best_seen)}};
@@ -254,11 +254,11 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
   json["remaining_mm"] = generation.remaining_distance * kMillimetres;
   if (generation.remaining_turn > 0.0) json["remaining_deg"] = degrees(generation.remaining_turn);
   json["seed"] = file.seed;
-  json["evaluations"] = generation.evaluations;
-  json["runs"] = generation.runs;
+  json["evaluations"] = generation.log.evaluations;
+  json["runs"] = generation.log.runs;
   json["elapsed_ms"] = info.elapsed_ms;
   if (traits_of(task.preset).layers == LayerStack::paper)
-    json["cells_searched"] = generation.cells_searched;
+    json["cells_searched"] = generation.log.cells_searched;
   json["threads"] = info.threads;
   json["simd"] = info.simd;
   json["character"] = file.character.source;

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "export_file.hpp"
-#include "io/sha256.hpp"
+#include "files/sha256.hpp"
 
 namespace shigusa {
 namespace {

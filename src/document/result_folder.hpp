@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/descriptor.hpp"
-#include "io/staging.hpp"
+#include "files/descriptor.hpp"
+#include "files/staging.hpp"
 
 namespace shigusa {
 

@@ -5,7 +5,7 @@
 
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
-#include "layers/assignment.hpp"
+#include "plan/assignment.hpp"
 #include "task_json.hpp"
 #include "task_values.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <shigusa/task_file.hpp>
 
-#include "io/json_reader.hpp"
+#include "formats/json_reader.hpp"
 
 namespace shigusa {
 

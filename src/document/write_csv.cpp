@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "export_file.hpp"
-#include "io/csv.hpp"
+#include "formats/csv.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "robot/root_joints.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/strip_figure.hpp>
 
-#include "candidate_strip.hpp"
+#include "draw/candidate_strip.hpp"
 #include "export_file.hpp"
 
 namespace shigusa {

@@ -6,8 +6,8 @@
 #include <shigusa/edit.hpp>
 
 #include "document/export_file.hpp"
-#include "io/descriptor.hpp"
-#include "io/staging.hpp"
+#include "files/descriptor.hpp"
+#include "files/staging.hpp"
 
 namespace shigusa {
 

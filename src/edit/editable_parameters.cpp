@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <shigusa/edit.hpp>
 
-#include "io/json_text.hpp"
-#include "task/plan_of.hpp"
+#include "formats/json_text.hpp"
+#include "problem/plan_of.hpp"
 
 namespace shigusa {
 namespace {

@@ -2,11 +2,11 @@
 #include <shigusa/edit.hpp>
 
 #include "core/say.hpp"
-#include "task/mirror_request.hpp"
+#include "problem/mirror_request.hpp"
 
 namespace shigusa {
 
-std::string mirrored_name(std::string_view name) { return mirrored_in_phase(name); }
+std::string mirrored_name(std::string_view name) { return with_other_side(name); }
 
 Result<TaskFile> mirrored(TaskFile task) {
   if (is_robot(task.character)) {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/say.hpp"
-#include "io/json_text.hpp"
-#include "layers/assignment.hpp"
-#include "task/plan_of.hpp"
+#include "formats/json_text.hpp"
+#include "plan/assignment.hpp"
+#include "problem/plan_of.hpp"
 
 namespace shigusa {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "motion/jolt.hpp"
 #include "nlp/nlp_rollout.hpp"
+#include "problem/tiptoe.hpp"
 #include "rollout/detour.hpp"
-#include "rollout/tiptoe.hpp"
 
 namespace shigusa {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planner.hpp"
-#include "rollout/reachability.hpp"
+#include "problem/reachability.hpp"
 #include "rollout/rollout.hpp"
 
 namespace shigusa {

@@ -71,18 +71,18 @@ Result<GenerateResult> made(const Attempt& attempt, const Problem& problem,
     return search_problem(posed, attempt.run, progress.part(1.0), attempt.on_all);
   }
   SHG_TRY_ASSIGN(GenerateResult again, played_anew(posed, found));
-  again.evaluations = 0;
+  again.log.evaluations = 0;
   return again;
 }
 
 GenerateResult better_of(const Task& task, GenerateResult found, GenerateResult other) {
   const bool better = wants_more(found) || choice_of(task, found) < choice_of(task, other);
-  found.evaluations += other.evaluations;
-  if (!better) return found;
-  found.end = other.end;
-  if (other.status != ReachStatus::reached) return found;
-  other.evaluations = found.evaluations;
-  return other;
+  const int evaluations = found.log.evaluations + other.log.evaluations;
+  const bool taken = better && other.status == ReachStatus::reached;
+  if (better) found.end = other.end;
+  GenerateResult& best = taken ? other : found;
+  best.log.evaluations = evaluations;
+  return std::move(best);
 }
 
 bool wants_more(const GenerateResult& generation) {

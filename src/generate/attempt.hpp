@@ -5,7 +5,7 @@
 #include <shigusa/generate.hpp>
 
 #include "joint_progress.hpp"
-#include "task/task_search.hpp"
+#include "problem/task_search.hpp"
 
 namespace shigusa {
 

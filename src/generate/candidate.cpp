@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "generate/posture_meter.hpp"
-#include "task/task_goals.hpp"
+#include "problem/task_goals.hpp"
 
 namespace shigusa {
 
@@ -211,9 +211,9 @@ double largest_distance(const Clip& a, const Clip& b) {
 double final_distance(const Clip& a, const Clip& b) { return frame_distance(a, b, a.frames - 1); }
 
 void add_counts(const SearchResult& found, GenerateResult& generation) {
-  generation.evaluations += found.evaluations;
-  generation.generations = found.generations;
-  generation.rejected_nan += found.rejected_nan;
+  generation.log.evaluations += found.evaluations;
+  generation.log.generations = found.generations;
+  generation.log.rejected_nan += found.rejected_nan;
   generation.end = found.end;
 }
 

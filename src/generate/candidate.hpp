@@ -3,9 +3,9 @@
 
 #include <shigusa/generate.hpp>
 
+#include "problem/problem.hpp"
 #include "rollout/reach_problem.hpp"
 #include "rollout/rollout.hpp"
-#include "task/problem.hpp"
 
 namespace shigusa {
 

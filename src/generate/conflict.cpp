@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/say.hpp"
-#include "rollout/reachability.hpp"
-#include "task/problem.hpp"
+#include "problem/problem.hpp"
+#include "problem/reachability.hpp"
 
 namespace shigusa {
 namespace {

@@ -202,11 +202,11 @@ class Delivery {
   // The motion as a candidate: none where it misses, or is a copy that the policy has no use for.
   std::optional<Replayed> replayed_of(Ahead played, double apart, bool of_free) {
     if (!played.arrival) {
-      ++generation_.missed;
+      ++generation_.log.missed;
       return std::nullopt;
     }
     const bool copy = is_copy(played.arrival->rolled.motion.clip, apart, of_free);
-    if (copy) ++generation_.near_copies;
+    if (copy) ++generation_.log.near_copies;
     if (copy && !policy_.near_copies) return std::nullopt;
     const bool as_searched = played.arrival->as_searched;
     if (!played.candidate) {
@@ -233,14 +233,14 @@ class Delivery {
 
   void add(Replayed replayed, double searched_score) {
     if (is_odd(replayed.candidate)) {
-      ++generation_.strange;
+      ++generation_.log.strange;
       return;
     }
     if (replayed.as_searched) {
       // what is smoother than what was searched is no worse
       const double difference = replayed.candidate.score.total - searched_score;
-      if (difference > kReplayTolerance) ++generation_.replay_differs;
-      generation_.replay_difference = max(generation_.replay_difference, difference);
+      if (difference > kReplayTolerance) ++generation_.log.replay_differs;
+      generation_.log.replay_difference = max(generation_.log.replay_difference, difference);
     }
     all().push_back(std::move(replayed.candidate));
   }
@@ -264,7 +264,7 @@ void drop_collisions(int shown, GenerateResult& generation) {
   const bool some_free = least <= kCollisionDepth;
   const double most = some_free ? kCollisionDepth : least + kCollisionDepth;
   int kept = 0;  // the best first
-  generation.collided = static_cast<int>(std::erase_if(all, [&](const Candidate& c) {
+  generation.log.collided = static_cast<int>(std::erase_if(all, [&](const Candidate& c) {
     if (c.measures.collides.depth <= most || (some_free && could_be_made(c) && kept < shown)) {
       ++kept;
       return false;
@@ -278,7 +278,7 @@ void keep_within_limits(GenerateResult& generation) {
   const auto passes = [](const Candidate& c) { return !c.measures.over_limit.empty(); };
   std::vector<Candidate>& all = generation.candidates;
   if (std::all_of(all.begin(), all.end(), passes)) return;
-  generation.over_limit = static_cast<int>(std::erase_if(all, passes));
+  generation.log.over_limit = static_cast<int>(std::erase_if(all, passes));
 }
 
 // Drops candidates beyond the number asked for: impossible ones first, then the worst that is not
@@ -311,14 +311,14 @@ void drop_jolts(GenerateResult& generation) {
   const auto jolts = [](const Candidate& c) { return c.measures.sudden.jolts(); };
   const bool some = std::any_of(all.begin(), all.end(),
                                 [&](const Candidate& c) { return !jolts(c) && could_be_made(c); });
-  if (some) generation.jolting += static_cast<int>(std::erase_if(all, jolts));
+  if (some) generation.log.jolting += static_cast<int>(std::erase_if(all, jolts));
 }
 
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         GenerateResult& generation) {
-  generation.missed = generation.over_limit = generation.replay_differs = 0;
-  generation.strange = generation.jolting = 0;
-  generation.replay_difference = 0.0;
+  generation.log.missed = generation.log.over_limit = generation.log.replay_differs = 0;
+  generation.log.strange = generation.log.jolting = 0;
+  generation.log.replay_difference = 0.0;
   Selection& selection = found.selection;
   Delivery delivery(task, planner, approach, selection, generation);
   delivery.take_picked();

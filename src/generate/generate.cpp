@@ -31,41 +31,56 @@ Result<void> check_choices(const Task& task) {
   return {};
 }
 
-Result<std::unique_ptr<const Problem>> posed(const Task& task) {
-  SHG_TRY(check_choices(task));
-  return prepare(task);
+}  // namespace
+
+void SearchLog::add_run(const SearchLog& other) {
+  spend(other);
+  runs += other.runs;
+  generations += other.generations;
+  near_copies += other.near_copies;
+  missed += other.missed;
+  replay_differs += other.replay_differs;
+  replay_difference = max(replay_difference, other.replay_difference);
 }
 
-}  // namespace
+Result<PreparedTask> PreparedTask::of(const Task& task) {
+  SHG_TRY(check_choices(task));
+  SHG_TRY_ASSIGN(auto problem, prepare(task));
+  SHG_TRY(check_values(*problem));
+  return PreparedTask(std::move(problem));
+}
+
+const Task& PreparedTask::task() const { return problem_->task; }
 
 Task played_task(Task task, const GenerateResult& generation) {
   if (generation.slowed || generation.gentled) task.duration = generation.duration;
   return task;
 }
 
-Result<void> check_task(const Task& task) {
-  SHG_TRY_ASSIGN(const auto problem, posed(task));
-  return check_values(*problem);
+Result<GenerateResult> generate(const Task& task, const Progress& progress) {
+  SHG_TRY_ASSIGN(const PreparedTask prepared, PreparedTask::of(task));
+  return generate(prepared, progress);
 }
 
-Result<GenerateResult> generate(const Task& task, const Progress& progress) {
-  SHG_TRY_ASSIGN(const auto problem, posed(task));
+Result<GenerateResult> generate(const PreparedTask& prepared, const Progress& progress) {
+  const Problem& problem = prepared.problem();
+  const Task& task = problem.task;
   JointProgress joint(progress);
   const PresetTraits& traits = traits_of(task.preset);
   const bool lanes = task.generator == MotionGenerator::weighted_ik;
   const bool on_all = traits.natural && lanes && !traits.layers && !task.pareto;
   SHG_TRY_ASSIGN(GenerateResult found,
-                 search_problem(*problem, run_of(*problem), joint.part(1.0), on_all));
+                 search_problem(problem, run_of(problem), joint.part(1.0), on_all));
   for (NextAttempt* const next : kAttempts) {
-    const auto attempt = traits.natural ? next(*problem, found) : std::nullopt;
+    const auto attempt = traits.natural ? next(problem, found) : std::nullopt;
     if (!attempt) continue;
-    Result<GenerateResult> other = made(*attempt, *problem, found, joint);
+    Result<GenerateResult> other = made(*attempt, problem, found, joint);
     if (!other) continue;
     other->slowed = attempt->duration.has_value();
     found = better_of(task, std::move(found), std::move(*other));
   }
-  if (traits.natural && minds_jolts(task)) try_gentler(*problem, found);
-  check_possible_in(*problem, on_all, joint, found);
+  if (traits.natural && minds_jolts(task)) try_gentler(problem, found);
+  check_possible_in(problem, on_all, joint, found);
   if (!found.meets_goals()) found.conflict = conflict_of(task);
   return found;
 }

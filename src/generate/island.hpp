@@ -11,8 +11,8 @@
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"
 #include "point_scorer.hpp"
+#include "problem/task_search.hpp"
 #include "search/cma_es.hpp"
-#include "task/task_search.hpp"
 
 namespace shigusa {
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "approaches.hpp"
-#include "layers/plan.hpp"
+#include "plan/plan.hpp"
 #include "planner.hpp"
-#include "rollout/reachability.hpp"
+#include "problem/reachability.hpp"
 
 namespace shigusa {
 namespace {

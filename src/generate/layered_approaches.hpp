@@ -4,7 +4,7 @@
 #include <optional>
 #include <shigusa/task.hpp>
 
-#include "layers/layered_player.hpp"
+#include "paper/layered_player.hpp"
 #include "planner.hpp"
 
 namespace shigusa {

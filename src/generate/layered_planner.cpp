@@ -8,7 +8,7 @@
 #include "core/index.hpp"
 #include "generate/layered_approaches.hpp"
 #include "layered_search.hpp"
-#include "layers/limb_library.hpp"
+#include "paper/limb_library.hpp"
 #include "planner.hpp"
 
 namespace shigusa {
@@ -224,7 +224,7 @@ class LayeredPlanner : public Planner {
   }
 
   void finish(GenerateResult& generation) override {
-    generation.cells_searched = libraries_.cells_searched();
+    generation.log.cells_searched = libraries_.cells_searched();
     libraries_.keep();
   }
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <shigusa/layered_settings.hpp>
 
-#include "layers/arm_feedback.hpp"
-#include "layers/layered_lanes.hpp"
-#include "layers/layered_player.hpp"
+#include "paper/arm_feedback.hpp"
+#include "paper/layered_lanes.hpp"
+#include "paper/layered_player.hpp"
 #include "planner.hpp"
 
 namespace shigusa {

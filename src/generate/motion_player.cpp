@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "candidate.hpp"
+#include "problem/mirror_request.hpp"
 #include "problem_search.hpp"
 #include "reflection.hpp"
-#include "task/mirror_request.hpp"
 
 namespace shigusa {
 

@@ -52,7 +52,7 @@ void try_gentler(const Problem& problem, GenerateResult& found) {
     drop_jolts(found);
     const auto left = static_cast<int>(found.candidates.size());
     if (found.fewer.empty() && left < task.candidates) {
-      found.fewer = say("fewer_jolts", left, task.candidates, found.jolting);
+      found.fewer = say("fewer_jolts", left, task.candidates, found.log.jolting);
     }
     found.gentled = true;
   }

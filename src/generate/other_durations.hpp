@@ -4,7 +4,7 @@
 #include <shigusa/generate.hpp>
 
 #include "joint_progress.hpp"
-#include "task/problem.hpp"
+#include "problem/problem.hpp"
 
 namespace shigusa {
 

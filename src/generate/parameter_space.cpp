@@ -49,24 +49,6 @@ std::string shared_name(const Dof& dof) {
   return part.limb == LimbKind::leg ? part.joint + "." + part.freedom : dof.name;
 }
 
-// Fixes in both phases each parameter that is fixed for the motion, unless the later phase has its
-// own value.
-FixedParameters in_both_phases(std::span<const Layer> plan, FixedParameters fixed) {
-  add_later_phase(fixed.values);
-  const std::vector<Parameter> all = parameters_of(plan, fixed.values);
-  fixed.set.resize(all.size());
-  for (std::size_t later = 0; later < all.size(); ++later) {
-    if (!all[later].info->later || fixed.set[later]) continue;
-    for (std::size_t first = 0; first < later; ++first) {
-      if (all[first].info->name != name_within_phase(all[later].info->name)) continue;
-      fixed.set[later] = fixed.set[first];
-      all[later].set(all[first].value());
-      if (all[later].locked != nullptr) *all[later].locked = *all[first].locked;
-    }
-  }
-  return fixed;
-}
-
 // Repeats the values for each motion, in single precision.
 void repeat(std::span<const double> values, std::size_t motions, std::vector<float>& rows) {
   rows.clear();
@@ -86,22 +68,20 @@ void keep_joints(const std::vector<bool>& set, std::span<const JointWeight> from
 }  // namespace
 
 ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code,
-                               const std::optional<FixedParameters>& fixed, int phases)
+                               const std::optional<FixedParameters>& fixed)
     : body_(problem.body),
       code_(code),
       named_(code == GeneCode::natural || code == GeneCode::every),
       fixed_(fixed ? *fixed : no_fixed_parameters(*body_, supports_of(problem))),
       posed_(named_),
       modes_(posture_modes(*body_)) {
-  SHG_CHECK(phases == 1 || (phases == 2 && named_), "one phase, or two of the natural code");
   const Plan plan = whole_body_plan(*body_, supports_of(problem));
-  if (phases == 2) fixed_ = in_both_phases(plan, std::move(fixed_));
   const std::vector<bool> useful = useful_dofs(problem);
   const std::vector<Parameter> all = parameters_of(plan, fixed_.values);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const ParameterInfo& info = *all[i].info;
     if (info.kind == ParameterKind::weight) {
-      (info.later ? fixed_later_joints_ : fixed_joints_).push_back(fixed_.set[i]);
+      fixed_joints_.push_back(fixed_.set[i]);
     } else {
       posed_ = posed_ || fixed_.set[i];
     }
@@ -118,8 +98,7 @@ void ParameterSpace::add(const Parameter& parameter, const std::vector<bool>& us
             .name = info.name,
             .index = info.applies_to.empty() ? 0 : static_cast<std::size_t>(info.applies_to[0]),
             .lower = info.shown_low,
-            .upper = info.shown_high,
-            .later = info.later};
+            .upper = info.shown_high};
   switch (info.kind) {
     case ParameterKind::weight:
       return add_weight(std::move(gene), useful);
@@ -139,9 +118,6 @@ void ParameterSpace::add(const Parameter& parameter, const std::vector<bool>& us
       gene.upper = number.searched_high;
       break;
     }
-    case ParameterKind::switch_at:
-      gene.start = parameter.value();
-      break;
     case ParameterKind::support:
       gene.start = kSupportStart;
       break;
@@ -160,7 +136,7 @@ void ParameterSpace::add_weight(Gene gene, const std::vector<bool>& useful) {
   gene.upper = kLogWeightRange;
   if (named_) {
     if (!useful[d]) return;
-    gene.name = (gene.later ? std::string(kLaterPrefix) : "") + shared_name(body_->dofs()[d]);
+    gene.name = shared_name(body_->dofs()[d]);
     const auto same = [&gene](const Gene& other) { return other.name == gene.name; };
     if (const auto own = std::find_if(genes_.begin(), genes_.end(), same); own != genes_.end()) {
       own->dofs.push_back(d);
@@ -197,12 +173,6 @@ double ParameterSpace::coordinate(int gene, double value) const {
 
 // Sets the fixed weights, and the posture as it is fixed: genes come after.
 void ParameterSpace::keep_fixed(Parameters& parameters) const {
-  if (fixed_.values.later) {
-    parameters.later = {.switch_at = fixed_.values.later->switch_at,
-                        .joints = parameters.joints,
-                        .modes = fixed_.values.later->modes};
-    keep_joints(fixed_later_joints_, fixed_.values.later->joints, parameters.later->joints);
-  }
   keep_joints(fixed_joints_, fixed_.values.joints, parameters.joints);
   if (posed_) parameters.posture = fixed_.values.posture;
   parameters.supports = fixed_.values.supports;
@@ -222,18 +192,14 @@ Parameters ParameterSpace::decode(std::span<const double> point) const {
     switch (gene.kind) {
       case ParameterKind::weight:
         for (const std::size_t d : gene.dofs) {
-          (gene.later ? parameters.later->joints : parameters.joints)[d].weight =
-              exponential(value);
+          parameters.joints[d].weight = exponential(value);
         }
         break;
       case ParameterKind::mode:
-        (gene.later ? parameters.later->modes : parameters.posture.modes)[gene.index] = value;
+        parameters.posture.modes[gene.index] = value;
         break;
       case ParameterKind::timing:
         parameters.posture.timing.*kTimingMembers<double>[gene.index] = value;
-        break;
-      case ParameterKind::switch_at:
-        parameters.later->switch_at = value;
         break;
       case ParameterKind::support:
         parameters.supports[gene.index] = value;
@@ -253,24 +219,20 @@ std::vector<double> ParameterSpace::encode(const Parameters& values) const {
 }
 
 double ParameterSpace::value_of(const Gene& gene, const Parameters& values) const {
-  const bool later = gene.later && values.later;
   switch (gene.kind) {
     case ParameterKind::weight: {
-      const std::vector<JointWeight>& joints = later ? values.later->joints : values.joints;
       double sum = 0.0;
       for (const std::size_t d : gene.dofs) {
-        sum += joints[d].locked ? kLogWeightRange : natural_log(joints[d].weight);
+        sum += values.joints[d].locked ? kLogWeightRange : natural_log(values.joints[d].weight);
       }
       return sum / static_cast<double>(gene.dofs.size());
     }
     case ParameterKind::mode: {
-      const std::vector<double>& modes = later ? values.later->modes : values.posture.modes;
+      const std::vector<double>& modes = values.posture.modes;
       return modes.empty() ? gene.start : modes[gene.index];
     }
     case ParameterKind::timing:
       return values.posture.timing.*kTimingMembers<double>[gene.index];
-    case ParameterKind::switch_at:
-      return later ? values.later->switch_at : gene.start;
     case ParameterKind::support:
       return values.supports[gene.index];
     default:  // of other plans
@@ -300,12 +262,11 @@ MotionInputs ParameterSpace::rows(std::span<const double> points) {
   }
   if (!posed_) return weights_;
   MotionInputs inputs{weights_, postures_, timing_};
-  if (base.later) inputs.later = {later_weights_, later_postures_, switches_};
   inputs.supports = supports_;
   return inputs;
 }
 
-// postures and the later phase, all as the fixed parameters have it
+// postures, all as the fixed parameters have it
 void ParameterSpace::start_rows(const Parameters& base, std::size_t motions) {
   if (!posed_) return;
   repeat(posture_change(*body_, base.posture), motions, postures_);
@@ -313,10 +274,6 @@ void ParameterSpace::start_rows(const Parameters& base, std::size_t motions) {
   for (const auto member : kTimingMembers<double>) timing.push_back(base.posture.timing.*member);
   repeat(timing, motions, timing_);
   repeat(base.supports, motions, supports_);
-  if (!base.later) return;
-  repeat(inverse_weights({.joints = base.later->joints}), motions, later_weights_);
-  repeat(posture_change(*body_, {.modes = base.later->modes}), motions, later_postures_);
-  switches_.assign(motions, static_cast<float>(base.later->switch_at));
 }
 
 void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
@@ -326,16 +283,12 @@ void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
     const double value = gene.at(point[g]);
     if (gene.kind == ParameterKind::weight) {
       const auto inverse = static_cast<float>(exponential(-value));
-      std::vector<float>& weights = gene.later ? later_weights_ : weights_;
-      for (const std::size_t d : gene.dofs) weights[row * dofs + d] = inverse;
+      for (const std::size_t d : gene.dofs) weights_[row * dofs + d] = inverse;
     } else if (gene.kind == ParameterKind::mode) {
       const std::vector<double>& direction = modes_[gene.index].direction;
-      std::vector<float>& postures = gene.later ? later_postures_ : postures_;
       for (std::size_t d = 0; d < dofs; ++d) {
-        postures[row * dofs + d] += static_cast<float>(value * direction[d]);
+        postures_[row * dofs + d] += static_cast<float>(value * direction[d]);
       }
-    } else if (gene.kind == ParameterKind::switch_at) {
-      switches_[row] = static_cast<float>(value);
     } else if (gene.kind == ParameterKind::support) {
       supports_[row * fixed_.values.supports.size() + gene.index] = static_cast<float>(value);
     } else {

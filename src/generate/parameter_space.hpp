@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "body/posture_modes.hpp"
-#include "layers/plan.hpp"
-#include "rollout/motion_input.hpp"
+#include "plan/motion_input.hpp"
+#include "plan/plan.hpp"
 #include "rollout/reach_problem.hpp"
 
 namespace shigusa {
@@ -23,24 +23,22 @@ enum class GeneCode {
 
 // The parameters that a search looks for. The natural code has one weight for each freedom that
 // moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
-// mode that moves one of these; bow and sway; what resting hands press with. Of two phases it has
-// the weights and modes of the later one too, and the switch. A fixed parameter is no coordinate,
-// or of the paper's code one that changes nothing.
+// mode that moves one of these; bow and sway; what resting hands press with. A fixed parameter is
+// no coordinate, or of the paper's code one that changes nothing.
 class ParameterSpace {
  public:
-  // Two phases have the natural code alone.
   ParameterSpace(const ReachProblem& problem, GeneCode code,
-                 const std::optional<FixedParameters>& fixed = {}, int phases = 1);
+                 const std::optional<FixedParameters>& fixed = {});
 
   [[nodiscard]] int genes() const { return static_cast<int>(genes_.size()); }
-  // The name of each coordinate: "right_knee.flexion", "squat", "delay", "later.squat", "switch".
+  // The name of each coordinate: "right_knee.flexion", "squat", "delay".
   [[nodiscard]] std::vector<std::string> names() const;
-  // (genes) the plain pseudo-inverse on a straight path, in both phases.
+  // (genes) the plain pseudo-inverse on a straight path.
   [[nodiscard]] std::vector<double> start() const;
   [[nodiscard]] Parameters decode(std::span<const double> point) const;
   // (genes) the point that decodes to given values of the body, or comes nearest: a weight that
-  // freedoms share is the geometric mean of theirs, a locked one the largest, and the later phase
-  // of values that have none is as their first. Of codes in the weights' logarithms.
+  // freedoms share is the geometric mean of theirs, a locked one the largest. Of codes in the
+  // weights' logarithms.
   [[nodiscard]] std::vector<double> encode(const Parameters& values) const;
 
   // Index of the coordinate of that name, or -1.
@@ -64,7 +62,6 @@ class ParameterSpace {
     std::size_t index = 0;            // of the freedom, the posture mode or the timing
     double lower = 0.0;               // of what x = 0 stands for; the logarithm of a weight
     double upper = 1.0;
-    bool later = false;  // of the later phase
     double start = 0.0;  // what the search starts from
 
     [[nodiscard]] double at(double x) const { return lower + x * (upper - lower); }
@@ -85,16 +82,12 @@ class ParameterSpace {
   bool named_;  // weights and postures by what they mean
   FixedParameters fixed_;
   std::vector<bool> fixed_joints_;
-  std::vector<bool> fixed_later_joints_;
   bool posed_;  // motions have a posture
   std::vector<PostureMode> modes_;
   std::vector<Gene> genes_;
   std::vector<float> weights_;
   std::vector<float> postures_;
   std::vector<float> timing_;
-  std::vector<float> later_weights_;
-  std::vector<float> later_postures_;
-  std::vector<float> switches_;
   std::vector<float> supports_;
 };
 

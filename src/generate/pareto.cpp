@@ -175,7 +175,7 @@ void search_front(const Task& task, const RunSettings& run, Planner& planner, st
       if (auto arrival = planner.arrival(expanded.values, approach)) {
         all.push_back(planner.candidate(expanded, std::move(*arrival)));
       } else {
-        ++generation.missed;
+        ++generation.log.missed;
       }
     }
     if (found.result.end == SearchEnd::cancelled) break;
@@ -184,7 +184,7 @@ void search_front(const Task& task, const RunSettings& run, Planner& planner, st
   std::vector<Candidate> front = not_dominated(std::move(all));
   const std::size_t with_copies = front.size();
   front = without_copies(std::move(front));
-  generation.near_copies += static_cast<int>(with_copies - front.size());
+  generation.log.near_copies += static_cast<int>(with_copies - front.size());
   const std::size_t size = front.size();
   generation.candidates = spread_over(std::move(front), task.candidates);
   if (static_cast<int>(size) >= task.candidates) return;

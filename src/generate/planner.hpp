@@ -7,10 +7,10 @@
 #include <shigusa/progress.hpp>
 #include <span>
 
-#include "layers/plan.hpp"
+#include "plan/plan.hpp"
+#include "problem/task_search.hpp"
 #include "rollout/rollout.hpp"
 #include "selection.hpp"
-#include "task/task_search.hpp"
 
 namespace shigusa {
 

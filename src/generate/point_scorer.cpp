@@ -31,7 +31,7 @@ std::optional<double> fixed_value(const Problem& problem, std::string_view name)
 
 std::optional<SquatTarget> SquatTarget::of(const Problem& problem) {
   const std::optional<double> squat = fixed_value(problem, "squat");
-  if (!squat || fixed_value(problem, "later.squat").value_or(*squat) != *squat) return std::nullopt;
+  if (!squat) return std::nullopt;
   const BodyModel& body = problem.task.body;
   SquatTarget target;
   for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {

@@ -8,14 +8,13 @@
 
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"
+#include "problem/problem.hpp"
 #include "rollout/batch_rollout.hpp"
-#include "task/problem.hpp"
 
 namespace shigusa {
 
 // The squat that a person has fixed, as the knees' flexion at the end. Weights and the other modes
-// leave more or less of it, so that the score says how much. A later phase that is fixed to another
-// squat ends somewhere between them: then there is no such target.
+// leave more or less of it, so that the score says how much.
 class SquatTarget {
  public:
   // None where the task fixes no squat.

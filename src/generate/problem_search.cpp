@@ -49,15 +49,10 @@ bool is_better(const GenerateResult& one, const GenerateResult& other) {
 
 // Adds another approach's search, and takes its candidates where they are better.
 void add_approach(GenerateResult other, GenerateResult& generation) {
-  other.evaluations += generation.evaluations;
-  other.rejected_nan += generation.rejected_nan;
-  if (is_better(other, generation)) {
-    generation = std::move(other);
-    return;
-  }
-  generation.evaluations = other.evaluations;
-  generation.rejected_nan = other.rejected_nan;
-  generation.end = other.end;
+  const SearchEnd end = other.end;
+  if (is_better(other, generation)) std::swap(other, generation);
+  generation.log.spend(other.log);
+  generation.end = end;
 }
 
 // Searches on approaches until something arrives: where the first does it, as nearly always, that
@@ -90,7 +85,7 @@ constexpr int kPaperCandidates = 3;
 bool runs_again(const Task& task, const RunSettings& run, const GenerateResult& generation) {
   if (task.preset != Preset::paper || run.evaluations || task.own_search) return false;
   if (task.search.value_or(SearchMethod::paper_ga) != SearchMethod::paper_ga) return false;
-  if (generation.end == SearchEnd::cancelled || generation.runs >= task.most_runs) return false;
+  if (generation.end == SearchEnd::cancelled || generation.log.runs >= task.most_runs) return false;
   return static_cast<int>(generation.candidates.size()) < min(kPaperCandidates, task.candidates);
 }
 
@@ -102,7 +97,7 @@ void take_in(std::vector<Candidate> candidates, GenerateResult& generation) {
       return largest_distance(other.motion.clip, candidate.motion.clip) < kDistinctPosture;
     });
     if (is_copy) {
-      ++generation.near_copies;
+      ++generation.log.near_copies;
     } else {
       all.push_back(std::move(candidate));
     }
@@ -111,14 +106,7 @@ void take_in(std::vector<Candidate> candidates, GenerateResult& generation) {
 
 // Adds another run to the result.
 void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
-  ++generation.runs;
-  generation.evaluations += run.evaluations;
-  generation.generations += run.generations;
-  generation.rejected_nan += run.rejected_nan;
-  generation.near_copies += run.near_copies;
-  generation.missed += run.missed;
-  generation.replay_differs += run.replay_differs;
-  generation.replay_difference = max(generation.replay_difference, run.replay_difference);
+  generation.log.add_run(run.log);
   generation.end = run.end;
   if (run.best_seen_score < generation.best_seen_score) {
     generation.best_seen = std::move(run.best_seen);
@@ -131,7 +119,7 @@ void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
   if (all.size() > most) all.erase(all.begin() + task.candidates, all.end());
   generation.fewer = {};
   if (all.size() == most) return;
-  generation.fewer = say("fewer_runs", all.size(), task.candidates, generation.runs);
+  generation.fewer = say("fewer_runs", all.size(), task.candidates, generation.log.runs);
 }
 
 }  // namespace
@@ -168,7 +156,7 @@ Result<GenerateResult> search_problem(const Problem& problem, const RunSettings&
   planner.go_by_other_posture(0);
   RunSettings other = run;
   while (planner.in_reach() && runs_again(task, run, generation)) {
-    other.stream = static_cast<std::uint64_t>(generation.runs);
+    other.stream = static_cast<std::uint64_t>(generation.log.runs);
     GenerateResult again;
     search_approaches(task, other, planner, {}, joint, again);
     add_run(task, std::move(again), generation);

@@ -7,7 +7,7 @@
 #include "core/index.hpp"
 #include "dynamics/clip_dynamics.hpp"
 #include "kinematics/forward_kinematics.hpp"
-#include "task/mirror_request.hpp"
+#include "problem/mirror_request.hpp"
 
 namespace shigusa {
 namespace {
@@ -22,7 +22,7 @@ struct Fellow {
 std::optional<std::vector<Fellow>> fellows_of(const BodyModel& body) {
   std::vector<Fellow> fellows;
   for (const Dof& dof : body.dofs()) {
-    const auto other = body.find_dof(mirrored_in_phase(dof.name));
+    const auto other = body.find_dof(with_other_side(dof.name));
     if (!other) return std::nullopt;
     const bool of_middle = body.dof(*other).name == dof.name;
     fellows.push_back({*other, of_middle && dof.axis != Axis::x ? -1.0 : 1.0});
@@ -55,7 +55,7 @@ bool is_image(const BodyModel& body, std::span<const double> angles,
   forward_kinematics<double>(body, of_angles, of);
   for (int e = 0; e < body.effector_count(); ++e) {
     const Effector& effector = body.effector(e);
-    const auto other = body.find_effector(mirrored_in_phase(effector.name));
+    const auto other = body.find_effector(with_other_side(effector.name));
     if (!other) continue;  // a foot that carries the base is none
     const Effector& fellow = body.effector(*other);
     const Vec3d across_it = across(of.point(fellow.link, fellow.point));
@@ -94,7 +94,7 @@ int other_link(const std::vector<Fellow>& fellows, int link) {
 }
 
 RestingHand reflected(const BodyModel& body, const std::vector<Fellow>& fellows, RestingHand hand) {
-  hand.effector = *body.find_effector(mirrored_in_phase(body.effector(hand.effector).name));
+  hand.effector = *body.find_effector(with_other_side(body.effector(hand.effector).name));
   if (hand.thigh) hand.thigh = other_link(fellows, *hand.thigh);
   for (Vec3d& place : hand.places) place = across(place);
   for (Vec3d& force : hand.forces) force = across(force);

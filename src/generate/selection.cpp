@@ -68,14 +68,14 @@ Message why_fewer(const Task& task, const GenerateResult& generation, const Sele
   const auto add = [&](int count, Message reason) {
     if (count > 0) reasons = reasons ? say("and_more", *reasons, reason) : std::move(reason);
   };
-  const int similar = by_end ? selection.similar : generation.near_copies;
+  const int similar = by_end ? selection.similar : generation.log.near_copies;
   add(similar, by_end ? say("fewer_alike", similar) : say("fewer_near_copies", similar));
   add(selection.worse, say("fewer_worse", selection.worse, kCandidateSpread));
-  add(generation.jolting, say("fewer_jolting", generation.jolting));
-  add(generation.strange, say("fewer_strange", generation.strange));
-  add(generation.over_limit, say("fewer_over_limit", generation.over_limit));
-  add(generation.collided, say("fewer_collided", generation.collided));
-  add(generation.missed, say("fewer_missed", generation.missed));
+  add(generation.log.jolting, say("fewer_jolting", generation.log.jolting));
+  add(generation.log.strange, say("fewer_strange", generation.log.strange));
+  add(generation.log.over_limit, say("fewer_over_limit", generation.log.over_limit));
+  add(generation.log.collided, say("fewer_collided", generation.log.collided));
+  add(generation.log.missed, say("fewer_missed", generation.log.missed));
   return say("fewer_kept", generation.candidates.size(), task.candidates,
              reasons ? *reasons : say("fewer_none"));
 }

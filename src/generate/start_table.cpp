@@ -56,9 +56,9 @@ double coordinate_of(char digit) {
          static_cast<double>(kStartDigits.size() - 1);
 }
 
-// One column of a table for one hand: the genes that it sets, in all phases.
+// One column of a table for one hand.
 struct Column {
-  std::vector<std::size_t> genes;
+  int gene = -1;          // that it sets; -1: none
   bool mirrored = false;  // turns round in the mirror
   bool arm = false;       // of the hand's own arm
 };
@@ -66,12 +66,9 @@ struct Column {
 std::vector<Column> columns_of(const StartTable& table, const ParameterSpace& space, bool left) {
   std::vector<Column> columns;
   for (std::string name : words_of(table.names)) {
-    Column column{
-        .genes = {}, .mirrored = left && name == "twist", .arm = name.starts_with(kRight)};
+    Column column{.mirrored = left && name == "twist", .arm = name.starts_with(kRight)};
     if (left && column.arm) name = std::string(kLeft) + name.substr(kRight.size());
-    for (const std::string& gene_name : {name, std::string(kLaterPrefix) + name}) {
-      if (const int gene = space.find(gene_name); gene >= 0) column.genes.push_back(index(gene));
-    }
+    column.gene = space.find(name);
     columns.push_back(std::move(column));
   }
   return columns;
@@ -84,8 +81,8 @@ const StartTable* table_of(const ParameterSpace& space, std::size_t feet, bool l
   std::pair<std::size_t, bool> most{};
   for (const StartTable& table : start_tables()) {
     const std::vector<Column> columns = columns_of(table, space, left);
-    const auto known = static_cast<std::size_t>(std::count_if(
-        columns.begin(), columns.end(), [](const Column& c) { return !c.genes.empty(); }));
+    const auto known = static_cast<std::size_t>(
+        std::count_if(columns.begin(), columns.end(), [](const Column& c) { return c.gene >= 0; }));
     const std::pair fits{known, table.feet == feet};
     if (2 * known <= columns.size() || fits <= most) continue;
     most = fits;
@@ -161,12 +158,12 @@ std::vector<double> nearest_starts(const ReachProblem& problem, const ParameterS
     const std::vector<const StartRow*> rows = nearest_rows(*table, *place, most);
     sums.resize(rows.size() * genes, 0.0);
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      for (const std::size_t gene : columns[c].genes) {
-        counts[gene] += 1.0;
-        for (std::size_t k = 0; k < rows.size(); ++k) {
-          const double x = coordinate_of(rows[k]->coordinates[c]);
-          sums[k * genes + gene] += columns[c].mirrored ? 1.0 - x : x;
-        }
+      if (columns[c].gene < 0) continue;
+      const std::size_t gene = index(columns[c].gene);
+      counts[gene] += 1.0;
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        const double x = coordinate_of(rows[k]->coordinates[c]);
+        sums[k * genes + gene] += columns[c].mirrored ? 1.0 - x : x;
       }
     }
   }

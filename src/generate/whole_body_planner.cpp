@@ -10,8 +10,8 @@
 #include "core/say.hpp"
 #include "generate/start_table.hpp"
 #include "planner.hpp"
+#include "problem/task_supports.hpp"
 #include "rollout/smooth_motion.hpp"
-#include "task/task_supports.hpp"
 #include "whole_body_search.hpp"
 
 namespace shigusa {
@@ -28,7 +28,7 @@ Result<void> check_fixed(const Problem& problem) {
   if (task.fixed->set.size() != parameters_of(problem.plan, values).size()) {
     return fail(ErrorCode::invalid_argument, say("fixed_of_another"));
   }
-  const ParameterSpace space(problem.reach, gene_code(task), task.fixed, task.phases);
+  const ParameterSpace space(problem.reach, gene_code(task), task.fixed);
   if (space.genes() > 0) return {};
   return fail(ErrorCode::invalid_argument, say("all_fixed"));
 }
@@ -54,7 +54,7 @@ bool goes_around(const ReachProblem& problem) {
 // The best score of what a search would begin at.
 double best_start(const Problem& problem, const ReachProblem& approach) {
   const Task& task = problem.task;
-  const ParameterSpace space(approach, gene_code(task), task.fixed, task.phases);
+  const ParameterSpace space(approach, gene_code(task), task.fixed);
   std::vector<double> points = known_starts(approach, space, task.starts);
   const std::vector<double> bent = bent_starts(space);
   points.insert(points.end(), bent.begin(), bent.end());

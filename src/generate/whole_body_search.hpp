@@ -9,7 +9,7 @@
 #include "generate/parameter_space.hpp"
 #include "island.hpp"
 #include "joint_progress.hpp"
-#include "task/task_search.hpp"
+#include "problem/task_search.hpp"
 
 namespace shigusa {
 

@@ -39,24 +39,13 @@ std::span<const StyleRange> bends_of(const Archived* best) {
   return kBentStyles;
 }
 
-// The numbers of a mode in both phases, where it is searched.
-std::vector<int> genes_of(const ParameterSpace& space, std::string_view name) {
-  std::vector<int> genes;
-  for (const int gene :
-       {space.find(name), space.find(std::string(kLaterPrefix) + std::string(name))}) {
-    if (gene >= 0) genes.push_back(gene);
-  }
-  return genes;
-}
-
 }  // namespace
 
 Niche stiff_knees(const ParameterSpace& space) {
   Niche niche;
   for (const char* name : {"knee.flexion", "left_knee.flexion", "right_knee.flexion"}) {
-    for (const int gene : genes_of(space, name)) {
-      niche.push_back({gene, space.coordinate(gene, kStiffKnee), 1.0});
-    }
+    const int gene = space.find(name);
+    if (gene >= 0) niche.push_back({gene, space.coordinate(gene, kStiffKnee), 1.0});
   }
   return niche;
 }
@@ -105,11 +94,11 @@ void StylePlans::add(const StyleRange& style, const Archived* best,
   left_ -= style.parts;
 }
 
-// Keeps the mode within the range in both phases.
+// Keeps the mode within the range.
 Niche StylePlans::niche_of(const StyleRange& style) const {
   const bool bends_knees = style.mode == "squat" || space_->find("squat") < 0;
   Niche niche = bends_knees ? stiff_knees(*space_) : Niche{};
-  for (const int gene : genes_of(*space_, style.mode)) {
+  if (const int gene = space_->find(style.mode); gene >= 0) {
     niche.push_back({gene, space_->coordinate(gene, radians(style.low)),
                      space_->coordinate(gene, radians(style.high))});
   }

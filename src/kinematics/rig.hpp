@@ -8,9 +8,9 @@
 #include <shigusa/skeleton.hpp>
 #include <vector>
 
-#include "person/finger_bones.hpp"
-#include "person/measure_person.hpp"
-#include "person/twist_bones.hpp"
+#include "measure/measure_person.hpp"
+#include "rig/finger_bones.hpp"
+#include "rig/twist_bones.hpp"
 
 namespace shigusa {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "human/human_frames.hpp"
 #include "kinematics/rig.hpp"
-#include "person/human_frames.hpp"
 
 namespace shigusa {
 

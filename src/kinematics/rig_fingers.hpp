@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kinematics/rig.hpp"
-#include "person/finger_bones.hpp"
+#include "rig/finger_bones.hpp"
 
 namespace shigusa {
 

@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "human/human_frames.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/rig.hpp"
-#include "person/human_frames.hpp"
 
 namespace shigusa {
 

@@ -18,8 +18,7 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
       next_(*problem.body),
       angles_(3, std::vector<double>(problem.body->dofs().size())),
       reference_(problem.body->dofs().size()),
-      posture_draw_(problem),
-      blend_(reference_.size()) {
+      posture_draw_(problem) {
   SHG_CHECK(problem.steps >= 1 && problem.duration > 0.0, "steps and duration of a motion");
   SHG_CHECK(problem.guide.empty() || problem.guide.size() == reference_.size(),
             "one angle of the guide per dof");
@@ -28,9 +27,6 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
 void NlpRollout::begin(const MotionInput<double>& input) {
   SHG_CHECK(input.posture.empty() || input.posture.size() == reference_.size(),
             "one change of posture per dof");
-  SHG_CHECK(!input.has_later() || (input.later.inverse_weights.size() == reference_.size() &&
-                                   input.later.posture.size() == input.posture.size()),
-            "one inverse weight and change of posture of the later phase per dof");
   const std::span<const double> start = problem_->body->start();
   for (std::vector<double>& angles : angles_) angles.assign(start.begin(), start.end());
   for (IkTarget<double>& target : targets_) {
@@ -39,8 +35,6 @@ void NlpRollout::begin(const MotionInput<double>& input) {
   }
   drawn_ = !problem_->guide.empty() || !input.posture.empty();
   ik_.begin(targets_, input.inverse_weights);
-  later_share_ = 0.0;
-  if (input.has_later()) blend_.begin(input);
   forward_kinematics<double>(*problem_->body, start, now_);
 }
 
@@ -48,7 +42,6 @@ void NlpRollout::begin(const MotionInput<double>& input) {
 void NlpRollout::follow(int frame, const MotionInput<double>& input, ReachOutcome& outcome) {
   const bool last = frame == problem_->steps;
   place_goals(frame, input);
-  change_phase(frame, input);
   draw_null_space(frame, input);
   const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
   const auto targets = std::span<IkTarget<double>>(targets_).subspan(skipped);
@@ -83,15 +76,6 @@ void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
   }
 }
 
-// the weights of the step to this frame
-void NlpRollout::change_phase(int frame, const MotionInput<double>& input) {
-  if (!input.has_later()) return;
-  const double share = blend_.step(input, problem_->tau(frame - 0.5));
-  if (share == later_share_) return;
-  ik_.weigh(targets_, blend_.inverse_weights());
-  later_share_ = share;
-}
-
 // how far the null space is drawn in this frame, as in Rollout
 void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   if (!drawn_) return;
@@ -103,10 +87,7 @@ void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
     }
     return;
   }
-  const std::span<const double> posture = input.has_later() ? blend_.posture() : input.posture;
-  const std::span<const double> weights =
-      input.has_later() ? blend_.inverse_weights() : input.inverse_weights;
-  posture_draw_.draw(frame, posture, weights, input.timing.delay, reference_);
+  posture_draw_.draw(frame, input.posture, input.inverse_weights, input.timing.delay, reference_);
 }
 
 void NlpRollout::measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome) {

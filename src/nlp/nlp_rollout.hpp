@@ -14,7 +14,6 @@ namespace shigusa {
 //
 //   for each frame:
 //     targets := where the paths are then
-//     weights := the phase's, see PhaseBlend
 //     reference := the null space's change of posture in this frame, or towards the guide
 //     posture := NlpIk's, after the posture of the frame before
 //
@@ -50,7 +49,6 @@ class NlpRollout {
   void follow(int frame, const MotionInput<double>& input, ReachOutcome& outcome);
   void advance();
   void place_goals(int frame, const MotionInput<double>& input);
-  void change_phase(int frame, const MotionInput<double>& input);
   void draw_null_space(int frame, const MotionInput<double>& input);
   void measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome);
 
@@ -66,8 +64,6 @@ class NlpRollout {
   bool drawn_ = false;                       // the null space is drawn somewhere, by …
   std::vector<double> reference_;            // … (dofs, rad) in this frame
   PostureDraw<double> posture_draw_;
-  PhaseBlend<double> blend_;  // of a motion in two phases …
-  double later_share_ = 0.0;  // … and how much of the later there is in this frame
 };
 
 // Generates and keeps the whole motion for the parameters.

@@ -10,9 +10,9 @@
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "core/text.hpp"
-#include "person/find_humanoid.hpp"
-#include "person/humanoid_names.hpp"
-#include "person/landmark_points.hpp"
+#include "human/landmark_points.hpp"
+#include "rig/find_humanoid.hpp"
+#include "rig/humanoid_names.hpp"
 
 namespace shigusa {
 namespace {

@@ -6,8 +6,8 @@
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
+#include "human/segment_mass.hpp"
 #include "math/axes.hpp"
-#include "person/segment_mass.hpp"
 #include "robot_builder.hpp"
 
 namespace shigusa {

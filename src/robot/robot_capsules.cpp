@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
-#include "person/fitted_parts.hpp"
-#include "person/human_frames.hpp"
-#include "person/landmark_points.hpp"
-#include "person/part_shapes.hpp"
+#include "human/human_frames.hpp"
+#include "human/landmark_points.hpp"
+#include "human/part_shapes.hpp"
+#include "measure/fitted_parts.hpp"
 #include "robot_builder.hpp"
 #include "shape_points.hpp"
 

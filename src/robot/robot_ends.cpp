@@ -7,8 +7,8 @@
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
-#include "person/humanoid_names.hpp"
-#include "person/landmark_points.hpp"
+#include "human/landmark_points.hpp"
+#include "rig/humanoid_names.hpp"
 #include "robot/robot.hpp"
 
 namespace shigusa {

@@ -5,7 +5,7 @@
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"
 #include "core/text.hpp"
-#include "person/humanoid_names.hpp"
+#include "rig/humanoid_names.hpp"
 #include "robot_builder.hpp"
 
 namespace shigusa {

@@ -8,8 +8,8 @@
 
 #include "core/index.hpp"
 #include "core/say.hpp"
+#include "human/landmark_points.hpp"
 #include "math/axes.hpp"
-#include "person/landmark_points.hpp"
 #include "robot_freedoms.hpp"
 
 namespace shigusa {

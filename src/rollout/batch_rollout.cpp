@@ -43,12 +43,6 @@ void BatchRollout::score(const MotionInputs& inputs, std::span<double> scores,
   SHG_CHECK(inputs.posture.empty() || (inputs.posture.size() == scores.size() * dofs &&
                                        inputs.timing.size() == scores.size() * kTimings),
             "one change of posture per motion and dof, and the numbers of its timing");
-  const LaterInputs& later = inputs.later;
-  SHG_CHECK(later.inverse_weights.empty() ||
-                (later.inverse_weights.size() == inputs.inverse_weights.size() &&
-                 later.posture.size() == inputs.posture.size() &&
-                 later.switch_at.size() == scores.size()),
-            "the later phase of every motion, or of none");
   SHG_CHECK(inputs.supports.empty() ||
                 inputs.supports.size() == scores.size() * problem_->supports.size(),
             "one share of the body's weight per motion and support");

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "criteria/built_in_criteria.hpp"
-#include "rollout/motion_input.hpp"
+#include "plan/motion_input.hpp"
 #include "rollout/reach_problem.hpp"
 
 namespace shigusa {

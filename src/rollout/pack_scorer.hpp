@@ -22,8 +22,6 @@ class PackScorer final : public LaneScorer {
         criteria_(*problem.body, criteria),
         inverse_weights_(problem.body->dofs().size()),
         posture_(inverse_weights_),
-        later_weights_(inverse_weights_),
-        later_posture_(inverse_weights_),
         supports_(problem.supports.size()),
         tolerance_(problem.tolerance),
         worst_(worst_score(criteria)) {}
@@ -41,7 +39,6 @@ class PackScorer final : public LaneScorer {
       for (std::size_t k = 0; k < kTimings; ++k) timing.*kTimingMembers<S>[k] = timing_[k];
       input = {inverse_weights_, posture_, timing};
     }
-    if (!inputs.later.inverse_weights.empty()) input.later = spread_later(inputs.later, motions);
     if (!inputs.supports.empty()) {
       spread(inputs.supports, motions, supports_);
       input.supports = supports_;
@@ -70,24 +67,11 @@ class PackScorer final : public LaneScorer {
     }
   }
 
-  LaterInput<S> spread_later(const LaterInputs& later, int motions) {
-    LaterInput<S> input;
-    spread(later.inverse_weights, motions, later_weights_);
-    input.inverse_weights = later_weights_;
-    spread(later.switch_at, motions, {&input.switch_at, 1});
-    if (later.posture.empty()) return input;
-    spread(later.posture, motions, later_posture_);
-    input.posture = later_posture_;
-    return input;
-  }
-
   Rollout<S> rollout_;
   BuiltInCriteria<S> criteria_;
   std::vector<S> inverse_weights_;  // (dofs)
   std::vector<S> posture_;          // (dofs)
   S timing_[kTimings];              // in the order of kTimingNumbers
-  std::vector<S> later_weights_;    // (dofs) of the later phase
-  std::vector<S> later_posture_;    // (dofs)
   std::vector<S> supports_;         // (supports)
   ReachTolerance tolerance_;
   double worst_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "rollout/held_input.hpp"
+#include "plan/held_input.hpp"
 #include "rollout/rollout.hpp"
 
 namespace shigusa {

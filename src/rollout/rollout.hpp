@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "criteria/built_in_criteria.hpp"
+#include "plan/motion_input.hpp"
 #include "rollout/frame_dynamics.hpp"
 #include "rollout/hand_supports.hpp"
 #include "rollout/limit_guard.hpp"
-#include "rollout/motion_input.hpp"
-#include "rollout/phase_blend.hpp"
 #include "rollout/posture_draw.hpp"
 #include "rollout/posture_law.hpp"
 #include "rollout/reach_problem.hpp"
@@ -45,7 +44,6 @@ class Rollout {
         angles_(3, std::vector<S>(problem.body->dofs().size())),
         unlocked_(problem.body->dofs().size()),
         reference_(unlocked_),
-        blend_(unlocked_.size()),
         posture_draw_(problem),
         law_(problem),
         supports_(problem) {
@@ -88,7 +86,6 @@ class Rollout {
     now_ = 0;
     drawn_ = !problem_->guide.empty() || !input.posture.empty() || !law_.empty();
     if (limits_) limits_->reset();
-    if (input.has_later()) blend_.begin(input);
     for (std::size_t d = 0; d < unlocked_.size(); ++d) {
       angles_[0][d] = angles_[1][d] = S(body.start()[d]);
       unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
@@ -108,7 +105,6 @@ class Rollout {
     BasicReachOutcome<S> outcome;
     now_ = 0;
     if (limits_) limits_->reset();
-    if (input.has_later()) blend_.begin(input);
     std::copy_n(angles.begin(), dofs, angles_[0].begin());
     angles_[1] = angles_[0];
     forward_kinematics<S>(*problem_->body, angles_[1], now());
@@ -147,14 +143,13 @@ class Rollout {
   // moves the angles of the next frame to where the paths are then
   void follow(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
     const bool last = frame == problem_->steps;
-    const std::span<const S> inverse_weights = change_phase(frame, input);
     place_goals(frame, input);
     if (!supports_.empty()) supports_.place(frame, now());
     const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
     const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
     const auto contacts = std::span<IkTarget<S>>(targets_).subspan(contacts_from_);
     draw_null_space(frame, input);
-    step(targets, inverse_weights);
+    step(targets, input.inverse_weights);
     const double turn_share = last ? 1.0 : kTurnOnWay;
     BasicReachOutcome<S> missed = measure(frame, targets, turn_share, true);
     const int corrections = last ? problem_->goal_corrections : problem_->corrections;
@@ -163,7 +158,7 @@ class Rollout {
       const S worst = max(missed.path_error, contact_error(missed));
       const auto off = (worst > slack) & (worst < S(problem_->rescue_limit)) & wanted(outcome);
       if (!any(off)) break;
-      correct(targets, inverse_weights, off);
+      correct(targets, input.inverse_weights, off);
       missed = measure(frame, targets, turn_share, false);
     }
     // a goal out of reach, or weights that are far apart, do not take a planted foot along
@@ -181,7 +176,6 @@ class Rollout {
   // brings the angles of the next frame back to where the paths are then
   void return_to_paths(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
     const bool last = frame == problem_->steps;
-    const std::span<const S> inverse_weights = change_phase(frame, input);
     place_goals(frame, input);
     if (limits_) limits_->hold(angles_[2]);
     forward_kinematics<S>(*problem_->body, angles_[2], next());
@@ -197,7 +191,7 @@ class Rollout {
       if (!any(off)) break;
       // what is missed is small, and no reason to hold back
       for (IkTarget<S>& target : targets_) target.lag = S(0);
-      correct(targets, inverse_weights, off);
+      correct(targets, input.inverse_weights, off);
       missed = measure(frame, targets, turn_share, false);
     }
     add(missed, last, outcome);
@@ -215,16 +209,6 @@ class Rollout {
   auto wanted(const BasicReachOutcome<S>& outcome) const {
     const auto all = S(0) < S(1);
     return lost_ == LostMotion::left ? outcome.keeps_to(problem_->tolerance) : all;
-  }
-
-  // the inverse weights of the step to this frame
-  std::span<const S> change_phase(int frame, const MotionInput<S>& input) {
-    if (!input.has_later()) return input.inverse_weights;
-    blend_.step(input, problem_->tau(frame - 0.5));
-    for (std::size_t d = 0; d < unlocked_.size(); ++d) {
-      unlocked_[d] = select(blend_.inverse_weights()[d] > S(0), S(1), S(0));
-    }
-    return blend_.inverse_weights();
   }
 
   // one step of IK from this frame to the next
@@ -304,12 +288,10 @@ class Rollout {
     if (guided) {
       draw_to_guide(frame);
     } else if (!input.posture.empty()) {
-      const std::span<const S> posture = input.has_later() ? blend_.posture() : input.posture;
-      const std::span<const S> weights =
-          input.has_later() ? blend_.inverse_weights() : input.inverse_weights;
-      posture_draw_.draw(frame, posture, weights, input.timing.delay, reference_);
+      posture_draw_.draw(frame, input.posture, input.inverse_weights, input.timing.delay,
+                         reference_);
       const S bent = posture_draw_.made(TimedPart::spine, frame, input.timing.delay);
-      for (const std::size_t d : backs_) reference_[d] = posture[d] * bent;
+      for (const std::size_t d : backs_) reference_[d] = input.posture[d] * bent;
     } else if (drawn_) {
       for (S& change : reference_) change = S(0);
     }
@@ -414,7 +396,6 @@ class Rollout {
   std::vector<S> unlocked_;                // (dofs) 1, or 0 where locked now
   bool drawn_ = false;                     // the null space is drawn somewhere, by …
   std::vector<S> reference_;               // … (dofs, rad) in this frame
-  PhaseBlend<S> blend_;                    // of a motion in two phases
   PostureDraw<S> posture_draw_;
   PostureLaw<S> law_;
   HandSupports<S> supports_;

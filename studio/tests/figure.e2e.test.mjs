@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { inflateRawSync } from 'node:zlib';
-import { makeFile } from '../figure/make.mjs';
+import { makeFile } from '../../research/mannequin/make.mjs';
 import { parseGlb, valuesOf } from './glb.mjs';
 import { ask, drawn, drop, openStudio, settled, take, visit } from './support.mjs';
 
@@ -17,7 +17,7 @@ const kReach = { goals: [{ effector: 'right_hand', position_m: [-0.2, 1, 0.35] }
 test('the mannequin is what its script makes, and small', { timeout: 240_000 }, () => {
   const kept = readFileSync(new URL('../../data/mannequin.bin', import.meta.url));
   assert.ok(kept.length <= 64_000, `${kept.length} bytes`);
-  assert.ok(makeFile().equals(inflateRawSync(kept)), 'npm run figure makes another file');
+  assert.ok(makeFile().equals(inflateRawSync(kept)), 'research/mannequin/make.mjs makes another file');
 });
 
 const figureAt = async (share) => {

@@ -9,7 +9,7 @@
 #include <shigusa/random.hpp>
 #include <thread>
 
-#include "io/json_text.hpp"
+#include "formats/json_text.hpp"
 #include "support/night.hpp"
 #include "support/run_program.hpp"
 #include "support/work_folder.hpp"

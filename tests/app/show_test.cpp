@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "app/result_checks.hpp"
-#include "io/xml.hpp"
+#include "formats/xml.hpp"
 
 namespace shigusa {
 namespace {

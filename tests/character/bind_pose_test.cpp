@@ -4,7 +4,7 @@
 
 #include <shigusa/character.hpp>
 
-#include "io/gltf_animation.hpp"
+#include "formats/gltf_animation.hpp"
 #include "support/mesh_file.hpp"
 
 namespace shigusa {

@@ -7,7 +7,7 @@
 #include <shigusa/generate.hpp>
 
 #include "character/character_rig.hpp"
-#include "io/gltf.hpp"
+#include "formats/gltf.hpp"
 #include "support/exported.hpp"
 #include "support/exported_glb.hpp"
 #include "support/fbx_file.hpp"

@@ -10,7 +10,7 @@
 
 #include "character/character_rig.hpp"
 #include "document/character_export.hpp"
-#include "io/gltf_nodes.hpp"
+#include "formats/gltf_nodes.hpp"
 #include "support/mesh_file.hpp"
 
 namespace shigusa {

@@ -10,9 +10,9 @@
 #include "character/character_rig.hpp"
 #include "character/landmarks_json.hpp"
 #include "document/character_export.hpp"
-#include "io/gltf_animation.hpp"
-#include "io/gltf_skin.hpp"
-#include "io/gltf_write.hpp"
+#include "formats/gltf_animation.hpp"
+#include "formats/gltf_skin.hpp"
+#include "formats/gltf_write.hpp"
 #include "support/mesh_file.hpp"
 
 namespace shigusa {

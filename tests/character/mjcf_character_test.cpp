@@ -6,7 +6,7 @@
 #include <shigusa/export.hpp>
 #include <shigusa/generate.hpp>
 
-#include "robot/mjcf.hpp"
+#include "formats/mjcf.hpp"
 #include "support/mjcf_file.hpp"
 #include "support/work_folder.hpp"
 

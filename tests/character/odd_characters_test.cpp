@@ -9,7 +9,7 @@
 #include "character/character_rig.hpp"
 #include "core/index.hpp"
 #include "document/character_export.hpp"
-#include "io/gltf_write.hpp"
+#include "formats/gltf_write.hpp"
 #include "kinematics/rig.hpp"
 #include "support/convention.hpp"
 #include "support/exported_glb.hpp"

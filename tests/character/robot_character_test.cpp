@@ -64,7 +64,7 @@ TEST_F(RobotCharacter, ResultIsPlayedAgainWithTheSameBytes) {
   const Task task = make_task(file_, {}).value();
   const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
-  EXPECT_LT(generation.replay_difference, 0.1);
+  EXPECT_LT(generation.log.replay_difference, 0.1);
   const std::string summary = format_result({file_, task, generation});
   StoredResult stored = parse_result(summary, "summary.json").value();
   const Task again = make_task(stored.task, {}).value();

@@ -9,9 +9,9 @@
 #include "character/character_file.hpp"
 #include "character/character_rig.hpp"
 #include "character/recording.hpp"
-#include "person/find_humanoid.hpp"
-#include "person/landmark_points.hpp"
-#include "person/stick_figure.hpp"
+#include "human/landmark_points.hpp"
+#include "rig/find_humanoid.hpp"
+#include "rig/stick_figure.hpp"
 #include "support/gltf_file.hpp"
 #include "support/work_folder.hpp"
 

@@ -7,9 +7,9 @@
 
 #include "character/character_rig.hpp"
 #include "document/character_export.hpp"
-#include "io/gltf_write.hpp"
-#include "person/stance.hpp"
-#include "person/stick_figure.hpp"
+#include "formats/gltf_write.hpp"
+#include "human/stance.hpp"
+#include "rig/stick_figure.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"
 

@@ -72,7 +72,7 @@ fails_with 'no test passed' 'a folder without tests of node' with_words 'node_te
 project
 program bin/clang-format-14 'for file; do ! grep -q "bad layout" "$file" 2>/dev/null || exit 1; done'
 fails_with 'No such file' 'a format of folders that are not there' in_project "$tree/scripts/format" --check
-mkdir -p "$tree/apps" "$tree/bindings" "$tree/tests" "$tree/examples" "$tree/bench"
+mkdir -p "$tree/apps" "$tree/bindings" "$tree/tests" "$tree/examples" "$tree/bench" "$tree/research" "$tree/dataset"
 passes 'a good format' in_project "$tree/scripts/format" --check
 write src/a.cpp 'bad layout'
 fails_with '' 'a bad format' in_project "$tree/scripts/format" --check

@@ -4,53 +4,55 @@
 
 # messages
 fresh
-write src/io/a.cpp 'return fail(ErrorCode::parse, say("no_goal"), "goal of " + name);' 'wrong("key", say("must_be_truth"));' \
+write src/formats/a.cpp 'return fail(ErrorCode::parse, say("no_goal"), "goal of " + name);' 'wrong("key", say("must_be_truth"));' \
   '// fail(ErrorCode::parse, "a text")' 'doubts.push_back(say("no_neck"));'
-write src/io/file.cpp 'return fail(ErrorCode::io, "is a pipe");'
+write src/files/file.cpp 'return fail(ErrorCode::io, "is a pipe");'
 accepts check_messages.sh
-refuses check_messages.sh src/io/a.cpp 'return fail(ErrorCode::parse, "a text", place);' 'no sentence'
-refuses check_messages.sh src/io/a.cpp 'return fail(ErrorCode::parse, fmt::format("{}", a));' 'no sentence'
-refuses check_messages.sh src/io/a.cpp 'return fail(ErrorCode::parse, name + " is none", place);' 'no sentence'
-refuses check_messages.sh src/io/a.cpp 'reader.wrong("key", "must be true");' 'no sentence'
-refuses check_messages.sh src/io/a.cpp 'doubts.push_back("a guess");' 'no sentence'
+refuses check_messages.sh src/formats/a.cpp 'return fail(ErrorCode::parse, "a text", place);' 'no sentence'
+refuses check_messages.sh src/formats/a.cpp 'return fail(ErrorCode::parse, fmt::format("{}", a));' 'no sentence'
+refuses check_messages.sh src/formats/a.cpp 'return fail(ErrorCode::parse, name + " is none", place);' 'no sentence'
+refuses check_messages.sh src/formats/a.cpp 'reader.wrong("key", "must be true");' 'no sentence'
+refuses check_messages.sh src/formats/a.cpp 'doubts.push_back("a guess");' 'no sentence'
 
 # layers
 fresh
 write src/generate/a.cpp '#include <shigusa/search.hpp>' '#include "search/b.hpp"' '#include "c.hpp"' '#include <fmt/core.h>'
-write src/document/a.cpp '#include <shigusa/bvh.hpp>' '#include "../io/c.hpp"'
+write src/document/a.cpp '#include <shigusa/bvh.hpp>' '#include "../formats/c.hpp"'
 write include/shigusa/task_file.hpp '#include <shigusa/character.hpp>'
 write include/shigusa/shigusa.hpp '#include <shigusa/task_file.hpp>'
 write examples/one/main.cpp '#include <shigusa/shigusa.hpp>' '#include <shigusa/bvh.hpp>' '#include "local.hpp"'
-write tests/search/a_test.cpp '#include <shigusa/body_model.hpp>' '#include "io/internal.hpp"'
+write tests/search/a_test.cpp '#include <shigusa/body_model.hpp>' '#include "formats/internal.hpp"'
 write bench/a.cpp '#include "rollout/b.hpp"'
+write dataset/a.cpp '#include <shigusa/task_file.hpp>' '#include "formats/b.hpp"' '#include "c.hpp"'
 accepts check_layers.sh
 public=include/shigusa
 refuses check_layers.sh $public/vec3.hpp '#include <shigusa/body_model.hpp>' 'math must not include body'
 refuses check_layers.sh $public/search.hpp '#include <shigusa/body_model.hpp>' 'search must not include body'
 refuses check_layers.sh src/rollout/a.cpp '# include "shigusa/search.hpp"' 'rollout must not include search'
 refuses check_layers.sh src/rollout/a.cpp '#include "search/b.hpp"' 'rollout must not include search'
-refuses check_layers.sh src/generate/a.cpp '#include <shigusa/bvh.hpp>' 'generate must not include io'
-refuses check_layers.sh src/io/a.cpp '#include <shigusa/task_file.hpp>' 'io must not include document'
+refuses check_layers.sh src/generate/a.cpp '#include <shigusa/bvh.hpp>' 'generate must not include formats'
+refuses check_layers.sh src/formats/a.cpp '#include <shigusa/task_file.hpp>' 'formats must not include document'
 refuses check_layers.sh src/math/a.cpp '#include "../body/b.hpp"' 'math must not include body'
 refuses check_layers.sh src/math/a.cpp '#include "body/b.hpp"' 'math must not include body'
 refuses check_layers.sh src/document/a.cpp '#include <shigusa/shigusa.hpp>' 'document must not include shigusa'
-refuses check_layers.sh src/document/a.cpp '#include <shigusa/io/b.hpp>' '<shigusa/io/b.hpp> is no public header'
+refuses check_layers.sh src/document/a.cpp '#include <shigusa/formats/b.hpp>' '<shigusa/formats/b.hpp> is no public header'
+refuses check_layers.sh dataset/a.cpp '#include "generate/b.hpp"' 'dataset must not include "generate/b.hpp"'
 refuses check_layers.sh src/extra/a.cpp '#include <string>' '"extra" is not a room'
 refuses check_layers.sh $public/extra.hpp '#include <string>' '"extra.hpp" belongs to no room'
 refuses check_layers.sh $public/core/result.hpp '#include <string>' '"core/result.hpp" belongs to no room'
 refuses check_layers.sh $public/file.hpp '#include <nlohmann/json.hpp>' 'a public header must not include'
 refuses check_layers.sh $public/file.hpp '#include <cairo.h>' 'a public header must not include'
-refuses check_layers.sh $public/file.hpp '#include "io/b.hpp"' 'a public header includes only'
-refuses check_layers.sh apps/shigusa/a.cpp '#include "../../src/io/b.hpp"' 'apps must use public headers only'
-refuses check_layers.sh examples/one/a.cpp '#include "io/b.hpp"' 'examples must use public headers only'
-refuses check_layers.sh bindings/c/a.cpp '#include "io/b.hpp"' 'bindings must use public headers only'
-refuses check_layers.sh tests/consumer/cxx/a.cpp '#include "io/b.hpp"' 'tests must use public headers only'
+refuses check_layers.sh $public/file.hpp '#include "formats/b.hpp"' 'a public header includes only'
+refuses check_layers.sh apps/shigusa/a.cpp '#include "../../src/formats/b.hpp"' 'apps must use public headers only'
+refuses check_layers.sh examples/one/a.cpp '#include "formats/b.hpp"' 'examples must use public headers only'
+refuses check_layers.sh bindings/c/a.cpp '#include "formats/b.hpp"' 'bindings must use public headers only'
+refuses check_layers.sh tests/consumer/cxx/a.cpp '#include "formats/b.hpp"' 'tests must use public headers only'
 
 # the C library's functions
 fresh
 write src/math/own.hpp 'namespace shigusa {' 'double atan2(double y, double x);  // not std::atan2' \
   'inline double g(double y) { return atan2(y, 1.0) + sin_cos(y).sin + exponent(y); }' '}'
-write src/io/text.cpp 'const char* help = "sin(x)";' 'char quote = '"'\"'"';'
+write src/formats/text.cpp 'const char* help = "sin(x)";' 'char quote = '"'\"'"';'
 accepts check_c_math.sh
 for line in 'double y = std::sin(x);' 'double y = std :: acos (x);' 'float y = ::expf(x);' \
   'double y = cos(x);' 'float y = atan2f(x, x);' 'using std::pow;' 'double y = __builtin_log(x);' \

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "person/at_ease.hpp"
+#include "human/at_ease.hpp"
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"
 #include "support/posed_body.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "dataset/shard_file.hpp"
-#include "io/json_text.hpp"
+#include "formats/json_text.hpp"
 #include "support/work_folder.hpp"
 
 // Small plans for tests of data sets.

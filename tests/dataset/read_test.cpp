@@ -113,7 +113,7 @@ TEST(NamedParameters, AreStartsOfAnotherTask) {
   });
   ASSERT_TRUE(read) << read.error().to_string();
   EXPECT_THAT(other.starts, Not(IsEmpty()));
-  EXPECT_TRUE(check_task(other));
+  EXPECT_TRUE(PreparedTask::of(other));
 }
 
 TEST(DatasetPlan, KeepsNoSeriesWhereNoneIsAskedFor) {

@@ -6,7 +6,7 @@
 #include "dataset/plans.hpp"
 #include "dataset/show_facts.hpp"
 #include "dataset/show_plot.hpp"
-#include "io/xml.hpp"
+#include "formats/xml.hpp"
 
 namespace shigusa {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "character/character_rig.hpp"
 #include "document/schema_check.hpp"
-#include "person/measure_person.hpp"
+#include "measure/measure_person.hpp"
 #include "support/exported.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

@@ -4,7 +4,7 @@
 
 #include <shigusa/export.hpp>
 
-#include "io/sha256.hpp"
+#include "files/sha256.hpp"
 #include "support/work_folder.hpp"
 
 namespace shigusa {

@@ -16,7 +16,7 @@ Json facts() { return Json::parse(format_facts()); }
 
 // A task with a number in its place.
 Result<TaskFile> task_with(const std::string& key, double value) {
-  const bool whole = key == "phases" || key == "candidates" || key == "evaluations";
+  const bool whole = key == "candidates" || key == "evaluations";
   const Json number = whole ? Json(static_cast<std::uint64_t>(value)) : Json(value);
   Json task{{"character", {{"source", "human"}}},
             {"goals", {{{"effector", "right_hand"}, {"position_m", {0, 1, 0}}}}}};

@@ -7,7 +7,7 @@
 
 #include "document/in_place.hpp"
 #include "document/joint_names.hpp"
-#include "io/gltf_animation.hpp"
+#include "formats/gltf_animation.hpp"
 #include "support/gltf_file.hpp"
 
 namespace shigusa {

@@ -9,7 +9,7 @@
 #include <shigusa/task_file.hpp>
 
 #include "character/character_rig.hpp"
-#include "person/finger_bones.hpp"
+#include "rig/finger_bones.hpp"
 #include "support/exported_glb.hpp"
 
 namespace shigusa {

@@ -7,7 +7,7 @@
 
 #include "document/result_sample.hpp"
 #include "document/schema_check.hpp"
-#include "layers/assignment.hpp"
+#include "plan/assignment.hpp"
 #include "support/layered.hpp"
 
 namespace shigusa {

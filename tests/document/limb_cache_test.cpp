@@ -24,7 +24,7 @@ Task task_for(const Vec3d& goal, const LimbStore& store) {
 constexpr Vec3d kGoal{-0.3, 1.0, 0.45};
 
 std::vector<double> numbers(const GenerateResult& generation) {
-  std::vector<double> all{generation.best_seen_score, double(generation.evaluations)};
+  std::vector<double> all{generation.best_seen_score, double(generation.log.evaluations)};
   for (const Candidate& candidate : generation.candidates) {
     all.push_back(candidate.score.total);
     const std::vector<double>& angles = candidate.motion.clip.angles;
@@ -42,8 +42,8 @@ TEST(LimbCache, ColdWarmAndWithoutGiveTheSameNumbers) {
   const GenerateResult without = generated({});
   const GenerateResult cold = generated(limb_store(folder / "new" / "cache"));
   const GenerateResult warm = generated(limb_store(folder / "new" / "cache"));
-  EXPECT_GT(cold.cells_searched, 0);
-  EXPECT_EQ(warm.cells_searched, 0);
+  EXPECT_GT(cold.log.cells_searched, 0);
+  EXPECT_EQ(warm.log.cells_searched, 0);
   EXPECT_EQ(numbers(cold), numbers(without));
   EXPECT_EQ(numbers(warm), numbers(without));
 }
@@ -53,9 +53,9 @@ TEST(LimbCache, GrowsWithTheGoalsAsked) {
   const LimbStore store = limb_store(folder.path());
   (void)generated(store);
   const Task other = task_for({-0.5, 1.5, 0.2}, store);
-  EXPECT_GT(generate(other).value().cells_searched, 0);
-  EXPECT_EQ(generate(other).value().cells_searched, 0);
-  EXPECT_EQ(generated(store).cells_searched, 0);
+  EXPECT_GT(generate(other).value().log.cells_searched, 0);
+  EXPECT_EQ(generate(other).value().log.cells_searched, 0);
+  EXPECT_EQ(generated(store).log.cells_searched, 0);
   EXPECT_EQ(folder.contents().size(), 1u) << "one arm, one file";
 }
 
@@ -69,7 +69,7 @@ TEST(LimbCache, ReplacesDamagedFiles) {
                                  good.begin()->second.substr(0, 100), std::string(70000, 'x')}) {
     folder.put(name, bad);
     const GenerateResult again = generated(store);
-    EXPECT_EQ(again.cells_searched, cold.cells_searched);
+    EXPECT_EQ(again.log.cells_searched, cold.log.cells_searched);
     EXPECT_EQ(numbers(again), numbers(cold));
     EXPECT_EQ(folder.contents(), good);
   }
@@ -93,7 +93,7 @@ TEST(LimbCache, TwoAtOnceLeaveAWholeFile) {
   one.join();
   other.join();
   EXPECT_EQ(folder.contents().size(), 1u) << "nothing is left beside the file";
-  EXPECT_EQ(generated(store).cells_searched, 0);
+  EXPECT_EQ(generated(store).log.cells_searched, 0);
 }
 
 class Environment {

@@ -6,10 +6,10 @@
 #include <shigusa/export.hpp>
 
 #include "motion/minimum_jerk.hpp"
+#include "problem/make_problem.hpp"
 #include "support/exported.hpp"
 #include "support/night.hpp"
 #include "support/reach_bounds.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

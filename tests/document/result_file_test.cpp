@@ -8,7 +8,7 @@
 #include "body/posture_modes.hpp"
 #include "document/result_sample.hpp"
 #include "document/task_samples.hpp"
-#include "layers/assignment.hpp"
+#include "plan/assignment.hpp"
 #include "support/person_file.hpp"
 #include "support/work_folder.hpp"
 
@@ -91,31 +91,14 @@ TEST(ResultFile, StoredParametersGiveTheSameMotion) {
             sample().generation.candidates[0].motion.clip.angles);
 }
 
-TEST(ResultFile, TwoPhasesAreReadBackBitForBit) {
+TEST(ResultFile, OfTwoPhasesIsRefusedWithWhatToWrite) {
+  Json json = Json::parse(sample().text());
+  json["candidates"][0]["parameters"]["later"] = Json::object();
+  EXPECT_THAT(message(json), HasSubstr("candidates[0].parameters.later: motions have one phase"));
   TaskFile file = reach_task();
   file.phases = 2;
-  const ResultSample made(file, 1);
-  const StoredResult stored = parse_result(made.text(), "summary.json").value();
-  EXPECT_EQ(bits(stored.task), bits(made.file));
-  ASSERT_EQ(stored.candidates.size(), made.generation.candidates.size());
-  for (std::size_t i = 0; i < stored.candidates.size(); ++i) {
-    ASSERT_TRUE(stored.candidates[i].later.has_value());
-    EXPECT_EQ(stored.candidates[i], made.generation.candidates[i].parameters);
-  }
-  const Json good = Json::parse(made.text());
-  const auto with = [&good](const char* member, const Json& value) {
-    Json json = good;
-    json["candidates"][0]["parameters"]["later"][Json::json_pointer(member)] = value;
-    return message(json);
-  };
-  EXPECT_THAT(with("", 1), HasSubstr("candidates[0].parameters.later: must be an object"));
-  EXPECT_THAT(with("", Json::object()), HasSubstr("later.weights: is missing"));
-  EXPECT_THAT(with("/switch", 0.9), HasSubstr("is 0.9; allowed are numbers from 0.2 to 0.8"));
-  EXPECT_THAT(with("/weights", Json::object()), HasSubstr("is missing"));
-  EXPECT_THAT(with("/weights/right_knee.flexion", 0), HasSubstr("allowed are numbers from 0.001"));
-  EXPECT_THAT(with("/locked", {"tail"}), HasSubstr("later.locked"));
-  EXPECT_THAT(with("/posture/squat_rad", 9), HasSubstr("later.posture.squat_rad: is 9"));
-  EXPECT_THAT(with("/swtich", 0.5), HasSubstr("did you mean 'switch'?"));
+  const auto task = make_task(file, {});
+  EXPECT_THAT(PreparedTask::of(task.value()).error().to_string(), HasSubstr("write two tasks"));
 }
 
 TEST(ResultFile, PersonFromAFileIsKeptAsMeasured) {
@@ -223,60 +206,6 @@ TEST(AssignParameter, FollowsItsTable) {
       EXPECT_THAT(assigned.error().message, HasSubstr(row.wrong)) << row.text;
     }
     EXPECT_EQ(parameters, expected) << row.text;
-  }
-}
-
-TEST(AssignParameter, OfALaterPhaseBeginsItAsTheFirst) {
-  const BodyModel body = full_body();
-  const auto knee = static_cast<std::size_t>(*body.find_dof("right_knee.flexion"));
-  Parameters parameters = uniform_parameters(body);
-  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "right_knee.weight=2", parameters));
-  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "squat_deg=60", parameters));
-  EXPECT_FALSE(parameters.later.has_value());
-  const Parameters one = parameters;
-  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "switch=0.6", parameters));
-  EXPECT_EQ(*parameters.later, (LaterPhase{0.6, one.joints, one.posture.modes}));
-  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "later.right_knee.weight=3", parameters));
-  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "later.squat_deg=30", parameters));
-  ASSERT_TRUE(
-      assign_parameter(whole_body_plan(body), "later.left_knee.flexion.locked=true", parameters));
-  EXPECT_EQ(parameters.joints, one.joints);
-  EXPECT_EQ(parameters.posture, one.posture);
-  EXPECT_EQ(parameters.later->joints[knee], (JointWeight{3.0, false}));
-  EXPECT_EQ(posture_modes(body)[0].name, "squat");
-  EXPECT_EQ(parameters.later->modes[0], radians(30.0));
-  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "squat_deg=40", parameters));
-  EXPECT_EQ(parameters.later->modes[0], radians(30.0));
-  Parameters weights_alone = uniform_parameters(body);
-  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "later.right_knee.weight=3", weights_alone));
-  EXPECT_TRUE(weights_alone.posture.modes.empty());
-}
-
-TEST(AssignParameter, OfALaterPhaseNamesWhatIsWrong) {
-  const BodyModel body = full_body();
-  const struct {
-    const char* text;
-    const char* wrong;
-  } table[] = {
-      {"switch=0.1", "switch is '0.1'; allowed are numbers from 0.2 to 0.8"},
-      {"switch_deg=0.5", "unknown posture parameter 'switch_deg'"},
-      {"swich=0.5", "did you mean 'switch'?"},
-      {"later.sqat_deg=3", "did you mean 'later.squat_deg'?"},
-      {"later.squat_deg=300", "later.squat_deg is '300'"},
-      {"later.delay=0.1", "unknown posture parameter 'later.delay'"},
-      {"later.right_kne.weight=3", "did you mean 'later.right_knee"},
-      {"later.right_knee.weight=0", "weight is '0'"},
-      {"later.right_knee.wieght=3", "did you mean 'weight'?"},
-      {"later.right_knee.locked=1", "locked is '1'"},
-      {"later.=1", "unknown posture parameter 'later.'"},
-      {"later..weight=1", "unknown joint 'later.'"},
-  };
-  for (const auto& row : table) {
-    Parameters parameters = uniform_parameters(body);
-    const Result<void> assigned = assign_parameter(whole_body_plan(body), row.text, parameters);
-    ASSERT_FALSE(assigned) << row.text;
-    EXPECT_THAT(assigned.error().message, HasSubstr(row.wrong)) << row.text;
-    EXPECT_EQ(parameters, uniform_parameters(body)) << row.text;
   }
 }
 

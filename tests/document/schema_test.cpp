@@ -75,9 +75,6 @@ TEST(ResultSchema, TakesResultsOfSearchesAndEdits) {
   const Json noted = result_of(file_with({-0.2, -0.1, 0.3}));
   EXPECT_EQ(noted.at("goal_note_messages").size(), 1U);
   EXPECT_EQ(result_judge().judge(noted), "");
-  TaskFile two_phases = file_with(near);
-  two_phases.phases = 2;
-  EXPECT_EQ(result_judge().judge(result_of(two_phases)), "");
   TaskFile person = file_with(near);
   person.character.source = "walk.bvh";
   person.character.stature = 1.6;

@@ -10,8 +10,8 @@
 
 #include "character/character_rig.hpp"
 #include "document/character_export.hpp"
-#include "io/gltf_animation.hpp"
-#include "io/gltf_write.hpp"
+#include "formats/gltf_animation.hpp"
+#include "formats/gltf_write.hpp"
 #include "kinematics/fit_clip.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"

@@ -9,9 +9,9 @@
 
 #include "character/character_rig.hpp"
 #include "kinematics/skeleton_motion.hpp"
+#include "problem/plan_of.hpp"
 #include "rollout/reach_problem.hpp"
 #include "support/exported.hpp"
-#include "task/plan_of.hpp"
 
 namespace shigusa {
 namespace {
@@ -44,7 +44,6 @@ TEST(Mirror, NamesChangeSides) {
   EXPECT_EQ(mirrored_name("right_hand"), "left_hand");
   EXPECT_EQ(mirrored_name("left_hip.flexion"), "right_hip.flexion");
   EXPECT_EQ(mirrored_name("squat"), "squat");
-  EXPECT_EQ(mirrored_name("later.left_hip.flexion"), "later.right_hip.flexion");
   EXPECT_EQ(mirrored_name(""), "");
 }
 
@@ -70,25 +69,6 @@ TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
 
 INSTANTIATE_TEST_SUITE_P(Preset, MirroredMotion, testing::ValuesIn(kPresets),
                          [](const auto& of) { return std::string(of.param.word); });
-
-TEST(Mirror, ImageOfTwoPhasesIsTheImageOfTheirMotion) {
-  TaskFile file = asked(Preset::flat);
-  file.phases = 2;
-  const Task task = make_task(file, {}).value();
-  const Candidate best = generate(task).value().candidates.front();
-  TaskFile other = mirrored(file).value();
-  EXPECT_EQ(other.phases, 2);
-  const Task image = make_task(other, {}).value();
-  const Parameters across =
-      mirrored(plan_of(task).value(), plan_of(image).value(), best.parameters);
-  const auto right = static_cast<std::size_t>(*task.body.find_dof("right_elbow.flexion"));
-  const auto left = static_cast<std::size_t>(*task.body.find_dof("left_elbow.flexion"));
-  EXPECT_EQ(across.later->joints[left], best.parameters.later->joints[right]);
-  EXPECT_EQ(across.later->switch_at, best.parameters.later->switch_at);
-  EXPECT_EQ(mirrored(plan_of(image).value(), plan_of(task).value(), across), best.parameters);
-  const GenerateResult again = regenerate(image, across).value();
-  expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
-}
 
 // Somebody who is not alike on both sides, and stands turned with a foot ahead.
 std::string uneven_person() {
@@ -172,13 +152,11 @@ TEST(Mirror, ScoresAsTheMotionDoes) {
 TEST(Mirror, TwiceIsTheTaskAgain) {
   TaskFile file = asked(Preset::flat);
   file.fixed_assignments = {"right_elbow.weight=3", "twist_deg=20", "twist_rad=-0.1",
-                            "squat_deg=40",         "nothing",      "later.right_elbow.locked=true",
-                            "later.twist_deg=5",    "switch=0.3"};
+                            "squat_deg=40", "nothing"};
   const TaskFile once = mirrored(file).value();
   EXPECT_THAT(once.fixed_assignments,
               testing::ElementsAre("left_elbow.weight=3", "twist_deg=-20", "twist_rad=0.1",
-                                   "squat_deg=40", "nothing", "later.left_elbow.locked=true",
-                                   "later.twist_deg=-5", "switch=0.3"));
+                                   "squat_deg=40", "nothing"));
   EXPECT_EQ(format_task(mirrored(once).value()), format_task(file));
 }
 

@@ -6,10 +6,10 @@
 #include <shigusa/task.hpp>
 
 #include "experiments/subjects.hpp"
-#include "rollout/reachability.hpp"
+#include "problem/make_problem.hpp"
+#include "problem/reachability.hpp"
 #include "support/bodies.hpp"
 #include "support/reach_bounds.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa::bench {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "document/result_folder.hpp"
 #include "faults/system_calls.hpp"
-#include "io/sha256.hpp"
+#include "files/sha256.hpp"
 #include "support/work_folder.hpp"
 
 namespace shigusa {

@@ -8,8 +8,8 @@
 #include <shigusa/landmarks.hpp>
 #include <string_view>
 
-#include "person/find_humanoid.hpp"
-#include "person/measure_person.hpp"
+#include "measure/measure_person.hpp"
+#include "rig/find_humanoid.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

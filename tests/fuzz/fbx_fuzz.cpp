@@ -7,10 +7,10 @@
 #include <shigusa/landmarks.hpp>
 #include <string_view>
 
-#include "io/fbx.hpp"
-#include "io/gltf.hpp"
-#include "person/find_humanoid.hpp"
-#include "person/measure_person.hpp"
+#include "formats/fbx.hpp"
+#include "formats/gltf.hpp"
+#include "measure/measure_person.hpp"
+#include "rig/find_humanoid.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

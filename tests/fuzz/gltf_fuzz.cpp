@@ -9,11 +9,11 @@
 #include <span>
 #include <string_view>
 
-#include "io/gltf_animation.hpp"
-#include "io/gltf_skin.hpp"
-#include "io/gltf_write.hpp"
-#include "person/find_humanoid.hpp"
-#include "person/measure_person.hpp"
+#include "formats/gltf_animation.hpp"
+#include "formats/gltf_skin.hpp"
+#include "formats/gltf_write.hpp"
+#include "measure/measure_person.hpp"
+#include "rig/find_humanoid.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

@@ -7,8 +7,8 @@
 #include <shigusa/human_body.hpp>
 #include <string_view>
 
-#include "layers/layer.hpp"
-#include "layers/limb_library.hpp"
+#include "paper/limb_library.hpp"
+#include "plan/layer.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

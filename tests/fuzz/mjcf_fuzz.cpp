@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "robot/mjcf.hpp"
-#include "robot/urdf.hpp"
+#include "formats/mjcf.hpp"
+#include "formats/urdf.hpp"
 #include "robot_checks.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

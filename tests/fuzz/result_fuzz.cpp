@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "layers/assignment.hpp"
-#include "task/plan_of.hpp"
+#include "plan/assignment.hpp"
+#include "problem/plan_of.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

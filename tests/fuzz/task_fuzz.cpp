@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "kinematics/skeleton_motion.hpp"
+#include "problem/make_problem.hpp"
 #include "rollout/rollout.hpp"
-#include "task/make_problem.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "robot/urdf.hpp"
+#include "formats/urdf.hpp"
 #include "robot_checks.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,7 +6,7 @@
 
 #include "body/posture_modes.hpp"
 #include "generate/posture_meter.hpp"
-#include "person/at_ease.hpp"
+#include "human/at_ease.hpp"
 
 namespace shigusa {
 namespace {

@@ -7,9 +7,9 @@
 #include <shigusa/shigusa.hpp>
 
 #include "generate/parameter_space.hpp"
-#include "layers/assignment.hpp"
+#include "plan/assignment.hpp"
+#include "problem/make_problem.hpp"
 #include "support/named_values.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {
@@ -60,7 +60,7 @@ TEST_P(Fixed, ParametersAreThoseOfEveryCandidateAndOthersAreNot) {
 TEST_P(Fixed, MotionsAreThoseThatTheParametersGive) {
   const Task task = fixed_task(GetParam(), {"squat_deg=60", "right_elbow.weight=3"});
   const GenerateResult generation = generate(task).value();
-  EXPECT_LT(generation.replay_difference, kReplayTolerance);
+  EXPECT_LT(generation.log.replay_difference, kReplayTolerance);
   const Candidate& best = generation.candidates.front();
   const GenerateResult again = regenerate(played_task(task, generation), best.parameters).value();
   EXPECT_NEAR(again.candidates[0].score.total, best.score.total, 1e-12);

@@ -9,8 +9,8 @@
 
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"
+#include "problem/make_problem.hpp"
 #include "support/problems.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {
@@ -237,9 +237,9 @@ TEST(FlatSearch, NeverScoresMoreThanItsBudget) {
     Task task = flat_task(half_body(), kAtTheFeet);
     task.evaluations = evaluations;
     // a goal that no way leads to would be searched for on each
-    EXPECT_LE(generate(task).value().evaluations, 3 * evaluations) << evaluations;
+    EXPECT_LE(generate(task).value().log.evaluations, 3 * evaluations) << evaluations;
     task.goals[0].position = {-0.25, 1.0, 0.35};
-    EXPECT_LE(generate(task).value().evaluations, evaluations) << evaluations;
+    EXPECT_LE(generate(task).value().log.evaluations, evaluations) << evaluations;
   }
 }
 
@@ -250,8 +250,8 @@ TEST(FlatSearch, EverySearchFindsCandidates) {
     task.evaluations = 300;
     const GenerateResult generation = generate(task).value();
     EXPECT_TRUE(generation.meets_goals()) << word;
-    EXPECT_LE(generation.evaluations, 300) << word;
-    EXPECT_GE(generation.evaluations, 290) << word;
+    EXPECT_LE(generation.log.evaluations, 300) << word;
+    EXPECT_GE(generation.log.evaluations, 290) << word;
   }
 }
 

@@ -6,7 +6,7 @@
 #include <shigusa/human_body.hpp>
 #include <shigusa/random.hpp>
 
-#include "layers/plan.hpp"
+#include "plan/plan.hpp"
 #include "support/flesh.hpp"
 
 namespace shigusa {

@@ -67,9 +67,10 @@ std::vector<double> numbers(const Candidate& c) {
 }
 
 std::vector<double> numbers(const GenerateResult& g) {
-  std::vector<double> all{
-      g.remaining_distance,  g.duration,       double(g.evaluations), double(g.generations),
-      double(g.near_copies), double(g.missed), g.best_seen_score};
+  std::vector<double> all{g.remaining_distance,      g.duration,
+                          double(g.log.evaluations), double(g.log.generations),
+                          double(g.log.near_copies), double(g.log.missed),
+                          g.best_seen_score};
   for (const Candidate& c : g.candidates) {
     const std::vector<double> more = numbers(c);
     all.insert(all.end(), more.begin(), more.end());
@@ -276,7 +277,7 @@ TEST(Generate, CancelledBeforeItBeganStillGivesAMotion) {
   EXPECT_EQ(generation.end, SearchEnd::cancelled);
   ASSERT_FALSE(generation.candidates.empty());
   EXPECT_TRUE(generation.meets_goals());
-  EXPECT_EQ(generation.evaluations, kPaperPopulation);
+  EXPECT_EQ(generation.log.evaluations, kPaperPopulation);
 }
 
 TEST(Generate, CancelledInTheMiddleGivesTheBestSoFar) {
@@ -289,7 +290,7 @@ TEST(Generate, CancelledInTheMiddleGivesTheBestSoFar) {
                           .cancel = &cancel};
   const GenerateResult generation = generated(task_for(full_body(), kFrontLow), progress);
   EXPECT_EQ(generation.end, SearchEnd::cancelled);
-  EXPECT_EQ(generation.generations, 2);
+  EXPECT_EQ(generation.log.generations, 2);
   EXPECT_FALSE(generation.candidates.empty());
 }
 
@@ -303,7 +304,7 @@ TEST(Generate, ReportsItsProgress) {
     EXPECT_GE(reports[i].evaluations, reports[i - 1].evaluations);
     EXPECT_LE(reports[i].best_score, reports[i - 1].best_score);
   }
-  EXPECT_EQ(reports.back().evaluations, generation.evaluations);
+  EXPECT_EQ(reports.back().evaluations, generation.log.evaluations);
   // scored in single precision during the search
   EXPECT_NEAR(reports.back().best_score, generation.best_seen_score, kReplayTolerance);
 }
@@ -323,11 +324,11 @@ TEST(Generate, ProgressOfASearchInPartsNeverGoesBack) {
       EXPECT_LE(reports[i].best_score, reports[i - 1].best_score);
     }
     EXPECT_LE(reports.back().fraction, 1.0);
-    EXPECT_LE(reports.back().evaluations, generation.evaluations);
+    EXPECT_LE(reports.back().evaluations, generation.log.evaluations);
     if (threads > 1) continue;  // the first to begin and the last to end may be on another thread
     EXPECT_LT(reports.front().fraction, 0.1);
     EXPECT_GT(reports.back().fraction, 0.95);
-    EXPECT_EQ(reports.back().evaluations, generation.evaluations);
+    EXPECT_EQ(reports.back().evaluations, generation.log.evaluations);
   }
 }
 
@@ -382,8 +383,8 @@ TEST(Generate, NaNsOfACriterionAreRejectedAndCounted) {
     return value > 1.2 ? std::numeric_limits<double>::quiet_NaN() : value;
   };
   const GenerateResult generation = generated(task);
-  EXPECT_GT(generation.rejected_nan, 0);
-  EXPECT_LT(generation.rejected_nan, generation.evaluations);
+  EXPECT_GT(generation.log.rejected_nan, 0);
+  EXPECT_LT(generation.log.rejected_nan, generation.log.evaluations);
   EXPECT_TRUE(std::isfinite(generation.candidates[0].score.total));
 }
 
@@ -394,7 +395,7 @@ TEST(Generate, CriterionThatIsAlwaysNaNStillGivesMotions) {
     return std::numeric_limits<double>::quiet_NaN();
   };
   const GenerateResult generation = generated(task);
-  EXPECT_EQ(generation.rejected_nan, generation.evaluations);
+  EXPECT_EQ(generation.log.rejected_nan, generation.log.evaluations);
   ASSERT_FALSE(generation.candidates.empty());
   EXPECT_TRUE(generation.meets_goals());
   EXPECT_LE(generation.candidates[0].goals[0].error, kReachTolerance);

@@ -9,10 +9,10 @@
 #include "body/posture_modes.hpp"
 #include "criteria/support_zone.hpp"
 #include "dynamics/centre_of_mass.hpp"
+#include "problem/make_problem.hpp"
 #include "support/lanes.hpp"
 #include "support/named_values.hpp"
 #include "support/problems.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

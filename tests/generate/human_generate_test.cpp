@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "problem/make_problem.hpp"
+#include "problem/plan_of.hpp"
 #include "support/layered.hpp"
-#include "task/make_problem.hpp"
-#include "task/plan_of.hpp"
 
 namespace shigusa {
 namespace {

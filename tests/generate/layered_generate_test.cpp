@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "generate/layered_approaches.hpp"
-#include "layers/arm_feedback.hpp"
-#include "rollout/reachability.hpp"
+#include "paper/arm_feedback.hpp"
+#include "problem/make_problem.hpp"
+#include "problem/reachability.hpp"
 #include "support/layered.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {
@@ -33,8 +33,9 @@ GenerateResult generated(const Task& task) { return generate(task).value(); }
 
 // Everything that a generation says, number by number.
 std::vector<double> numbers(const GenerateResult& g) {
-  std::vector<double> all{g.remaining_distance,  g.duration,       double(g.evaluations),
-                          double(g.near_copies), double(g.missed), g.best_seen_score};
+  std::vector<double> all{g.remaining_distance,      g.duration,
+                          double(g.log.evaluations), double(g.log.near_copies),
+                          double(g.log.missed),      g.best_seen_score};
   for (const Candidate& c : g.candidates) {
     for (const auto* part : {&c.motion.clip.angles, &c.motion.torques}) {
       all.insert(all.end(), part->begin(), part->end());
@@ -124,7 +125,7 @@ TEST(GenerateLayers, MoreEvaluationsFindNoWorse) {
   for (const int evaluations : {8, 100, 300}) {
     task.evaluations = evaluations;
     const GenerateResult generation = generated(task);
-    EXPECT_LE(generation.evaluations, evaluations);
+    EXPECT_LE(generation.log.evaluations, evaluations);
     EXPECT_LE(generation.best_seen_score, best);
     best = generation.best_seen_score;
   }
@@ -137,7 +138,7 @@ TEST(GenerateLayers, EverySearchReaches) {
     task.search = method;
     const GenerateResult generation = generated(task);
     expect_layers_kept(task, generation);
-    EXPECT_EQ(generation.evaluations, 150) << word;
+    EXPECT_EQ(generation.log.evaluations, 150) << word;
     EXPECT_LT(generation.best_seen_score, worst_score(task.criteria)) << word;
   }
 }
@@ -175,7 +176,7 @@ TEST(GenerateLayers, OwnCriterionDecides) {
     return std::numeric_limits<double>::quiet_NaN();
   };
   const GenerateResult generation = generated(task);
-  EXPECT_GT(generation.rejected_nan, 0);
+  EXPECT_GT(generation.log.rejected_nan, 0);
   EXPECT_TRUE(generation.meets_goals());
 }
 

@@ -14,7 +14,7 @@ namespace {
 // Upper motions by chance, of a task by layers.
 struct Layered {
   Layered(const BodyModel& body, Preset preset, std::vector<Goal> goals, int motions)
-      : task(prepared(with_preset(Task(body, {.goals = std::move(goals)}), preset)).value()),
+      : task(with_preset(Task(body, {.goals = std::move(goals)}), preset)),
         problem(testing_support::make_layered_problem(task)) {
     Random random(6);
     const std::vector<std::size_t> genes = searched_genes(problem);

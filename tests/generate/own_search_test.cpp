@@ -32,7 +32,7 @@ TEST_P(OwnSearch, TakesThePlaceOfTheLibrarys) {
   own.own_search = differential_evolution;
   const GenerateResult expected = generate(library).value();
   const GenerateResult found = generate(own).value();
-  EXPECT_EQ(found.evaluations, expected.evaluations);
+  EXPECT_EQ(found.log.evaluations, expected.log.evaluations);
   ASSERT_EQ(found.candidates.size(), expected.candidates.size());
   for (std::size_t i = 0; i < found.candidates.size(); ++i) {
     EXPECT_EQ(found.candidates[i].parameters, expected.candidates[i].parameters);

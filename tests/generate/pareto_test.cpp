@@ -121,8 +121,8 @@ TEST(NlpGenerator, MotionsMeetTheGoalWithinLimits) {
   task.evaluations = 60;
   const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
-  EXPECT_EQ(generation.evaluations, 60);
-  EXPECT_EQ(generation.replay_difference, 0.0);
+  EXPECT_EQ(generation.log.evaluations, 60);
+  EXPECT_EQ(generation.log.replay_difference, 0.0);
   for (const Candidate& candidate : generation.candidates) {
     EXPECT_LE(candidate.goals[0].error, kReachTolerance);
     EXPECT_TRUE(candidate.measures.over_limit.empty());

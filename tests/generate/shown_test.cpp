@@ -9,7 +9,7 @@
 
 #include "generate/approaches.hpp"
 #include "generate/candidate.hpp"
-#include "task/make_problem.hpp"
+#include "problem/make_problem.hpp"
 
 namespace shigusa {
 namespace {
@@ -101,8 +101,8 @@ TEST(Shown, WhereThereIsNoChoiceTheSearchIsLonger) {
     const std::vector<Candidate>& all = result.candidates;
     const auto could = std::count_if(all.begin(), all.end(), could_be_made);
     const bool chooses = all.front().judgement.verdict == Verdict::possible && could >= kShownLeast;
-    EXPECT_TRUE(chooses || result.evaluations >= 4 * kUsual);
-    longer += chooses && result.evaluations > kUsual ? 1 : 0;
+    EXPECT_TRUE(chooses || result.log.evaluations >= 4 * kUsual);
+    longer += chooses && result.log.evaluations > kUsual ? 1 : 0;
   }
   EXPECT_GE(longer, 1);
 }

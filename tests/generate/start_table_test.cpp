@@ -9,8 +9,8 @@
 #include <string>
 
 #include "body/anthropometry.hpp"
+#include "problem/make_problem.hpp"
 #include "rollout/batch_rollout.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {
@@ -27,10 +27,10 @@ struct Begun {
   ReachProblem problem;
   ParameterSpace space;
 
-  Begun(const BodyModel& body, std::vector<Goal> goals, int phases = 1)
+  Begun(const BodyModel& body, std::vector<Goal> goals)
       : task(with_preset(Task(body, {.goals = std::move(goals)}), Preset::flat)),
         problem(make_problem(task).value()),
-        space(problem, GeneCode::natural, {}, phases) {}
+        space(problem, GeneCode::natural) {}
 
   [[nodiscard]] std::vector<double> starts() const { return nearest_starts(problem, space, kMost); }
   [[nodiscard]] double at(std::span<const double> points, const std::string& name,
@@ -132,12 +132,6 @@ TEST(NearestStarts, OfTwoHandsSetBothArms) {
   EXPECT_EQ(both.at(points, "left_elbow"), left.at(left.starts(), "left_elbow"));
   EXPECT_DOUBLE_EQ(both.at(points, "lean"),
                    0.5 * (right.at(right.starts(), "lean") + left.at(left.starts(), "lean")));
-}
-
-TEST(NearestStarts, OfTwoPhasesAreTheSameInBoth) {
-  const Begun begun(human_body(), {{"right_hand", kTable}}, 2);
-  const std::vector<double> points = begun.starts();
-  EXPECT_EQ(begun.at(points, "later.lean"), begun.at(points, "lean"));
 }
 
 TEST(NearestStarts, OfWhatIsNoHandAreNone) {

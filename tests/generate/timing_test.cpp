@@ -66,7 +66,7 @@ TEST(Timing, WhatIsOutsideOrOfAnotherPresetIsRefused) {
         Task(human_body(),
              {.goals = {{"right_hand", {0.3, 1.0, 0.4}}}, .ease = ease, .gaze_lead = gaze_lead}),
         preset);
-    const auto checked = check_task(task);
+    const auto checked = PreparedTask::of(task);
     return checked ? "" : checked.error().to_string();
   };
   EXPECT_EQ(refusal(0.5, 0.2, Preset::flat), "");

@@ -6,8 +6,8 @@
 #include <shigusa/verdict.hpp>
 
 #include "dynamics/clip_dynamics.hpp"
+#include "human/landmark_points.hpp"
 #include "motion/minimum_jerk.hpp"
-#include "person/landmark_points.hpp"
 #include "support/motions.hpp"
 
 namespace shigusa {

@@ -247,22 +247,6 @@ TEST(NlpRollout, APostureChangesAfterItsDelayAndThePathBows) {
   for (std::size_t i = 0; i < 24 * 9; ++i) EXPECT_EQ(drawn[i], undrawn[i]);
 }
 
-// Its weights blend in from the middle of a step on, here of that to frame 19.
-TEST(NlpRollout, ALaterPhaseChangesNothingBeforeItsWindow) {
-  const ReachProblem problem = reach_with(half(), "right_hand", kLow);
-  const std::vector<double> weights(9, 1.0);
-  std::vector<double> later = weights;
-  later[static_cast<std::size_t>(half().find_dof("right_knee.flexion").value())] = 0.1;
-  MotionInput<double> input(weights);
-  input.later.inverse_weights = later;
-  input.later.switch_at = 18.4 / 60.0 + 0.5 * kSwitchWindow;
-  NlpRollout rollout(problem);
-  const std::vector<double> alone = angles_of(rollout, weights);
-  const std::vector<double> both = angles_of(rollout, input);
-  const auto changed = std::mismatch(alone.begin(), alone.end(), both.begin()).first;
-  EXPECT_EQ((changed - alone.begin()) / 9, 19);
-}
-
 TEST(NlpRollout, BeyondReachItComesNearAndNeitherShakesNorBreaksApart) {
   for (const BodyModel* body : {&half(), &full()}) {
     const ReachProblem problem = reach_with(*body, "right_hand", {-3.0, 4.0, 5.0});

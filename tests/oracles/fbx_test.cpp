@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // FBX files as assimp reads them, and those that it writes.
-#include "io/fbx.hpp"
+#include "formats/fbx.hpp"
 
 #include <assimp/config.h>
 #include <assimp/scene.h>
@@ -14,7 +14,7 @@
 #include <string>
 
 #include "core/check.hpp"
-#include "io/gltf.hpp"
+#include "formats/gltf.hpp"
 #include "support/fbx_file.hpp"
 
 namespace shigusa {

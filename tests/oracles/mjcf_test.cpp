@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // MJCF files as MuJoCo itself reads them: where bodies are at any angles, what they weigh, and
 // where an exported motion takes them.
-#include "robot/mjcf.hpp"
+#include "formats/mjcf.hpp"
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>

@@ -5,7 +5,7 @@
 
 #include "dynamics/centre_of_mass.hpp"
 #include "dynamics/contact_forces.hpp"
-#include "robot/urdf.hpp"
+#include "formats/urdf.hpp"
 #include "support/bodies.hpp"
 #include "support/mujoco_body.hpp"
 #include "support/robot_file.hpp"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "rollout/reachability.hpp"
+#include "problem/reachability.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <shigusa/generate.hpp>
 
+#include "problem/make_problem.hpp"
 #include "support/independent_reach.hpp"
 #include "support/problems.hpp"
 #include "support/reach_bounds.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

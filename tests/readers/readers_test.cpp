@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "app/result_checks.hpp"
-#include "io/gltf_animation.hpp"
+#include "formats/gltf_animation.hpp"
 #include "support/gltf_file.hpp"
 
 namespace shigusa {

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "body/anthropometry.hpp"
+#include "formats/urdf.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
 #include "robot/robot.hpp"
-#include "robot/urdf.hpp"
 #include "support/robot_file.hpp"
 
 namespace shigusa {

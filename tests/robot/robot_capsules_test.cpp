@@ -8,11 +8,11 @@
 
 #include "body/anthropometry.hpp"
 #include "body/capsules.hpp"
+#include "formats/mjcf.hpp"
+#include "formats/urdf.hpp"
 #include "kinematics/forward_kinematics.hpp"
-#include "robot/mjcf.hpp"
 #include "robot/robot.hpp"
 #include "robot/shape_points.hpp"
-#include "robot/urdf.hpp"
 #include "support/mjcf_file.hpp"
 #include "support/robot_file.hpp"
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "core/index.hpp"
+#include "formats/urdf.hpp"
 #include "kinematics/forward_kinematics.hpp"
-#include "person/humanoid_names.hpp"
+#include "rig/humanoid_names.hpp"
 #include "robot/robot.hpp"
 #include "robot/settled_posture.hpp"
-#include "robot/urdf.hpp"
 #include "support/robot_file.hpp"
 
 namespace shigusa {

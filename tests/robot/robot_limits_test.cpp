@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "formats/urdf.hpp"
 #include "robot/robot.hpp"
-#include "robot/urdf.hpp"
 
 namespace shigusa {
 namespace {

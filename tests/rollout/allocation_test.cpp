@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "plan/held_input.hpp"
 #include "rollout/batch_rollout.hpp"
-#include "rollout/held_input.hpp"
 #include "rollout/rollout.hpp"
 #include "support/problems.hpp"
 
@@ -80,17 +80,6 @@ TEST(Allocations, ARolloutMakesNone) {
               }),
               0);
   }
-}
-
-TEST(Allocations, ARolloutOfTwoPhasesMakesNone) {
-  const BodyModel body = full_body();
-  const ReachProblem problem = reach_with(body, "right_hand", kLowLeft);
-  Parameters parameters = uniform_parameters(body);
-  add_later_phase(parameters);
-  const HeldInput held(body, parameters);
-  Rollout<double> rollout(problem);
-  EXPECT_EQ(allocations_of([&] { rollout.run(held.input(), [](const PlacedFrame<double>&) {}); }),
-            0);
 }
 
 TEST(Allocations, AGuidedRolloutBeyondReachMakesNone) {

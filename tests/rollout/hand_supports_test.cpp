@@ -6,10 +6,10 @@
 #include <shigusa/task.hpp>
 
 #include "body/posture_modes.hpp"
+#include "problem/make_problem.hpp"
 #include "rollout/batch_rollout.hpp"
 #include "rollout/rollout.hpp"
 #include "support/problems.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

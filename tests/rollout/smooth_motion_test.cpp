@@ -10,8 +10,8 @@
 #include "body/posture_modes.hpp"
 #include "core/index.hpp"
 #include "motion/minimum_jerk.hpp"
+#include "problem/make_problem.hpp"
 #include "support/problems.hpp"
-#include "task/make_problem.hpp"
 
 namespace shigusa {
 namespace {

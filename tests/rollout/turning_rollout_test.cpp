@@ -6,8 +6,8 @@
 #include <cmath>
 #include <shigusa/human_body.hpp>
 
+#include "problem/reachability.hpp"
 #include "rollout/batch_rollout.hpp"
-#include "rollout/reachability.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "person/stick_figure.hpp"
+#include "rig/stick_figure.hpp"
 
 namespace shigusa::testing_support {
 

@@ -6,9 +6,9 @@
 #include <shigusa/generate.hpp>
 
 #include "generate/layered_approaches.hpp"
+#include "problem/make_problem.hpp"
+#include "problem/plan_of.hpp"
 #include "support/problems.hpp"
-#include "task/make_problem.hpp"
-#include "task/plan_of.hpp"
 
 // For tests of presets that move by layers.
 namespace shigusa::testing_support {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string_view>
 
-#include "layers/plan.hpp"
+#include "plan/plan.hpp"
 
 // A plan's values by the names of their parameters.
 namespace shigusa::testing_support {

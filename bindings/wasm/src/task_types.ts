@@ -286,12 +286,12 @@ export interface Task {
    * own when not given. */
   criteria?: 'paper' | 'default' | 'pareto' | Criteria;
   /** Parameters that the search leaves as given, such as squat_deg=60 or right_shoulder.flexion.locked=true (as
-   * --set of edit); of two phases these hold in both, and later.squat_deg=30 in the second. */
+   * --set of edit). */
   fixed?: string[];
   /** The maker of motions from parameters: weighted_ik when not given, or nlp_ik, constrained minimisation in each
    * frame, ten times slower. */
   generator?: 'weighted_ik' | 'nlp_ik';
-  /** Of the preset flat: with 2, weights and postures change once during the motion; 1 when not given. */
+  /** 1: motions have one phase. Old tasks with 2 are refused with what to write. */
   phases?: number;
   /** Of a character with fingers, by the presets flat and human: grip, when not given: a reaching hand opens on the
    * way and closes to a relaxed grip, the other is relaxed; or none: fingers stay as the file has them. */

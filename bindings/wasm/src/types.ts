@@ -249,7 +249,7 @@ export interface Facts {
   /** Least and most of what a person sets, by its key in files. */
   ranges: Record<
     | 'position_m' | 'load_kg' | 'tolerance_m' | 'stature_m' | 'mass_kg' | 'seat_m' | 'duration_s' | 'ease' | 'gaze_lead' | 'obstacles'
-    | 'phases' | 'candidates' | 'evaluations' | 'fps',
+    | 'candidates' | 'evaluations' | 'fps',
     readonly [number, number]
   >;
   formats: FormatFacts[];

@@ -23,7 +23,6 @@ const tasks = {
   full_body: { character: 'full_body', preset: 'paper', goals: lowFrontLeft },
   default_criteria: { character: 'half_body', preset: 'paper', criteria: 'default', goals: atTheFeet },
   flat: { character: 'human', preset: 'flat', goals: atTheFeet },
-  two_phases: { character: 'half_body', preset: 'flat', phases: 2, goals: atTheFeet },
   layers: { character: 'full_body', preset: 'layers', goals: lowFrontLeft },
   human: { character: 'full_body', preset: 'human', goals: lowFrontLeft },
 };

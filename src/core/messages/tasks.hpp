@@ -81,10 +81,11 @@ inline constexpr std::array kTasks{
     MessageText{"fixed_of_another", "fixed parameters are of another body"},
     MessageText{"all_fixed",
                 "every parameter is fixed: there is nothing to search, an edit plays them"},
-    MessageText{"phases_range", "phases is {}; allowed are 1 and {}"},
-    MessageText{"one_phase", "the preset {} has one phase; flat knows two"},
-    MessageText{"later_fixed",
-                "a later phase is fixed, and the task has one phase; phases 2 gives it two"},
+    MessageText{
+        "one_phase",
+        "motions have one phase: leave it out, or write two tasks, the second of which begins in "
+        "the last frame of the first (its character is the file that the first left, and "
+        "frame says which)"},
     MessageText{"evaluations_range", "evaluations is {}; allowed are {} (the population) and more"},
     MessageText{"candidates_range", "candidates is {}; allowed are 1 and more"},
     MessageText{"ease_range", "ease is {}; allowed are {:g} to {:g}"},

@@ -8,7 +8,7 @@ import type { Document, SearchSettings } from './model';
 const kPreviewEvaluations = 16;
 
 /** What a task says of the search of its preset. */
-const kOfSearches = new Set(['search', 'layer_reading', 'generator', 'pareto', 'phases']);
+const kOfSearches = new Set(['search', 'layer_reading', 'generator', 'pareto']);
 
 export function withPreset(settings: SearchSettings, preset: SearchSettings['preset']): SearchSettings {
   const more = Object.fromEntries(Object.entries(settings.more).filter(([key]) => !kOfSearches.has(key)));

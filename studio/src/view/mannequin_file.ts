@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mannequin's mesh as studio/figure/make.mjs made it: one half in the file, both here.
+// The mannequin's mesh as research/mannequin/make.mjs made it: one half in the file, both here.
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../../bindings/wasm/src/types';
 import address from '../../../data/mannequin.bin?url';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// This unpacks what figure/pack.mjs packed: triangles in the order of a walk over their edges, and numbers as what is left
+// This unpacks what research/mannequin/pack.mjs packed: triangles in the order of a walk over their edges, and numbers as what is left
 // of them after a guess by the triangle that was there before.
 
 /** Reads the arrays of a file one after another. */

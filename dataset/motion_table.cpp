@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "motion_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/hash.hpp"
+#include "core/index.hpp"
+#include "criteria/built_in_criteria.hpp"
+#include "criteria/replay.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "motion_columns.hpp"
+#include "problem/plan_of.hpp"
+#include "rollout/reach_problem.hpp"
+#include "task_rows.hpp"
+
+namespace shigusa {
+namespace {
+
+// The freedoms in the order that the body has them standing on its right foot, or of a robot the
+// file's joints.
+std::vector<DataDof> data_dofs(const TaskFile& file, const BodyModel& body) {
+  std::vector<DataDof> dofs;
+  if (body.robot()) {
+    for (const RobotJoint& joint : body.robot()->joints) {
+      if (joint.dof >= 0) dofs.push_back({joint.name, joint.dof, joint.sign});
+    }
+    return dofs;
+  }
+  const Result<BodyModel> on_right = build_character(file.character, Side::right);
+  for (const Dof& dof : (on_right ? *on_right : body).dofs()) {
+    if (const auto own = body.find_dof(dof.name)) dofs.push_back({dof.name, *own, 1.0});
+  }
+  return dofs;
+}
+
+std::vector<std::string> parameter_names(const Plan& plan, Parameters values) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : parameters_of(plan, values)) {
+    names.push_back(parameter.spelled("_rad"));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// Values that have all numbers of a plan.
+Parameters full_values(const Plan& plan) {
+  Parameters values = start_values(plan);
+  give_posture(plan, values);
+  return values;
+}
+
+std::vector<std::string> criterion_names() {
+  std::vector<std::string> names;
+  for_each_criterion([&](const auto& criterion) { names.emplace_back(criterion.name); });
+  return names;
+}
+
+std::vector<std::string> node_names(const BodyModel& body) {
+  std::vector<std::string> names;
+  for (const BodyNode& node : body.nodes()) {
+    const bool named = !node.name.empty() || node.parent < 0;
+    names.push_back(named ? node.name : names[index(node.parent)] + "_end");
+  }
+  return names;
+}
+
+std::vector<std::string> node_parents(const BodyModel& body,
+                                      const std::vector<std::string>& names) {
+  std::vector<std::string> parents;
+  for (const BodyNode& node : body.nodes()) {
+    parents.push_back(node.parent < 0 ? "" : names[index(node.parent)]);
+  }
+  return parents;
+}
+
+// "human" of the built-in body, "avatar" of a file.
+std::string stem_of(const std::string& source) {
+  std::string stem = source.substr(source.find_last_of('/') + 1);
+  if (const std::size_t dot = stem.rfind('.'); dot != std::string::npos && dot > 0) {
+    stem.resize(dot);
+  }
+  for (char& c : stem) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (!plain && c != '_' && c != '-') c = '_';
+  }
+  return stem;
+}
+
+// Collects the centre of pressure of the frames that it is shown.
+class PressureMeter {
+ public:
+  explicit PressureMeter(Column& into) : into_(&into) {}
+  void add(const PlacedFrame<double>& frame) {
+    const double up = max(frame.pressure.y, 1.0);
+    into_->push(frame.pressure.x / up);
+    into_->push(frame.pressure.z / up);
+  }
+
+ private:
+  Column* into_;
+};
+
+}  // namespace
+
+MotionTable::MotionTable(const TaskFile& file, const Task& task,
+                         std::span<const DatasetSeries> series)
+    : file_(file), task_(task), series_(series), dofs_(data_dofs(file, task.body)) {
+  if (Result<Plan> plan = plan_of(task)) {
+    plan_ = *std::move(plan);
+  } else {
+    plan_ = whole_body_plan(task.body, task.supports);
+  }
+  parameters_ = parameter_names(plan_, full_values(plan_));
+  for (const Foot& foot : task.body.feet()) feet_.push_back(foot.name);
+  std::sort(feet_.begin(), feet_.end());
+  describe();
+}
+
+// The columns, and the lists of names that say what their numbers are of.
+void MotionTable::describe() {
+  const std::vector<std::string> nodes = node_names(task_.body);
+  std::vector<std::string> dofs;
+  for (const DataDof& dof : dofs_) dofs.push_back(dof.name);
+  table_.names = {{"joints", dofs},
+                  {"parameters", parameters_},
+                  {"criteria", criterion_names()},
+                  {"nodes", nodes},
+                  {"node_parents", node_parents(task_.body, nodes)},
+                  {"feet", feet_}};
+  Fnv1a hash;
+  for (const auto& [what, list] : table_.names) {
+    for (const std::string& name : list) hash.add(name + "\n");
+    hash.add(what);
+  }
+  // bodies of one name that differ in this are no rows of one table
+  table_.path = fmt::format("{}/{}-{:06x}", kMotionsGroup, stem_of(file_.character.source),
+                            hash.value() & 0xFFFFFF);
+  add_motion_columns(series_, table_);
+}
+
+std::uint64_t MotionTable::row_size() const {
+  std::uint64_t size = 0;
+  for (const Column& column : table_.columns) size += column.row_size();
+  return size;
+}
+
+void MotionTable::add(std::uint64_t number, std::size_t rank, const GenerateResult& generation) {
+  const Candidate& candidate = generation.candidates[rank - 1];
+  double error = 0.0;
+  double turn = 0.0;
+  for (const GoalResult& goal : candidate.goals) {
+    error = max(error, goal.error);
+    turn = max(turn, goal.turn.error.value_or(0.0));
+  }
+  const FinalPosture& ends = candidate.final_posture;
+  table_["task"].push_as(number);
+  table_["rank"].push(static_cast<double>(rank));
+  table_["score"].push(candidate.score.total);
+  for (const std::string& name : *table_.names_of("criteria")) {
+    const auto& terms = candidate.score.terms;
+    const auto term = std::find_if(terms.begin(), terms.end(),
+                                   [&name](const ScoreTerm& one) { return one.name == name; });
+    table_["penalties"].push(term == terms.end() ? kNoNumber : term->penalty);
+  }
+  table_["verdict"].push(static_cast<double>(candidate.judgement.verdict));
+  table_["words"].push(std::string_view(posture_words(ends)));
+  table_["duration_s"].push(candidate.motion.clip.duration());
+  table_["error_m"].push(error);
+  table_["turn_error_rad"].push(turn);
+  table_["knee_flexion_rad"].push(ends.knee_flexion);
+  table_["trunk_lean_rad"].push(ends.trunk_lean);
+  table_["trunk_turn_rad"].push(ends.trunk_turn);
+  table_["elbow_swivel_rad"].push(ends.elbow_swivel);
+  table_["stoop_squat_index"].push(ends.stoop_squat_index.value_or(kNoNumber));
+  const JointLoad* load = most_loaded(candidate.measures);
+  table_["most_loaded_share"].push(load == nullptr ? kNoNumber : load->share);
+  const auto& support = candidate.measures.support;
+  table_["balance_m"].push(support ? support->centre_of_mass.distance : kNoNumber);
+  add_parameters(candidate);
+  for (const DatasetSeries series : series_) add_series(series, candidate);
+}
+
+void MotionTable::add_parameters(const Candidate& candidate) {
+  Parameters values = candidate.parameters;
+  give_posture(plan_, values);
+  std::vector<std::pair<std::string, double>> named;
+  for (const Parameter& parameter : parameters_of(plan_, values)) {
+    const bool locked = parameter.locked != nullptr && *parameter.locked;
+    named.emplace_back(parameter.spelled("_rad"), locked ? kNoNumber : parameter.value());
+  }
+  for (const std::string& name : parameters_) {
+    const auto own = std::find_if(named.begin(), named.end(),
+                                  [&name](const auto& one) { return one.first == name; });
+    table_["parameters"].push(own == named.end() ? kNoNumber : own->second);
+  }
+}
+
+void MotionTable::add_series(DatasetSeries series, const Candidate& candidate) {
+  const Motion& motion = candidate.motion;
+  Column& into = table_[word_of(series)];
+  switch (series) {
+    case DatasetSeries::angles:
+    case DatasetSeries::torques: {
+      const auto count = index(motion.clip.dofs);
+      const auto& numbers = series == DatasetSeries::angles ? motion.clip.angles : motion.torques;
+      for (std::size_t f = 0; f < kDataFrames; ++f) {
+        for (const DataDof& dof : dofs_) {
+          into.push(dof.sign * numbers[f * count + index(dof.dof)]);
+        }
+      }
+      break;
+    }
+    case DatasetSeries::nodes:
+      add_nodes(candidate, true);
+      break;
+    case DatasetSeries::positions:
+      add_nodes(candidate, false);
+      break;
+    case DatasetSeries::centre_of_mass:
+      for (const Vec3d& point : motion.centre_of_mass) into.push(point);
+      break;
+    case DatasetSeries::pressure:
+      add_pressure(candidate);
+      break;
+    case DatasetSeries::contacts:
+      add_contacts(candidate);
+      break;
+  }
+}
+
+// `turns`: how nodes are turned in their parents; else where they are.
+void MotionTable::add_nodes(const Candidate& candidate, bool turns) {
+  const BodyModel& body = task_.body;
+  const Clip& clip = candidate.motion.clip;
+  Kinematics<double> kinematics(body);
+  std::vector<Quatd> before(body.nodes().size());
+  for (int f = 0; f < clip.frames; ++f) {
+    forward_kinematics<double>(body, clip.frame(f), kinematics);
+    for (std::size_t n = 0; n < body.nodes().size(); ++n) {
+      const BodyNode& node = body.nodes()[n];
+      const Vec3d place = kinematics.point(node.link, node.point);
+      if (!turns) {
+        table_["positions"].push(place);
+        continue;
+      }
+      const Mat3d turn = kinematics.link_rotation(node.link);
+      if (node.parent < 0) {
+        table_["nodes"].push(before[n] = nearer(to_quat(turn), before[n]));
+        table_["root_m"].push(place);
+        if (f == 0) table_["offsets_m"].push(Vec3d{});
+        continue;
+      }
+      const BodyNode& parent = body.nodes()[index(node.parent)];
+      const Mat3d from = kinematics.link_rotation(parent.link);
+      table_["nodes"].push(before[n] = nearer(to_quat(transpose(from) * turn), before[n]));
+      if (f > 0) continue;
+      const Vec3d offset = place - kinematics.point(parent.link, parent.point);
+      table_["offsets_m"].push(transpose_times(from, offset));
+    }
+  }
+}
+
+void MotionTable::add_pressure(const Candidate& candidate) {
+  Column& into = table_["pressure"];
+  if (task_.body.feet().empty()) {
+    for (std::size_t k = 0; k < 2 * kDataFrames; ++k) into.push(kNoNumber);
+    return;
+  }
+  // with the loads in its hands, and on the feet that stand
+  const Result<PreparedTask> standing = PreparedTask::of(task_);
+  PressureMeter meter(into);
+  show_motion(standing ? standing->task().body : task_.body, candidate.motion, meter);
+}
+
+void MotionTable::add_contacts(const Candidate& candidate) {
+  enum Contact { air, sole, forefoot };
+  const Clip& clip = candidate.motion.clip;
+  for (int f = 0; f < clip.frames; ++f) {
+    for (const std::string& name : feet_) {
+      const bool stands =
+          std::any_of(candidate.contacts.begin(), candidate.contacts.end(),
+                      [&name](const ContactResult& contact) { return contact.effector == name; });
+      Contact contact = stands ? sole : air;
+      for (const Foot& foot : task_.body.feet()) {
+        if (foot.name != name || !foot.heel || !stands) continue;
+        if (clip.frame(f)[index(foot.heel->toes)] > kHeelLifts) contact = forefoot;
+      }
+      table_["contacts"].push(static_cast<double>(contact));
+    }
+  }
+}
+
+}  // namespace shigusa

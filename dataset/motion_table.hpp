@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/dataset.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "plan/plan.hpp"
+#include "table.hpp"
+
+namespace shigusa {
+
+// A freedom of a body as data sets have it: in the same order whichever foot the body stands on,
+// and of robots the file's joint in the file's direction.
+struct DataDof {
+  std::string name;
+  int dof = 0;        // of the body
+  double sign = 1.0;  // the column has sign · q
+};
+
+// The rows of one task's motions.
+class MotionTable {
+ public:
+  // Borrows all of it.
+  MotionTable(const TaskFile& file, const Task& task, std::span<const DatasetSeries> series);
+
+  void add(std::uint64_t number, std::size_t rank, const GenerateResult& generation);
+  [[nodiscard]] Table take() { return std::move(table_); }
+  // Memory (bytes) of one motion.
+  [[nodiscard]] std::uint64_t row_size() const;
+
+ private:
+  void describe();
+  void add_series(DatasetSeries series, const Candidate& candidate);
+  void add_nodes(const Candidate& candidate, bool turns);
+  void add_pressure(const Candidate& candidate);
+  void add_contacts(const Candidate& candidate);
+  void add_parameters(const Candidate& candidate);
+
+  const TaskFile& file_;
+  const Task& task_;
+  std::span<const DatasetSeries> series_;
+  std::vector<DataDof> dofs_;
+  Plan plan_;
+  std::vector<std::string> parameters_;  // names, sorted
+  std::vector<std::string> feet_;        // names, sorted
+  Table table_;
+};
+
+}  // namespace shigusa

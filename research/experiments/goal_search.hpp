@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <shigusa/search.hpp>
+#include <shigusa/task.hpp>
+
+#include "generate/parameter_space.hpp"
+#include "rollout/batch_rollout.hpp"
+
+namespace shigusa::bench {
+
+struct GoalSearchSettings {
+  CriteriaSettings criteria = default_criteria();
+  GeneCode code = GeneCode::natural;
+  int steps = kMotionSteps;
+};
+
+// The search of generate() for one goal of the right hand with the preset flat, laid open: the
+// problem, the space and its scores, without candidates. Its approach is the first by which one of
+// some random motions arrives: the straight path with its detour; that path with the null space
+// drawn to a posture that is there; that posture alone.
+class GoalSearch {
+ public:
+  GoalSearch(const BodyModel& body, const Vec3d& goal, const GoalSearchSettings& settings = {});
+  GoalSearch(const GoalSearch&) = delete;
+  GoalSearch& operator=(const GoalSearch&) = delete;
+
+  // Scores on the thread that asks; points into this.
+  [[nodiscard]] SearchProblem problem();
+
+  [[nodiscard]] const ReachProblem& reach() const { return reach_; }
+  [[nodiscard]] const ParameterSpace& space() const { return *space_; }
+  [[nodiscard]] const CriteriaSettings& criteria() const { return criteria_; }
+  // The score in double; where the goal is missed the worst.
+  [[nodiscard]] double replayed(std::span<const double> point) const;
+
+ private:
+  [[nodiscard]] bool any_arrives();
+
+  Task task_;
+  ReachProblem reach_;
+  CriteriaSettings criteria_;
+  std::optional<ParameterSpace> space_;
+  std::optional<BatchRollout> batch_;
+};
+
+// The task of one goal for the right hand, on one thread.
+[[nodiscard]] Task goal_task(const BodyModel& body, const Vec3d& goal, Preset preset,
+                             const CriteriaSettings& criteria);
+
+// The best score among the first b points that a search scores, for each budget b.
+class BestAt {
+ public:
+  explicit BestAt(std::vector<int> budgets) : budgets_(std::move(budgets)) {}
+
+  // The problem with its scores watched; points into this and takes over `problem`.
+  [[nodiscard]] SearchProblem watch(SearchProblem problem);
+  void note(double score);
+
+  // (budgets) a search that ended before keeps its last best.
+  [[nodiscard]] std::vector<double> best() const;
+
+ private:
+  std::vector<int> budgets_;
+  std::vector<double> best_;  // at the budgets that were passed
+  double now_ = 1e300;
+  int scored_ = 0;
+};
+
+}  // namespace shigusa::bench

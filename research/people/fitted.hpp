@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "generate/parameter_space.hpp"
+#include "record.hpp"
+
+namespace shigusa::bench {
+
+// Which of the preset flat's parameters are fitted to a record.
+struct FitKind {
+  const char* name;
+  GeneCode code = GeneCode::natural;
+  bool straight = false;  // without bow and sway
+};
+[[nodiscard]] std::vector<FitKind> fit_kinds();
+
+struct FittedReach {
+  int parameters = 0;  // how many
+  Clip clip;           // empty where no parameters meet the goal
+};
+
+// The motion of the parameters that come nearest to the record: the rms over time of the freedoms
+// that goal and feet move, as the score in the place of the criteria. It has seen what it is
+// compared with.
+[[nodiscard]] FittedReach fitted_reach(const Recorded& reach, const FitKind& kind, int evaluations);
+
+}  // namespace shigusa::bench

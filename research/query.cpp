@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// shigusa_query SIMD_SET ROUNDS does one default query ROUNDS times, on one thread, and prints the
+// median milliseconds of the processor and the most memory (KiB) that the process had resident.
+// shigusa_experiments runs it: a program of its own, as that one has loaded the libraries of
+// others.
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <shigusa/generate.hpp>
+#include <shigusa/human_body.hpp>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace shigusa;
+
+// Not getrusage's: that begins with what the program had that started this one.
+long peak_kibibytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    long value = 0;
+    if (word == "VmHWM:" && status >> value) return value;
+  }
+  return 0;
+}
+
+Task default_task() {
+  Task task(full_body());
+  task.goals = {{"right_hand", {0.25, 0.55, 0.50}}};
+  task.batch.threads = 1;
+  return task;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto simd = argc == 3 ? find_simd(argv[1]) : std::nullopt;
+  const int rounds = argc == 3 ? std::stoi(argv[2]) : 0;
+  if (!simd || rounds < 1) {
+    std::cerr << "usage: shigusa_query SIMD_SET ROUNDS\n";
+    return 2;
+  }
+  Task task = default_task();
+  task.batch.simd = *simd;
+  std::vector<double> times;
+  for (int round = 0; round < rounds; ++round) {
+    const std::clock_t begin = std::clock();
+    const GenerateResult generation = generate(task).value();
+    times.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    // what is timed is the whole budget, and a goal that is met
+    if (generation.log.evaluations < kFlatEvaluations - kFlatEvaluations / 100) return 1;
+    if (!generation.meets_goals()) return 1;
+  }
+  std::sort(times.begin(), times.end());
+  std::cout << times[times.size() / 2] << " " << peak_kibibytes() << "\n";
+  return 0;
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// shigusa_starts searches the start tables (src/generate/start_table.hpp) and prints the file of
+// their rows.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <shigusa/human_body.hpp>
+#include <shigusa/parallel.hpp>
+
+#include "core/check.hpp"
+#include "experiments/goal_search.hpp"
+#include "generate/start_table.hpp"
+#include "problem/make_problem.hpp"
+#include "problem/reachability.hpp"
+#include "search/cma_es.hpp"
+
+namespace {
+
+using namespace shigusa;
+using namespace shigusa::bench;
+
+constexpr double kSpacing = 0.2;  // m, of the grid of goals
+constexpr double kLeast = -1.3;   // m, of x and z
+constexpr double kMost = 1.3;     // m
+constexpr double kLowest = 0.03;  // m, of y
+constexpr double kHighest = 2.3;  // m
+constexpr int kFirstEvaluations = 4000;
+// Each goal is searched again from the best motions for its neighbours, so that a good posture that
+// one search found by chance becomes that of all goals around.
+constexpr int kSweeps = 6;
+constexpr int kSweepEvaluations = 1600;
+constexpr double kSweepStep = 0.05;
+constexpr double kNeighbour = 1.8 * kSpacing;  // m: of a cube's corners all 26
+
+// A goal with the best that is known of it.
+struct Place {
+  Vec3d goal{};
+  std::vector<double> point{};
+  double score = 1e300;
+};
+
+bool in_reach(const BodyModel& body, const Vec3d& goal) {
+  const Task task = goal_task(body, goal, Preset::flat, default_criteria());
+  return closest_reach(make_problem(task).value()).reached();
+}
+
+std::vector<Place> places_around(const BodyModel& body) {
+  std::vector<Place> places;
+  for (double y = kLowest; y <= kHighest; y += kSpacing) {
+    for (double z = kLeast; z <= kMost; z += kSpacing) {
+      for (double x = kLeast; x <= kMost; x += kSpacing) {
+        if (in_reach(body, {x, y, z})) places.push_back({{x, y, z}});
+      }
+    }
+  }
+  return places;
+}
+
+// Searches from the points (points × genes) for something better than the place has.
+void search(const BodyModel& body, std::vector<double> starts, CmaEsSettings settings,
+            Place& place) {
+  GoalSearch searched(body, place.goal);
+  SearchProblem problem = searched.problem();
+  const auto genes = static_cast<std::size_t>(problem.genes);
+  if (!starts.empty()) {
+    std::vector<double> scores(starts.size() / genes);
+    problem.evaluate(starts, scores);
+    const auto best = std::min_element(scores.begin(), scores.end()) - scores.begin();
+    const auto at = starts.begin() + best * problem.genes;
+    problem.start.assign(at, at + problem.genes);
+  }
+  Individual found = cma_es_search(problem, settings).best_seen;
+  if (found.score < place.score) {
+    place.point = std::move(found.point);
+    place.score = found.score;
+  }
+}
+
+void sweep(const BodyModel& body, std::uint64_t seed, std::vector<Place>& places) {
+  const std::vector<Place> before = places;
+  parallel_for(static_cast<int>(places.size()), 0, [&](int i, int) {
+    Place& place = places[static_cast<std::size_t>(i)];
+    std::vector<double> starts;
+    for (const Place& other : before) {
+      if (norm(other.goal - place.goal) > kNeighbour) continue;
+      starts.insert(starts.end(), other.point.begin(), other.point.end());
+    }
+    search(body, std::move(starts),
+           {.evaluations = kSweepEvaluations, .step = kSweepStep, .seed = seed}, place);
+  });
+}
+
+std::vector<Place> searched_places(const BodyModel& body) {
+  std::vector<Place> places = places_around(body);
+  parallel_for(static_cast<int>(places.size()), 0, [&](int i, int) {
+    search(body, {}, {.evaluations = kFirstEvaluations, .seed = 1},
+           places[static_cast<std::size_t>(i)]);
+  });
+  for (int k = 0; k < kSweeps; ++k) {
+    sweep(body, static_cast<std::uint64_t>(k) + 2, places);
+    double sum = 0.0;
+    for (const Place& place : places) sum += place.score;
+    std::cerr << fmt::format("{}: {} places, mean score {:.4f}\n", body.name(), places.size(),
+                             sum / static_cast<double>(places.size()));
+  }
+  return places;
+}
+
+std::string digits_of(const std::vector<double>& point) {
+  std::string digits;
+  const double last = static_cast<double>(kStartDigits.size() - 1);
+  for (const double x : point) digits += kStartDigits[static_cast<std::size_t>(x * last + 0.5)];
+  return digits;
+}
+
+void print_table(const BodyModel& body) {
+  const std::vector<std::string> names = GoalSearch(body, {-0.2, 1.2, 0.4}).space().names();
+  SHG_CHECK(names.size() <= kStartCoordinates, "too many coordinates for a row");
+  std::cout << fmt::format("table\t{}\t{}\t{}\n", body.name(), body.feet().size(),
+                           fmt::join(names, " "));
+  const int hand = body.find_effector("right_hand").value();
+  for (const Place& place : searched_places(body)) {
+    const Vec3d at = start_place(body, hand, place.goal).value() * 1000.0;
+    std::cout << fmt::format("{:.0f}\t{:.0f}\t{:.0f}\t{}\n", at.x, at.y, at.z,
+                             digits_of(place.point));
+  }
+}
+
+}  // namespace
+
+int main() {
+  std::cout << "# Start tables, see src/generate/start_table.hpp. Written by scripts/make_starts; "
+               "change research/starts.cpp, not this file.\n";
+  for (const BodyModel& body : {half_body(), full_body(), human_body()}) print_table(body);
+}

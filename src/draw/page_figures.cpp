@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#include "page_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <shigusa/motion_page.hpp>
+#include <shigusa/scalar.hpp>
+
+#include "body/joint_name.hpp"
+#include "candidate_strip.hpp"
+#include "core/index.hpp"
+#include "draw/strip_figure_body.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "kinematics/skeleton_motion.hpp"
+
+namespace shigusa {
+namespace {
+
+using PagePoint = std::array<std::int32_t, 3>;  // mm, world
+
+constexpr double kPageMillimetres = 1e3;
+constexpr double kPageFarthest = 1e6;  // mm; nothing further away is drawn there
+
+std::int32_t to_millimetres(double metres) {
+  const double mm = clamp(kPageMillimetres * metres, -kPageFarthest, kPageFarthest);
+  return static_cast<std::int32_t>(mm < 0.0 ? mm - 0.5 : mm + 0.5);
+}
+PagePoint to_millimetres(const Vec3d& p) {
+  return {to_millimetres(p.x), to_millimetres(p.y), to_millimetres(p.z)};
+}
+
+// The longest diagonal of a figure whose limbs are not known.
+double page_extent(const std::vector<Transformd>& nodes) {
+  Vec3d low = nodes.front().translation;
+  Vec3d high = low;
+  for (const Transformd& node : nodes) {
+    for (int i = 0; i < 3; ++i) {
+      low[i] = min(low[i], node.translation[i]);
+      high[i] = max(high[i], node.translation[i]);
+    }
+  }
+  return max(norm(high - low), 1e-3);
+}
+
+int pose_count(const Motion& motion) { return std::min(motion.clip.frames, kPagePoses); }
+
+// The frame that a pose is, between two frames where the motion has more of them than are shown.
+struct FramePlace {
+  int before = 0;
+  double share = 0.0;  // of the way to the next frame
+};
+FramePlace frame_of(const Motion& motion, int pose) {
+  const int poses = pose_count(motion);
+  if (poses < 2) return {};
+  const double place = static_cast<double>(pose) * (motion.clip.frames - 1) / (poses - 1);
+  const int before = std::min(static_cast<int>(place), motion.clip.frames - 1);
+  return {before, place - before};
+}
+
+// The figure of a body in all poses of a motion. Its points are the balls of its parts and then
+// those that go to goals.
+struct PosedFigure {
+  double size = 0.0;                           // m
+  std::vector<strip::Part> parts;              // in the first pose
+  std::vector<std::vector<PagePoint>> points;  // (points × poses)
+};
+
+class FigurePoser {
+ public:
+  FigurePoser(const Task& task, const Motion& motion)
+      : motion_(motion),
+        moves_(skeleton_motion(task.body, motion.clip)),
+        body_(moves_.skeleton, strip_settings(task), {{0, 1, 0}, {0, 0, 1}}) {}
+
+  [[nodiscard]] PosedFigure figure() {
+    PosedFigure figure;
+    figure.size = size_ = body_.stature() > 0.0 ? body_.stature() : page_extent(nodes(0));
+    figure.parts = body_.parts(nodes(0), size_);
+    for (int pose = 0; pose < pose_count(motion_); ++pose) add(frame_of(motion_, pose), figure);
+    return figure;
+  }
+
+ private:
+  [[nodiscard]] std::vector<Transformd> nodes(int frame) const {
+    return world_transforms(moves_.skeleton, moves_.clip, frame);
+  }
+  [[nodiscard]] std::vector<Vec3d> places(int frame) const {
+    std::vector<Vec3d> places;
+    for (const strip::Part& part : body_.parts(nodes(frame), size_)) {
+      for (const strip::Ball& ball : part.balls) places.push_back(ball.centre);
+    }
+    for (const auto& effector : motion_.effectors) places.push_back(effector[index(frame)]);
+    return places;
+  }
+  void add(const FramePlace& at, PosedFigure& figure) const {
+    std::vector<Vec3d> here = places(at.before);
+    if (at.share > 0.0) {
+      const std::vector<Vec3d> next = places(at.before + 1);
+      for (std::size_t i = 0; i < here.size(); ++i) here[i] += (next[i] - here[i]) * at.share;
+    }
+    figure.points.resize(here.size());
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      figure.points[i].push_back(to_millimetres(here[i]));
+    }
+  }
+
+  const Motion& motion_;
+  SkeletonMotion moves_;
+  strip::FigureBody body_;  // of the skeleton above
+  double size_ = 0.0;
+};
+
+// Strips are slender; here limbs and trunk have about a person's thickness. Neck and head, which
+// are of two balls, and feet, which would sink into the floor, stay as they are.
+double girth_of(const strip::Part& part) {
+  constexpr double kGirth = 1.2;
+  const bool stays = part.foot || (part.tone == strip::Tone::middle && part.balls.size() < 3);
+  return stays ? 1.0 : kGirth;
+}
+
+// For each point the first one that is where it is in all poses of all motions.
+std::vector<std::size_t> equal_points(const std::vector<PosedFigure>& figures) {
+  const std::size_t count = figures.front().points.size();
+  std::vector<std::size_t> first(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto is_same = [&](std::size_t k) {
+      return std::all_of(figures.begin(), figures.end(), [&](const PosedFigure& figure) {
+        return figure.points[k] == figure.points[i];
+      });
+    };
+    std::size_t k = 0;
+    while (k < i && !is_same(k)) ++k;
+    first[i] = k;
+  }
+  return first;
+}
+
+void append_vlq(std::int64_t value, std::string& code) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::uint64_t kMore = 32;
+  auto rest = static_cast<std::uint64_t>(value < 0 ? -value : value) * 2 + (value < 0 ? 1 : 0);
+  do {
+    const std::uint64_t digit = rest % kMore;
+    rest /= kMore;
+    code += kDigits[digit + (rest > 0 ? kMore : 0)];
+  } while (rest > 0);
+}
+
+void append_series(const std::vector<PagePoint>& places, std::size_t axis, std::string& code) {
+  std::int64_t last = 0;
+  std::int64_t growth = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::int64_t value = places[k][axis];
+    const std::int64_t step = value - last;
+    append_vlq(k < 1 ? value : step - growth, code);
+    growth = k < 1 ? 0 : step;
+    last = value;
+  }
+}
+
+// Parts, the points of goals' ways and motions, each distinct point once.
+class FigureWriter {
+ public:
+  explicit FigureWriter(const std::vector<PosedFigure>& figures)
+      : figures_(figures), first_(equal_points(figures)), number_(first_.size()) {
+    for (std::size_t i = 0; i < first_.size(); ++i) {
+      if (first_[i] == i) kept_.push_back(i);
+      number_[i] = first_[i] == i ? kept_.size() - 1 : number_[first_[i]];
+    }
+  }
+
+  [[nodiscard]] std::string parts() {
+    std::string text;
+    for (const strip::Part& part : figures_.front().parts) {
+      text += fmt::format("{}[{},{},{},[", text.empty() ? "" : ",", static_cast<int>(part.tone),
+                          to_millimetres(part.setback), part.foot ? 1 : 0);
+      for (std::size_t b = 0; b < part.balls.size(); ++b) {
+        text += fmt::format("{}[{},{}]", b == 0 ? "" : ",", number_[next_++],
+                            to_millimetres(girth_of(part) * part.balls[b].radius));
+      }
+      text += "]]";
+    }
+    return text;
+  }
+
+  // After parts().
+  [[nodiscard]] std::string paths() {
+    std::string text;
+    for (; next_ < number_.size(); ++next_) {
+      text += fmt::format("{}{}", text.empty() ? "" : ",", number_[next_]);
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string motions() const {
+    std::string text;
+    for (const PosedFigure& figure : figures_) {
+      std::string code;
+      for (const std::size_t i : kept_) {
+        for (std::size_t axis = 0; axis < 3; ++axis) append_series(figure.points[i], axis, code);
+      }
+      text += fmt::format("{}{{\"poses\":{},\"code\":\"{}\"}}", text.empty() ? "\n" : ",\n",
+                          figure.points.front().size(), code);
+    }
+    return text;
+  }
+
+ private:
+  const std::vector<PosedFigure>& figures_;
+  std::vector<std::size_t> first_;   // (points) the first that equals it
+  std::vector<std::size_t> number_;  // (points) its number among those kept
+  std::vector<std::size_t> kept_;
+  std::size_t next_ = 0;  // point that is told next
+};
+
+std::string goals_json(const Task& task) {
+  std::string text;
+  for (const Goal& goal : task.goals) {
+    const PagePoint at = to_millimetres(goal.position);
+    text += fmt::format("{}[{},{},{}]", text.empty() ? "" : ",", at[0], at[1], at[2]);
+  }
+  return text;
+}
+
+// The soles of the feet that stand, where they are in the first frame.
+std::string soles_json(const Task& task, const Candidate& candidate) {
+  Kinematics<double> kinematics(task.body);
+  forward_kinematics<double>(task.body, candidate.motion.clip.frame(0), kinematics);
+  std::string text;
+  for (const Foot& foot : task.body.feet()) {
+    const auto& contacts = candidate.contacts;
+    const bool stands = std::any_of(
+        contacts.begin(), contacts.end(),
+        [&foot](const ContactResult& contact) { return contact.effector == foot.name; });
+    if (!stands || foot.outline.empty()) continue;
+    std::string corners;
+    for (const Vec3d& corner : foot.outline) {
+      const PagePoint at = to_millimetres(kinematics.point(foot.link, corner));
+      corners += fmt::format("{}[{},{},{}]", corners.empty() ? "" : ",", at[0], at[1], at[2]);
+    }
+    text += fmt::format("{}[{}]", text.empty() ? "" : ",", corners);
+  }
+  return text;
+}
+
+std::string box_json(const StripThing& box) {
+  std::string text;
+  for (const Vec3d& corner : box.corners) {
+    const PagePoint at = to_millimetres(corner);
+    text += fmt::format("[{},{},{}],", at[0], at[1], at[2]);
+  }
+  return fmt::format("[{}{}]", text, to_millimetres(box.radius));
+}
+
+std::string boxes_json(const Task& task) {
+  std::string text;
+  for (const StripThing& box : things_around(task)) {
+    text += fmt::format("{}{}", text.empty() ? "" : ",", box_json(box));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string page_figures(const Task& task, const GenerateResult& generation) {
+  std::vector<PosedFigure> figures;
+  for (const Candidate& candidate : generation.candidates) {
+    figures.push_back(FigurePoser(task, candidate.motion).figure());
+  }
+  const bool left =
+      !task.goals.empty() &&
+      parse_joint_name(task.goals.front().effector).side.value_or(Side::right) == Side::left;
+  FigureWriter writer(figures);
+  const std::string parts = writer.parts();
+  return fmt::format(
+      "{{\"size\":{},\"side\":{},\"seconds\":{:.4f},\"parts\":[{}],\"paths\":[{}],\n"
+      "\"goals\":[{}],\"soles\":[{}],\"boxes\":[{}],\"motions\":[{}]}}",
+      to_millimetres(figures.front().size), left ? -1 : 1, generation.duration, parts,
+      writer.paths(), goals_json(task), soles_json(task, generation.candidates.front()),
+      boxes_json(task), writer.motions());
+}
+
+}  // namespace shigusa

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "formats/gltf_write.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "core/check.hpp"
+#include "core/index.hpp"
+#include "core/say.hpp"
+#include "glb.hpp"
+#include "gltf_animation_layout.hpp"
+#include "gltf_json.hpp"
+#include "gltf_keyed.hpp"
+#include "json_splice.hpp"
+
+namespace shigusa {
+namespace {
+
+using Value = JsonSplice::Value;
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const bool padding = i + k > bytes.size();
+      text += padding ? '=' : kLetters[group >> (18 - 6 * k) & 63];
+    }
+  }
+  return text;
+}
+
+// Adds to one file. Each step returns an error or goes on.
+class AnimationAdder {
+ public:
+  AnimationAdder(const GlbParts& parts, std::string_view name)
+      : parts_(parts),
+        name_(name),
+        json_(parts.json),
+        root_(json_.root()),
+        buffers_(json_.elements(json_.member(root_, "buffers"))) {}
+
+  [[nodiscard]] Result<void> check() const {
+    for (const char* added : {"accessors", "animations", "buffers", "bufferViews"}) {
+      const Value list = json_.member(root_, added);
+      if (list && !json_.text_of(list).starts_with('[')) {
+        return wrong(say("not_a_list", added));
+      }
+    }
+    for (const char* list : {"buffers", "images"}) {
+      SHG_TRY(refers_to_no_file(list));
+    }
+    if (buffers_.empty() || !in_chunk()) return {};
+    if (!parts_.binary) return wrong(say("no_binary_chunk"));
+    return json_.member(buffers_[0], "byteLength") ? Result<void>{} : wrong(say("no_byte_length"));
+  }
+
+  Result<std::string> add(std::span<const GltfAnimation> animations, OwnAnimations own) {
+    SHG_TRY(check());
+    const bool chunk = in_chunk();
+    std::string binary(chunk ? parts_.binary.value_or("") : "");
+    binary.resize((binary.size() + 3) / 4 * 4);
+    GltfAnimationLayout layout(json_.count(json_.member(root_, "accessors")),
+                               json_.count(json_.member(root_, "bufferViews")),
+                               chunk ? 0 : buffers_.size(), binary.size());
+    const bool kept = own == OwnAnimations::kept;
+    const std::vector<GltfKeyed> held = kept ? keyed_properties(json_) : std::vector<GltfKeyed>{};
+    for (const GltfAnimation& animation : animations) {
+      layout.add(animation, held);
+      free_matrices(animation);
+    }
+    json_.append("accessors", layout.accessors);
+    json_.append("bufferViews", layout.views);
+    if (kept) {
+      json_.prepend("animations", layout.animations);
+    } else {
+      json_.assign("animations", layout.animations);
+    }
+    if (!chunk) {
+      json_.append(
+          "buffers",
+          fmt::format(R"({{"byteLength":{},"uri":"data:application/octet-stream;base64,{}"}})",
+                      layout.data.size(), base64(layout.data)));
+      return assemble(parts_.binary);
+    }
+    binary += layout.data;
+    tell_length(binary.size());
+    return assemble(binary);
+  }
+
+ private:
+  [[nodiscard]] Result<void> wrong(Message message) const {
+    return fail(ErrorCode::parse, std::move(message), std::string(name_));
+  }
+
+  // The binary chunk is the first buffer's, if that has no address.
+  [[nodiscard]] bool in_chunk() const {
+    return buffers_.empty() || (parts_.glb && !json_.member(buffers_[0], "uri"));
+  }
+
+  [[nodiscard]] Result<void> refers_to_no_file(const char* list) const {
+    std::size_t i = 0;
+    if (json_.count(json_.member(root_, list)) > JsonSplice::kMostElements) {
+      return wrong(say("list_most", JsonSplice::kMostElements, list));
+    }
+    for (const Value& each : json_.elements(json_.member(root_, list))) {
+      const std::string_view uri = json_.text_of(json_.member(each, "uri"));
+      if (!uri.empty() && !uri.starts_with("\"data:")) {
+        return fail(ErrorCode::unsupported, say("lies_elsewhere", list, i, printable(uri)),
+                    std::string(name_));
+      }
+      ++i;
+    }
+    return {};
+  }
+
+  static std::string printable(std::string_view text) {
+    constexpr std::size_t kLongest = 80;
+    std::string shown;
+    for (const char c : text.substr(0, kLongest)) shown += c >= ' ' && c < 0x7F ? c : '?';
+    return shown;
+  }
+
+  // glTF lets only translation, rotation and scale be animated.
+  void free_matrices(const GltfAnimation& animation) {
+    if (nodes_.empty()) nodes_ = json_.elements(json_.member(root_, "nodes"));
+    freed_.resize(nodes_.size());
+    for (const GltfTrack& track : animation.tracks) {
+      const auto i = index(track.node);
+      SHG_CHECK(track.node >= 0 && i < nodes_.size(), "a node of the file");
+      const Value matrix = json_.member(nodes_[i], "matrix");
+      if (!matrix || freed_[i]) continue;
+      freed_[i] = true;
+      const auto& [t, r, s] = track.rest;
+      json_.replace(
+          matrix.key_begin, matrix.end,
+          fmt::format(R"("translation":{},"rotation":{},"scale":{})", json_numbers({t.x, t.y, t.z}),
+                      json_numbers({r.x, r.y, r.z, r.w}), json_numbers({s.x, s.y, s.z})));
+    }
+  }
+
+  void tell_length(std::size_t length) {
+    if (buffers_.empty()) {
+      json_.append("buffers", fmt::format(R"({{"byteLength":{}}})", length));
+      return;
+    }
+    const Value stated = json_.member(buffers_[0], "byteLength");
+    json_.replace(stated.begin, stated.end, fmt::format("{}", length));
+  }
+
+  [[nodiscard]] std::string assemble(std::optional<std::string_view> binary) const {
+    std::string text = json_.finish();
+    // a byte order mark has no place in a GLB
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+    return glb_file(std::move(text), binary, parts_.further);
+  }
+
+  const GlbParts& parts_;
+  std::string_view name_;
+  JsonSplice json_;
+  Value root_;
+  std::vector<Value> buffers_;
+  std::vector<Value> nodes_;
+  std::vector<bool> freed_;  // (nodes) its matrix was replaced
+};
+
+}  // namespace
+
+Result<void> check_animations_fit(std::string_view bytes, std::string_view name) {
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  return AnimationAdder(parts, name).check();
+}
+
+Result<std::string> add_animations(std::string_view bytes, std::string_view name,
+                                   std::span<const GltfAnimation> animations, OwnAnimations own) {
+  SHG_TRY(read_gltf_json(bytes, name));
+  SHG_TRY_ASSIGN(const GlbParts parts, glb_parts(bytes, name));
+  return AnimationAdder(parts, name).add(animations, own);
+}
+
+Result<std::string> format_vrm_animation(const VrmAnimation& motion) {
+  std::string nodes;
+  std::string map;
+  for (std::size_t i = 0; i < motion.bones.size(); ++i) {
+    const auto& [name, parent, offset] = motion.bones[i];
+    std::string children;
+    for (std::size_t k = i + 1; k < motion.bones.size(); ++k) {
+      if (motion.bones[k].parent != static_cast<int>(i)) continue;
+      children += fmt::format("{}{}", children.empty() ? "" : ",", k);
+    }
+    if (!children.empty()) children = fmt::format(R"(,"children":[{}])", children);
+    const char* comma = i == 0 ? "" : ",";
+    nodes += fmt::format(R"({}{{"name":{},"translation":{}{}}})", comma, json_quoted(name),
+                         json_numbers({offset.x, offset.y, offset.z}), children);
+    map += fmt::format(R"({}{}:{{"node":{}}})", comma, json_quoted(name), i);
+  }
+  const std::string text = fmt::format(
+      R"({{"asset":{{"version":"2.0","generator":"shigusa"}},"extensionsUsed":["VRMC_vrm_animation"],)"
+      R"("extensions":{{"VRMC_vrm_animation":{{"specVersion":"1.0","humanoid":{{"humanBones":{{{}}}}}}}}},)"
+      R"("scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}]}})",
+      map, nodes);
+  return add_animations(text, "VRM animation", std::span(&motion.animation, 1));
+}
+
+}  // namespace shigusa

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/criteria.hpp>
+
+#include "kinematics/penetration.hpp"
+#include "paper/arm_search.hpp"
+#include "paper/layered_problem.hpp"
+
+namespace shigusa {
+
+// Rule R11: an arm that passes through the trunk goes back to the lower layer (paper, section 3.4).
+// It does so where its forearm is deeper than kCollisionDepth in the rest of the body, and deeper
+// than at the start. The lower layer searches the arm anew with a penalty
+// P = min(1, depth / kCollisionFull) of this weight …
+inline constexpr double kCollisionWeight = 0.5;
+// … which each further round, of kCollisionRounds, multiplies by this.
+inline constexpr double kCollisionGrowth = 4.0;
+
+// The largest depth (m) of a goal's forearm and hand inside the rest of the body at any frame, less
+// their depth at the start, if they have one; negative: they are that far apart.
+[[nodiscard]] double collision_depth(const BodyModel& body, const Clip& clip,
+                                     const Effector& effector);
+
+// One motion of the upper layer, as the lower layer's search of one arm sees it.
+struct ArmFeedback {
+  const BodyModel* arm = nullptr;  // an arm_body
+  HandPath path;
+  HandTurn<double> turn{};  // of the hand at the end
+  double duration = 1.0;    // s
+  // the capsules of the rest of the body, frame after frame, in the frame of `path`; (frames)
+  std::vector<std::vector<Capsule>> obstacles;
+  std::vector<Capsule> limb;  // of the arm from the elbow on, by its own links
+};
+
+// `clip` is the whole body's motion, in which the arm may be anything; `turn` is of a hand that
+// turns.
+[[nodiscard]] ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal,
+                                       const HandPath& path, const Clip& clip,
+                                       const HandTurn<double>& turn = {});
+
+// How deep the arm from the elbow on gets into a feedback's obstacles (m, at least 0, less its
+// depth at the start), frame by frame; 0 without obstacles. Feedback and kinematics are of the same
+// arm.
+template <class S>
+class ArmDepth {
+ public:
+  // Forgets the frames seen; the feedback outlives those that come.
+  void begin(const ArmFeedback* feedback) {
+    feedback_ = feedback;
+    frame_ = 0;
+    at_start_ = deepest_ = S(0);
+  }
+
+  void add(const Kinematics<S>& placed) {
+    if (feedback_ == nullptr || feedback_->obstacles.empty()) return;
+    S now(0);
+    for (const Capsule& part : feedback_->limb) {
+      const PlacedCapsule<S> limb = placed_capsule(part, placed);
+      for (const Capsule& obstacle : feedback_->obstacles[frame_]) {
+        const PlacedCapsule<S> other{to_scalar<S>(obstacle.from), to_scalar<S>(obstacle.to), {}};
+        now = max(now, depth_of(limb, part, other, obstacle));
+      }
+    }
+    if (frame_++ == 0) at_start_ = now;
+    deepest_ = max(deepest_, now - at_start_);
+  }
+
+  [[nodiscard]] const S& deepest() const { return deepest_; }
+
+ private:
+  const ArmFeedback* feedback_ = nullptr;
+  std::size_t frame_ = 0;
+  S at_start_{};
+  S deepest_{};
+};
+
+// How deep (m, as collision_depth) the hand is in the body on its path whatever the arm does: with
+// more than kCollisionDepth no search of the arm helps.
+[[nodiscard]] double unavoidable_depth(const ArmFeedback& feedback);
+
+// The genome that moves the arm along the path best by the lower layer's criteria, penetration
+// counted by `weight`. Nothing where none can follow the path.
+[[nodiscard]] std::optional<FoundArm> search_free_arm(const ArmFeedback& feedback,
+                                                      const CriteriaSettings& criteria,
+                                                      double weight, LimbSearch search,
+                                                      int threads);
+
+}  // namespace shigusa

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "criteria/built_in_criteria.hpp"
+#include "plan/layer.hpp"
+
+namespace shigusa {
+namespace {
+
+constexpr const char* kRest = "rest";
+
+// Where a free arm may end (rad): within its joints' limits and not across the body. It begins
+// where the start posture has it, even if that is beyond.
+struct FinalRange {
+  int BodyLimb::*dof;
+  double low;
+  double high;
+};
+constexpr std::array<FinalRange, 3> kFinalRanges{{
+    {&BodyLimb::flexion, radians(-60.0), radians(120.0)},
+    {&BodyLimb::abduction, radians(-5.0), radians(100.0)},
+    {&BodyLimb::hinge, 0.0, radians(120.0)},
+}};
+
+// Swivels differ by the arm's posture and by how evenly it gets there, and little by torque.
+CriteriaSettings swivel_criteria() {
+  CriteriaSettings criteria = default_criteria();
+  criteria.balance_zone_weight = 0.0;  // with the trunk held there is nothing to balance …
+  criteria.low_back_weight = 0.0;      // … and no back …
+  criteria.collision_weight = criteria.pressure_weight = 0.0;  // … and an arm alone has no feet …
+  criteria.coordination_weight = criteria.mass_ahead_weight = 0.0;
+  criteria.jolts_weight = 0.0;
+  // … while its hand goes and its shoulder stays wherever it swivels
+  criteria.hand_curve_weight = criteria.trunk_travel_weight = 0.0;
+  criteria.torque_weight = 0.1;
+  return criteria;
+}
+
+// The criteria of a free limb's own motion, beside the whole body's.
+CriteriaSettings rest_criteria() {
+  CriteriaSettings criteria;
+  for_each_criterion([&](const auto& entry) { entry.weight(criteria) = 0.0; });
+  criteria.torque_weight = 0.5;
+  return criteria;
+}
+
+// the paper's layer of an arm with another parameter
+void search_swivel(Layer& layer) {
+  layer.parameters = {ParameterInfo::named(ParameterKind::swivel, layer.name, {0, 1, 2})
+                          .within(kSwivelMin, kSwivelMax)};
+  layer.criteria = swivel_criteria();
+}
+
+// an arm beside others, with the final angles that it may be given
+void add_idle_arm(const BodyModel& body, const BodyLimb& arm, const Layer& alone, Layer& rest) {
+  const auto first = static_cast<int>(rest.body.dofs.size());
+  for (ReducedDof dof : alone.body.dofs) {
+    if (dof.parent >= 0) dof.parent += first;
+    rest.body.dofs.push_back(std::move(dof));
+  }
+  // a shoulder that PostureLaw draws has no angle of its own to end at
+  const bool drawn = body.find_dof("neck.flexion").has_value();
+  for (const FinalRange& range : kFinalRanges) {
+    if (drawn && range.dof != &BodyLimb::hinge) continue;
+    const Dof& dof = body.dof(arm.*range.dof);
+    const auto at =
+        std::find_if(rest.body.dofs.begin() + first, rest.body.dofs.end(),
+                     [&dof](const ReducedDof& reduced) { return reduced.name == dof.name; });
+    rest.parameters.push_back(ParameterInfo::named(ParameterKind::final_angle, dof.name,
+                                                   {static_cast<int>(at - rest.body.dofs.begin())})
+                                  .within(std::min(std::max(range.low, dof.lower), at->start),
+                                          std::max(std::min(range.high, dof.upper), at->start)));
+  }
+}
+
+}  // namespace
+
+Result<std::vector<Layer>> human_layers(const BodyModel& body, const CriteriaSettings& criteria,
+                                        LayerReading reading) {
+  SHG_TRY_ASSIGN(std::vector<Layer> layers, paper_layers(body, criteria, reading));
+  for (Delegate& handed : layers[0].delegates) {
+    if (handed.by != DelegateMethod::limb_library) continue;
+    handed.by = DelegateMethod::swivel;
+    handed.idle = kRest;
+  }
+  for (ReducedLimb& limb : layers[0].body.limbs) {
+    if (limb.joints.kind == LimbKind::arm) limb.law = LengthLaw::path;
+  }
+  Layer rest{
+      .name = kRest, .body = {}, .parameters = {}, .criteria = rest_criteria(), .delegates = {}};
+  const BodyLimbs limbs = find_limbs(body).value();
+  for (std::size_t a = 0; a < limbs.arms.size(); ++a) {
+    Layer& arm = layers[1 + a];
+    add_idle_arm(body, limbs.arms[a], arm, rest);
+    search_swivel(arm);
+  }
+  layers.push_back(std::move(rest));
+  return layers;
+}
+
+Result<std::vector<Layer>> make_layers(const BodyModel& body, const LayerChoice& choice,
+                                       const CriteriaSettings& criteria) {
+  switch (choice.stack) {
+    case LayerStack::paper:
+      return paper_layers(body, criteria, choice.reading);
+    case LayerStack::human:
+      break;
+  }
+  return human_layers(body, criteria, choice.reading);
+}
+
+bool searches(const Layer& layer, ParameterKind kind) {
+  return std::any_of(layer.parameters.begin(), layer.parameters.end(),
+                     [kind](const ParameterInfo& info) { return info.kind == kind; });
+}
+
+}  // namespace shigusa

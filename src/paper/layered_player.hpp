@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "paper/layered_rollout.hpp"
+#include "rollout/rollout.hpp"
+
+namespace shigusa {
+
+// Plays and keeps motions of a hierarchy, one at a time (see LayeredRollout). Holds its scratch
+// memory: make one per thread. The problem outlives it.
+class LayeredPlayer {
+ public:
+  explicit LayeredPlayer(const LayeredProblem& problem);
+  LayeredPlayer(LayeredPlayer&&) noexcept;
+  ~LayeredPlayer();
+
+  // The upper layer's motion.
+  void run_upper(const Parameters& parameters, ReducedClip<double>& clip);
+  // The hand's path of each goal in an upper motion.
+  [[nodiscard]] std::vector<HandPath> hand_paths(const ReducedClip<double>& clip);
+  // How far the legs' joints would pass their limits for the pelvis of an upper motion (rad, the
+  // most of any frame; rule R4), and whether all legs can be so long.
+  struct PelvisCheck {
+    double excess = 0.0;
+    bool in_reach = true;
+  };
+  [[nodiscard]] PelvisCheck check_pelvis(const ReducedClip<double>& clip);
+  // The best of a few swivels for each arm that has one, on the paths of an upper motion.
+  [[nodiscard]] std::vector<double> find_swivels(const ReducedClip<double>& clip);
+  // The whole body's motion for an upper motion and the parameters of the layers below; those of
+  // the upper layer are the clip's. A hand whose arm cannot follow its path with its weights
+  // (locked, mostly) leaves it.
+  [[nodiscard]] RolledOut expand(const ReducedClip<double>& clip, const Parameters& parameters);
+  // Expands so, but gives an arm that cannot follow its path the weights of all freedoms alike.
+  [[nodiscard]] RolledOut expand_freeing(const ReducedClip<double>& clip, Parameters& parameters);
+
+  [[nodiscard]] const LayeredSetup& setup() const { return *setup_; }
+
+ private:
+  [[nodiscard]] RolledOut played(const ReducedClip<double>& clip, const Parameters& parameters,
+                                 bool freeing);
+
+  std::unique_ptr<const LayeredSetup> setup_;
+  std::unique_ptr<LayeredRollout<double>> rollout_;
+  std::vector<PelvisRange> ranges_;  // (legs)
+};
+
+// The inverse weights of an upper motion's dofs, 0 where locked.
+[[nodiscard]] std::vector<double> upper_weights(const Parameters& parameters);
+
+}  // namespace shigusa

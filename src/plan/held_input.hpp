@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/parameters.hpp>
+#include <vector>
+
+#include "plan/motion_input.hpp"
+
+namespace shigusa {
+
+// Parameters with the memory that a MotionInput looks into.
+class HeldInput {
+ public:
+  HeldInput(const BodyModel& body, const Parameters& parameters);
+
+  [[nodiscard]] MotionInput<double> input() const;
+
+ private:
+  std::vector<double> weights_;
+  std::vector<double> change_;  // empty without modes
+  PostureParameters posture_;
+  std::vector<double> supports_;
+};
+
+}  // namespace shigusa

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "mirror_request.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "body/joint_name.hpp"
+
+namespace shigusa {
+namespace {
+
+// The posture mode that is not of one side.
+bool turns(std::string_view name) { return name.starts_with("twist"); }
+
+Quatd across(const Quatd& q) { return {q.x, -q.y, -q.z, q.w}; }
+
+// "right_elbow.weight=3" of "left_elbow.weight=3", "twist_deg=-20" of "twist_deg=20".
+std::string mirrored_assignment(const std::string& assignment) {
+  std::string text = with_other_side(assignment);
+  const std::size_t equals = text.find('=');
+  if (!turns(text) || equals == text.npos) return text;
+  const bool negative = equals + 1 < text.size() && text[equals + 1] == '-';
+  return negative ? text.erase(equals + 1, 1) : text.insert(equals + 1, "-");
+}
+
+template <class Holder>
+void mirror_fields(Holder& holder);
+
+// Numbers and choices have no side.
+template <class Value>
+void mirror_value(Value&, Mirroring) {}
+void mirror_value(Vec3d& point, Mirroring) { point = across(point); }
+void mirror_value(Quatd& rotation, Mirroring) { rotation = across(rotation); }
+void mirror_value(std::string& text, Mirroring how) {
+  text = how == Mirroring::assignments ? mirrored_assignment(text) : with_other_side(text);
+}
+template <Tabled Holder>
+void mirror_value(Holder& holder, Mirroring) {
+  mirror_fields(holder);
+}
+template <class Item>
+void mirror_value(std::vector<Item>& list, Mirroring how) {
+  for (Item& item : list) mirror_value(item, how);
+}
+template <class Value>
+void mirror_value(std::optional<Value>& value, Mirroring how) {
+  if (value) mirror_value(*value, how);
+}
+
+template <class Holder>
+void mirror_fields(Holder& holder) {
+  for_each_field<Holder>([&](const auto& field) {
+    if (field.traits.mirroring == Mirroring::same) return;
+    mirror_value(holder.*field.member, field.traits.mirroring);
+  });
+}
+
+}  // namespace
+
+void mirror_request(Request& request) { mirror_fields<Request>(request); }
+
+Parameters mirrored_values(std::span<const Layer> from, std::span<const Layer> to,
+                           const Parameters& values) {
+  Parameters source = values;
+  Parameters image = start_values(to);
+  image.posture.modes.resize(values.posture.modes.size());
+  const std::vector<Parameter> of_image = parameters_of(to, image);
+  for (const Parameter& parameter : parameters_of(from, source)) {
+    const auto other =
+        std::find_if(of_image.begin(), of_image.end(), [&parameter](const Parameter& known) {
+          return known.info->kind == parameter.info->kind &&
+                 known.info->name == with_other_side(parameter.info->name) &&
+                 known.layer->name == with_other_side(parameter.layer->name);
+        });
+    if (other == of_image.end()) continue;
+    other->set(turns(parameter.info->name) ? -parameter.value() : parameter.value());
+    if (other->locked != nullptr) *other->locked = *parameter.locked;
+  }
+  return image;
+}
+
+}  // namespace shigusa

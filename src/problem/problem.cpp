@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "problem.hpp"
+
+#include <utility>
+
+#include "make_problem.hpp"
+#include "plan_of.hpp"
+#include "task_goals.hpp"
+
+namespace shigusa {
+namespace {
+
+Result<std::unique_ptr<const Problem>> posed(Task task) {
+  auto problem = std::make_unique<Problem>(std::move(task));
+  SHG_TRY_ASSIGN(problem->reach, make_problem(problem->task));
+  SHG_TRY_ASSIGN(problem->plan, plan_of(problem->task.body, problem->task, problem->criteria));
+  return problem;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<const Problem>> prepare(const Task& task) {
+  SHG_TRY_ASSIGN(Task ready, standing(task));
+  return posed(std::move(ready));
+}
+
+Result<std::unique_ptr<const Problem>> with_duration(const Problem& problem, double duration) {
+  Task task = problem.task;
+  task.duration = duration;
+  return posed(std::move(task));
+}
+
+}  // namespace shigusa

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <shigusa/task.hpp>
+#include <utility>
+
+#include "core/say.hpp"
+#include "criteria/built_in_criteria.hpp"
+#include "kinematics/forward_kinematics.hpp"
+#include "math/axes.hpp"
+#include "motion/minimum_jerk.hpp"
+#include "problem/natural_times.hpp"
+#include "problem/plan_of.hpp"
+#include "rollout/reach_problem.hpp"
+#include "task_goals.hpp"
+#include "task_supports.hpp"
+
+namespace shigusa {
+namespace {
+
+Result<void> check_obstacle(const Obstacle& obstacle) {
+  const auto wrong = [&obstacle](Message message) {
+    return fail(ErrorCode::invalid_argument, std::move(message),
+                "obstacle " + obstacle.name.substr(0, 80));
+  };
+  const auto range = Metres{kGoalRange};
+  for (const int k : {0, 1, 2}) {
+    const char axis = "xyz"[k];
+    const auto at = Metres{obstacle.position[k]};
+    const auto size = Metres{obstacle.size[k]};
+    if (!(at.value >= -kGoalRange && at.value <= kGoalRange)) {
+      return wrong(say("coordinate_range", axis, at, range, range));
+    }
+    if (!(size.value >= 0.0 && size.value <= kGoalRange)) {
+      return wrong(say("obstacle_size", axis, size, range));
+    }
+  }
+  if (!(obstacle.radius >= 0.0 && obstacle.radius <= kGoalRange)) {
+    return wrong(say("obstacle_radius", Metres{obstacle.radius}, range));
+  }
+  const Quatd& q = obstacle.rotation;
+  if (is_unit(q)) return {};
+  return wrong(say("no_unit_quaternion", q.x, q.y, q.z, q.w, sqrt(squared_length(q))));
+}
+
+Result<void> check_obstacles(const Task& task) {
+  if (task.obstacles.size() > kObstaclesMax) {
+    return fail(ErrorCode::invalid_argument,
+                say("obstacles_most", task.obstacles.size(), kObstaclesMax));
+  }
+  for (const Obstacle& obstacle : task.obstacles) {
+    SHG_TRY(check_obstacle(obstacle));
+  }
+  return {};
+}
+
+// Only the preset flat knows bodies whose heels lift.
+Result<void> check_heels(const Task& task) {
+  const auto feet = task.body.feet();
+  const bool lift =
+      std::any_of(feet.begin(), feet.end(), [](const Foot& foot) { return foot.heel.has_value(); });
+  if (!lift || task.preset == Preset::flat) return {};
+  return fail(ErrorCode::invalid_argument, say("no_heels", word_of(task.preset)));
+}
+
+Result<void> check_fingers(const Task& task) {
+  if (!task.body.robot() || task.finger_play == FingerPlay::grip) return {};
+  return fail(ErrorCode::invalid_argument, say("robot_fingers", task.body.name()), "finger_play");
+}
+
+Result<void> check_phases(const Task& task) {
+  if (task.phases == 1) return {};
+  return fail(ErrorCode::unsupported, say("one_phase"), "phases");
+}
+
+Result<void> check_numbers(const Task& task) {
+  if (task.duration &&
+      !(*task.duration >= kTaskDurationMin && *task.duration <= kTaskDurationMax)) {
+    return fail(ErrorCode::invalid_argument,
+                say("duration_range", *task.duration, kTaskDurationMin, kTaskDurationMax));
+  }
+  if (task.evaluations && *task.evaluations < task.genetic.population) {
+    return fail(ErrorCode::invalid_argument,
+                say("evaluations_range", *task.evaluations, task.genetic.population));
+  }
+  if (task.candidates < 1) {
+    return fail(ErrorCode::invalid_argument, say("candidates_range", task.candidates));
+  }
+  return {};
+}
+
+Result<void> check_timing(const Task& task) {
+  if (!(task.ease >= -kEaseMax && task.ease <= kEaseMax)) {
+    return fail(ErrorCode::invalid_argument, say("ease_range", task.ease, -kEaseMax, kEaseMax));
+  }
+  if (!(task.gaze_lead >= kGazeLeadLeast && task.gaze_lead <= kGazeLeadMost)) {
+    return fail(ErrorCode::invalid_argument,
+                say("gaze_lead_range", task.gaze_lead, kGazeLeadLeast, kGazeLeadMost));
+  }
+  const PresetTraits& preset = traits_of(task.preset);
+  if (task.ease != 0.0 && preset.layers) {
+    return fail(ErrorCode::invalid_argument, say("ease_of_layers", preset.word), "ease");
+  }
+  if (task.gaze_lead == 0.0 || preset.natural) return {};
+  return fail(ErrorCode::invalid_argument, say("no_gaze_lead", preset.word), "gaze_lead");
+}
+
+Result<void> check_gaze(const Task& task) {
+  if (!task.look_at || is_within(*task.look_at, kGoalRange)) return {};
+  return fail(ErrorCode::invalid_argument,
+              say("finite_numbers", Metres{kGoalRange}, Metres{kGoalRange}), "look_at");
+}
+
+Result<void> check_criteria(const CriteriaSettings& criteria) {
+  double sum = 0.0;
+  const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };
+  bool valid = true;
+  bool scaled = true;
+  for_each_criterion([&](const auto& criterion) {
+    valid = add(criterion.weight(criteria)) && valid;
+    scaled = scaled && criterion.scale(criteria) > 0.0;
+  });
+  for (const UserCriterion& user : criteria.user) {
+    valid = valid && add(user.weight) && user.scale > 0.0;
+  }
+  if (!valid || sum <= 0.0) {
+    return fail(ErrorCode::invalid_argument, say("no_weights"));
+  }
+  if (!scaled) {
+    return fail(ErrorCode::invalid_argument, say("reference_scales"));
+  }
+  return {};
+}
+
+Result<void> check_settings(const Task& task) {
+  SHG_TRY(check_numbers(task));
+  SHG_TRY(check_timing(task));
+  SHG_TRY(check_phases(task));
+  SHG_TRY(check_heels(task));
+  SHG_TRY(check_fingers(task));
+  SHG_TRY(check_gaze(task));
+  SHG_TRY(check_obstacles(task));
+  return check_criteria(task.criteria);
+}
+
+// Where limits hold joints back, a frame takes up to kLimitCorrections further steps to bring back
+// an effector that has left its path by more than kPathSlack.
+constexpr int kLimitCorrections = 2;
+constexpr double kPathSlack = 3e-4;  // m
+
+// Times as many motions are scored for a task with supports.
+constexpr int kTimesOfSupports = 3;
+
+}  // namespace
+
+int usual_evaluations(const Task& task) {
+  if (task.generator == MotionGenerator::nlp_ik) return kNlpEvaluations;
+  // an arm that takes part has weights of its own, and fewer motions have its hand where it rests
+  const int times = task.supports.empty() ? 1 : kTimesOfSupports;
+  return times * traits_of(task.preset).evaluations;
+}
+
+SearchMethod search_of(const Task& task) {
+  return task.search.value_or(traits_of(task.preset).search);
+}
+
+void adopt_preset(Request& request, const Preset& preset) {
+  if (preset == request.preset) return;
+  request.preset = preset;
+  request.criteria = traits_of(preset).criteria();
+  request.candidates = traits_of(preset).candidates;
+}
+
+void adopt_pareto(Request& request, const bool& pareto) {
+  if (pareto && !request.pareto) request.criteria = pareto_criteria();
+  request.pareto = pareto;
+}
+
+Task with_preset(Task task, Preset preset) {
+  task.preset = preset;
+  task.criteria = traits_of(preset).criteria();
+  task.candidates = traits_of(preset).candidates;
+  return task;
+}
+
+CriteriaSettings task_criteria(const Task& task) {
+  CriteriaSettings criteria = task.criteria;
+  if (task.look_at) criteria.head.gaze_target = task.look_at;
+  if (!criteria.head.gaze_target) criteria.head.gaze_target = gaze_of(task.body, task.goals);
+  criteria.collision.obstacles = task.obstacles;
+  criteria.collision.resting = resting_places(task);
+  std::vector<int> effectors;
+  for (const Goal& goal : task.goals) {
+    if (const auto effector = task.body.find_effector(goal.effector))
+      effectors.push_back(*effector);
+  }
+  set_reaching(criteria, effectors);
+  return criteria;
+}
+
+Result<ReachProblem> make_problem(const Task& task) {
+  if (task.goals.empty()) {
+    return fail(ErrorCode::invalid_argument, say("no_goal"));
+  }
+  SHG_TRY(check_settings(task));
+  const BodyModel& body = task.body;
+  const Kinematics<double> kinematics = start_kinematics(body);
+  const bool natural = traits_of(task.preset).natural;
+  ReachProblem problem;
+  problem.body = &body;
+  problem.duration = 0.0;
+  std::vector<double> owns;  // (goals) s, that each takes by itself
+  for (const Goal& goal : task.goals) {
+    SHG_TRY_ASSIGN(ReachGoal reach, make_reach_goal(body, kinematics, goal));
+    const bool hand = body.effector(reach.effector).part.limb == LimbKind::arm;
+    if (hand && natural) {
+      reach.path.begin = natural_begin(reach.path);
+      reach.path.haste = natural_haste(reach.path);
+    }
+    for (const ReachGoal& earlier : problem.goals) {
+      if (earlier.effector != reach.effector) continue;
+      return fail(ErrorCode::invalid_argument, say("two_goals", goal.effector), "goal");
+    }
+    // the hand takes as long as it does without a late start
+    const double own = goal_duration(body, kinematics, reach) * load_factor(body.load());
+    problem.duration = max(problem.duration, own / (1.0 - reach.path.begin));
+    owns.push_back(own);
+    problem.goals.push_back(std::move(reach));
+  }
+  SHG_TRY_ASSIGN(problem.supports, make_supports(task, kinematics));
+  SHG_TRY(check_rows(problem));
+  if (task.duration) problem.duration = *task.duration;
+  // in haste it leaves earlier
+  for (std::size_t g = 0; g < owns.size(); ++g) {
+    double& begin = problem.goals[g].path.begin;
+    begin = min(begin, max(1.0 - owns[g] / problem.duration, 0.0));
+  }
+  problem.ease = task.ease;
+  problem.gaze_lead = task.gaze_lead;
+  problem.hold_limits = problem.posture_law = natural;
+  if (natural) problem.windows = natural_windows(problem.goals);
+  problem.gaze = task_criteria(task).head.gaze_target;
+  if (task.preset == Preset::flat) {
+    problem.corrections = kLimitCorrections;
+    problem.path_slack = kPathSlack;
+    problem.smooth = true;
+  }
+  return problem;
+}
+
+Result<Plan> plan_of(const BodyModel& body, const Request& request,
+                     const CriteriaSettings& criteria) {
+  SHG_TRY(check_supports(request));
+  const std::optional<LayerStack> stack = traits_of(request.preset).layers;
+  if (!stack) return whole_body_plan(body, request.supports);
+  return layers_to_goals(body, request.goals, {*stack, request.layer_reading}, criteria);
+}
+
+Result<Plan> plan_of(const Task& task) { return plan_of(task.body, task, task_criteria(task)); }
+
+}  // namespace shigusa

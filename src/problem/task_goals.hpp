@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/task.hpp>
+
+#include "kinematics/forward_kinematics.hpp"
+#include "motion/effector_turn.hpp"
+#include "rollout/reach_problem.hpp"
+
+namespace shigusa {
+
+// The path to one goal, from the body's start posture; fails as make_problem does.
+[[nodiscard]] Result<ReachGoal> make_reach_goal(const BodyModel& body,
+                                                const Kinematics<double>& start, const Goal& goal);
+
+// The orientation that a goal wants of its effector; a foot stays level where the goal says
+// nothing.
+[[nodiscard]] EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
+                                     const Kinematics<double>& start);
+
+// How far (m) a place is from a goal, or from its box.
+[[nodiscard]] double goal_miss(const Goal& goal, const Vec3d& at);
+
+// Duration (s) of a path to a goal.
+[[nodiscard]] double goal_duration(const BodyModel& body, const Kinematics<double>& start,
+                                   const ReachGoal& goal);
+
+// The task with its goals' loads in the body's hands, whose body stands on its contacts; one that
+// has no loads and frees no foot stays as it is.
+[[nodiscard]] Result<Task> standing(Task task);
+
+// Fails where goals and contacts take more rows than the IK has.
+[[nodiscard]] Result<void> check_rows(const ReachProblem& problem);
+
+// Where the eyes go: the middle of two hands' goals, or the first goal of a limb, as head and trunk
+// do not look at themselves.
+[[nodiscard]] std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals);
+
+}  // namespace shigusa
