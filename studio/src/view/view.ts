@@ -50,7 +50,8 @@ export interface DrawnFigure {
 }
 
 /** All that the picture depends on. What others show, such as the progress of a search, must not take the machine from it. */
-const kSeen = ['document', 'preview', 'trial', 'dragging', 'playing', 'selected', 'rings', 'compareMode', 'overlays', 'view', 'theme'] as const;
+const kSeen = ['document', 'preview', 'trial', 'dragging', 'playing', 'selected', 'rings', 'compareMode', 'overlays', 'view', 'theme', 'lengths',
+  'language'] as const;
 
 function isSeen(state: State, previous: State): boolean {
   return kSeen.some((key) => state[key] !== previous[key]);
