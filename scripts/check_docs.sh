@@ -23,7 +23,9 @@ read_headers() {
   { cat "$@" && printf 'OUTPUT_DIRECTORY = %s\nXML_OUTPUT = %s\n' "$work" "$output"; } | doxygen - >/dev/null
 }
 docs=$scripts/../docs
-read_headers cpp "$docs/Doxyfile"
+more=$work/more
+{ [ ! -d dataset/include ] || echo 'INPUT += dataset/include/shigusa'; } >"$more"
+read_headers cpp "$docs/Doxyfile" "$more"
 [ ! -d bindings/c ] || read_headers c "$docs/Doxyfile" "$docs/Doxyfile_c"
 
 # Doxygen 1.9.4 says nothing of an enum's value without a comment

@@ -271,9 +271,9 @@ def write_cpp(xml, target):
     reference = Reference(xml, "cpp")
     overview = (SITE / "reference_cpp.md").read_text(encoding="utf-8")
     rows = dict(re.findall(r"^\| `(\w+\.hpp)` \| (.*) \|$", overview, re.MULTILINE))
-    headers = {path.name for path in (SITE.parents[1] / "include/shigusa").glob("*.hpp")}
+    headers = {path.name for within in ("include", "dataset/include") for path in (SITE.parents[1] / within / "shigusa").glob("*.hpp")}
     if wrong := headers.symmetric_difference(rows):
-        sys.exit(f"api_pages: docs/site/reference_cpp.md and include/shigusa do not both have {', '.join(sorted(wrong))}")
+        sys.exit(f"api_pages: docs/site/reference_cpp.md and include/shigusa and dataset/include do not all have {', '.join(sorted(wrong))}")
     pages = headers & set(reference.headers)
     overview = re.sub(r"`(\w+\.hpp)`", lambda found: f"[`{found[1]}`]({page_of(found[1])})" if found[1] in pages else found[0],
                       overview)
