@@ -21,19 +21,15 @@ function(read_data variable file)
   set(${variable} "${content}" PARENT_SCOPE)
 endfunction()
 
-# The page of motions, without the first lines, which name the licence.
-foreach(part IN ITEMS script style)
-  set(suffix js)
-  set(name kPageScript)
-  if(part STREQUAL style)
-    set(suffix css)
-    set(name kPageStyle)
-  endif()
+# embed_page_part(PART SUFFIX NAME): src/draw/page_PART.SUFFIX as the text NAME, without the line that names the licence.
+function(embed_page_part part suffix name)
   read_data(text src/draw/page_${part}.${suffix})
   string(FIND "${text}" "\n" licence)
   string(SUBSTRING "${text}" ${licence} -1 text)
   embed_source(page_${part} draw/page_text.hpp "const std::string_view ${name} = R\"${suffix}(${text})${suffix}\";")
-endforeach()
+endfunction()
+embed_page_part(script js kPageScript)
+embed_page_part(style css kPageStyle)
 
 # The start tables: a line `table NAME FEET COORDINATES…` and its rows `X Y Z DIGITS`, with tabs between.
 read_data(rows data/starts.tsv)

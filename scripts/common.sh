@@ -46,7 +46,7 @@ build_target() {
 # build_research TARGET…: these programs of research/ and no tests
 build_research() {
   quietly cmake --preset gcc -D SHIGUSA_BUILD_TESTS=OFF -D SHIGUSA_BUILD_RESEARCH=ON || return
-  cmake --build build/gcc --parallel "$jobs" --target "$@" -- --quiet
+  build_target gcc "$@"
 }
 
 # whether all that can be tested must be, as .ci/run has it (SHIGUSA_STRICT) where ../shared is there

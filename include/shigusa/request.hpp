@@ -157,7 +157,7 @@ struct Request {
   CriteriaSettings criteria = traits_of(Preset::flat).criteria();
   std::vector<std::string> fixed_assignments{};              ///< "squat_deg=60"
   MotionGenerator generator = MotionGenerator::weighted_ik;  ///< the other not of layered presets
-  int phases = 1;  ///< 1: motions of two phases are gone, and old tasks say so
+  int phases = 1;                             ///< 1; motions of two phases are no longer made
   FingerPlay finger_play = FingerPlay::grip;  ///< of characters that have fingers
   /// The same seed gives the same motions.
   std::uint64_t seed = 0;
