@@ -36,7 +36,7 @@ struct Measured {
       for (int d = 0; d < task.body.dof_count(); ++d) {
         genes.push_back(static_cast<std::uint16_t>(random.below(16)));
       }
-      parameters.push_back(decode_paper_genes(genes));
+      parameters.push_back(decode_paper_genes(task.body, genes));
       const std::vector<float> inverse = inverse_weights_of_genes(genes);
       inverse_weights.insert(inverse_weights.end(), inverse.begin(), inverse.end());
     }

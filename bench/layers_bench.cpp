@@ -31,7 +31,8 @@ std::vector<double> random_points(std::size_t genes) {
 void score_flat(benchmark::State& state, SimdSet simd) {
   const Task task = human_task(Preset::flat);
   const ReachProblem problem = make_problem(task).value();
-  ParameterSpace space(problem, GeneCode::natural);
+  const ParameterList list = parameter_list(plan_of(task).value());
+  ParameterSpace space(problem, list, GeneCode::natural);
   const std::vector<double> points = random_points(static_cast<std::size_t>(space.genes()));
   const CriteriaSettings criteria = task_criteria(task);
   BatchRollout batch(problem, criteria, {simd, 1});
@@ -49,7 +50,7 @@ void score_layers(benchmark::State& state, SimdSet simd) {
   const LayeredProblem problem = in_layers(make_problem(task).value(), plan_of(task).value());
   const std::vector<std::size_t> genes = searched_genes(problem);
   const std::vector<double> points = random_points(genes.size());
-  std::vector<Parameters> parameters;
+  std::vector<LayeredValues> parameters;
   for (std::size_t i = 0; i < kMotions; ++i) {
     const auto point = std::span<const double>(points).subspan(i * genes.size(), genes.size());
     parameters.push_back(decode_searched(problem, genes, point, false));

@@ -147,7 +147,7 @@ void measure_rival(benchmark::State& state, const char* character) {
   }
   std::vector<Eigen::VectorXd> weights;
   for (const Parameters& p : measured.parameters) {
-    weights.push_back(rival.in_order(inverse_weights(p)));
+    weights.push_back(rival.in_order(inverse_weights(measured.task.body, p)));
   }
   const MotionCounter counter(state);
   for (auto _ : state) {

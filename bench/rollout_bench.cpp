@@ -23,7 +23,9 @@ void rollout_double(benchmark::State& state, const char* character) {
   Rollout<double> rollout(measured.problem);
   BuiltInCriteria<double> built_in(measured.task.body, criteria);
   std::vector<std::vector<double>> weights;
-  for (const Parameters& p : measured.parameters) weights.push_back(inverse_weights(p));
+  for (const Parameters& p : measured.parameters) {
+    weights.push_back(inverse_weights(measured.task.body, p));
+  }
   const MotionCounter counter(state);
   for (auto _ : state) {
     for (const std::vector<double>& inverse : weights) {

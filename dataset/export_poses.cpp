@@ -144,18 +144,18 @@ Quatd unit(const Quatd& q) {
 }
 
 // Sets the numbers of a plan by a row's; the name of one that the row does not know, or nothing.
-std::string set_parameters(const Row& row, std::span<const Layer> plan, Parameters& values) {
+std::string set_parameters(const Row& row, const ParameterList& list, Parameters& values) {
   const std::vector<std::string>* names = row.table->names_of("parameters");
   const std::vector<double> numbers = row.numbers("parameters");
   if (names == nullptr) return "any";
-  for (const Parameter& parameter : parameters_of(plan, values)) {
-    std::string name = parameter.spelled("_rad");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::string name = list.all[i].spelled("_rad");
     const int place = find_name(*names, name);
     if (place < 0) return name;
     const double value = numbers[static_cast<std::size_t>(place)];
     const bool none = !is_finite(value);
-    if (parameter.locked != nullptr) *parameter.locked = none;
-    if (!none) parameter.set(value);
+    values.locked[i] = none && list.all[i].kind == ParameterKind::weight;
+    if (!none) values.values[i] = value;
   }
   return {};
 }
@@ -279,13 +279,14 @@ Result<DrawnAgain> drawn_again(const DatasetPlan& plan, const DataMotion& motion
   task.batch.threads = 1;
   task.layers.store = limb_store();
   SHG_TRY_ASSIGN(const Plan layers, plan_of(task));
-  Parameters values = start_values(layers);
-  give_posture(layers, values);
+  const ParameterList list = parameter_list(layers);
+  Parameters values = list.start();
+  values.posed = moves_whole_body(layers);
   DrawnAgain again{std::move(file), std::move(task), std::move(values)};
-  const std::string unknown = set_parameters(motion.motion, layers, again.parameters);
+  const std::string unknown = set_parameters(motion.motion, list, again.parameters);
   if (!unknown.empty()) {
     again.misfit = fmt::format("has no value for {}, which this body moves by", unknown);
-  } else if (const Result<void> fits = check_parameters(layers, again.parameters); !fits) {
+  } else if (const Result<void> fits = list.check(again.parameters); !fits) {
     again.misfit = fits.error().to_string();
   }
   return again;

@@ -35,22 +35,6 @@ std::vector<DataDof> data_dofs(const TaskFile& file, const BodyModel& body) {
   return dofs;
 }
 
-std::vector<std::string> parameter_names(const Plan& plan, Parameters values) {
-  std::vector<std::string> names;
-  for (const Parameter& parameter : parameters_of(plan, values)) {
-    names.push_back(parameter.spelled("_rad"));
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-// Values that have all numbers of a plan.
-Parameters full_values(const Plan& plan) {
-  Parameters values = start_values(plan);
-  give_posture(plan, values);
-  return values;
-}
-
 std::vector<std::string> criterion_names() {
   std::vector<std::string> names;
   for_each_criterion([&](const auto& criterion) { names.emplace_back(criterion.name); });
@@ -107,12 +91,11 @@ class PressureMeter {
 MotionTable::MotionTable(const TaskFile& file, const Task& task,
                          std::span<const DatasetSeries> series)
     : file_(file), task_(task), series_(series), dofs_(data_dofs(file, task.body)) {
-  if (Result<Plan> plan = plan_of(task)) {
-    plan_ = *std::move(plan);
-  } else {
-    plan_ = whole_body_plan(task.body, task.supports);
-  }
-  parameters_ = parameter_names(plan_, full_values(plan_));
+  const Result<Plan> plan = plan_of(task);
+  list_ = parameter_list(plan ? *plan : whole_body_plan(task.body, task.supports));
+  parameters_ = list_.names();
+  std::sort(parameters_.begin(), parameters_.end());
+  for (const std::string& name : parameters_) order_.push_back(list_.find(name).value());
   for (const Foot& foot : task.body.feet()) feet_.push_back(foot.name);
   std::sort(feet_.begin(), feet_.end());
   describe();
@@ -183,17 +166,9 @@ void MotionTable::add(std::uint64_t number, std::size_t rank, const GenerateResu
 }
 
 void MotionTable::add_parameters(const Candidate& candidate) {
-  Parameters values = candidate.parameters;
-  give_posture(plan_, values);
-  std::vector<std::pair<std::string, double>> named;
-  for (const Parameter& parameter : parameters_of(plan_, values)) {
-    const bool locked = parameter.locked != nullptr && *parameter.locked;
-    named.emplace_back(parameter.spelled("_rad"), locked ? kNoNumber : parameter.value());
-  }
-  for (const std::string& name : parameters_) {
-    const auto own = std::find_if(named.begin(), named.end(),
-                                  [&name](const auto& one) { return one.first == name; });
-    table_["parameters"].push(own == named.end() ? kNoNumber : own->second);
+  const Parameters& values = candidate.parameters;
+  for (const std::size_t i : order_) {
+    table_["parameters"].push(values.locked[i] ? kNoNumber : values.values[i]);
   }
 }
 

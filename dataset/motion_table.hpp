@@ -42,8 +42,9 @@ class MotionTable {
   const Task& task_;
   std::span<const DatasetSeries> series_;
   std::vector<DataDof> dofs_;
-  Plan plan_;
-  std::vector<std::string> parameters_;  // names, sorted
+  ParameterList list_;
+  std::vector<std::string> parameters_;  // names, sorted …
+  std::vector<std::size_t> order_;       // … and their numbers in the list
   std::vector<std::string> feet_;        // names, sorted
   Table table_;
 };

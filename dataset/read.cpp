@@ -56,15 +56,16 @@ Result<void> read_motions(const std::filesystem::path& folder,
 Result<Parameters> named_parameters(const Task& task, std::span<const std::string> names,
                                     std::span<const double> values) {
   SHG_TRY_ASSIGN(const Plan plan, plan_of(task));
-  Parameters parameters = start_values(plan);
-  give_posture(plan, parameters);
-  for (const Parameter& parameter : parameters_of(plan, parameters)) {
-    const auto name = std::find(names.begin(), names.end(), parameter.spelled("_rad"));
+  const ParameterList list = parameter_list(plan);
+  Parameters parameters = list.start();
+  parameters.posed = moves_whole_body(plan);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto name = std::find(names.begin(), names.end(), list.all[i].spelled("_rad"));
     const auto k = static_cast<std::size_t>(name - names.begin());
     if (k >= std::min(names.size(), values.size())) continue;
     const bool locked = !is_number(values[k]);
-    if (parameter.locked != nullptr) *parameter.locked = locked;
-    if (!locked) parameter.set(values[k]);
+    parameters.locked[i] = locked && list.all[i].kind == ParameterKind::weight;
+    if (!locked) parameters.values[i] = values[k];
   }
   return parameters;
 }

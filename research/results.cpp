@@ -64,7 +64,7 @@ double best_of_random(const Task& task, int count, std::uint64_t seed) {
     for (int d = 0; d < task.body.dof_count(); ++d) {
       genes.push_back(static_cast<std::uint16_t>(random.below(16)));
     }
-    const RolledOut rolled = roll_out(problem, decode_paper_genes(genes));
+    const RolledOut rolled = roll_out(problem, decode_paper_genes(task.body, genes));
     if (!rolled.outcome.met()) continue;
     best = std::min(best, score_motion(task.body, rolled.motion, task.criteria).total);
   }

@@ -35,17 +35,13 @@ struct EditableParameter {
   std::string_view sentence{};               ///< its effect
 };
 
-/// All of a candidate's, in the order of the body and the posture; of layered presets those of
-/// their layers.
-[[nodiscard]] Result<std::vector<EditableParameter>> editable_parameters(
-    const Task& task, const Candidate& candidate);
+/// All of a candidate's, the posture's first; the list is the result's.
+[[nodiscard]] std::vector<EditableParameter> editable_parameters(const ParameterList& list,
+                                                                 const Parameters& values);
 
 /// The parameters as JSON text: a list of {"name", "group", "kind", "value", "low", "high", "scale"
 /// ("linear" or "log"), "unit" ("" or "deg"), "locked", "sentence"}.
 [[nodiscard]] std::string format_parameters(const std::vector<EditableParameter>& parameters);
-
-/// One layer of a plan.
-struct Layer;
 
 /// "left_hand" of "right_hand" and the reverse; a name without a side stays.
 [[nodiscard]] std::string mirrored_name(std::string_view name);
@@ -58,9 +54,9 @@ struct Layer;
 [[nodiscard]] Result<TaskFile> mirrored(TaskFile task);
 
 /// The values of a motion's mirror image: each goes to the parameter of the other side, and a turn
-/// of the trunk changes its sign. `from` and `to` are the plans of both tasks, whose bodies may
+/// of the trunk changes its sign. `from` and `to` are the lists of both tasks, whose bodies may
 /// stand on either foot.
-[[nodiscard]] Parameters mirrored(std::span<const Layer> from, std::span<const Layer> to,
+[[nodiscard]] Parameters mirrored(const ParameterList& from, const ParameterList& to,
                                   const Parameters& values);
 
 /// Parses a JSON list of assignments: ["squat_deg=60", "right_knee.weight=3"].

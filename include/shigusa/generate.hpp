@@ -144,9 +144,10 @@ struct GenerateResult {
   /// At least one: the possible ones first, then the impossible ones; by the preset flat, of both
   /// those first that pass through nothing; each by score, the lowest first.
   std::vector<Candidate> candidates;
-  Message fewer;          ///< why there are fewer than asked for; else empty
-  Message conflict{};     ///< which goals are in one another's way, out of reach; else empty
-  double duration = 0.0;  ///< s
+  Message fewer;       ///< why there are fewer than asked for; else empty
+  Message conflict{};  ///< which goals are in one another's way, out of reach; else empty
+  std::shared_ptr<const ParameterList> parameters{};  ///< what the candidates' values are of
+  double duration = 0.0;                              ///< s
   /// The task gives no duration, and nothing that was found is possible in the usual one: this is
   /// one in which something is. See played_task.
   bool slowed = false;
@@ -233,7 +234,7 @@ class PreparedTask {
 [[nodiscard]] Result<GenerateResult> generate(const PreparedTask& task,
                                               const Progress& progress = {});
 
-/// Makes motions of one task from given values of the plan's parameters (plan_of), without a
+/// Makes motions of one task from given values of the plan's parameters, without a
 /// search: the parameter editor (paper, section 4.2 and figure 7). Work that depends on the task
 /// alone is done once: the posture that is known to arrive, and the ways around the body. A motion
 /// is the same, whatever was played before it.
@@ -245,9 +246,10 @@ class MotionPlayer {
   MotionPlayer& operator=(MotionPlayer&&) noexcept;  ///< takes over all of the other's
   ~MotionPlayer();
 
-  [[nodiscard]] const Task& task() const;  ///< as it was given
+  [[nodiscard]] const Task& task() const;                 ///< as it was given
+  [[nodiscard]] const ParameterList& parameters() const;  ///< of the task's plan
   /// The hand still meets its goal, or comes as near as the given locks allow; the status tells.
-  /// Fails where check_parameters does.
+  /// Fails where ParameterList::check does.
   [[nodiscard]] Result<GenerateResult> play(const Parameters& parameters);
 
  private:

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <shigusa/body_model.hpp>
+#include <shigusa/result.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,56 +75,8 @@ inline constexpr double kWeightMax = 1e3;
 /// natural postures, and wider ones add nothing.
 inline constexpr double kLogWeightRange = 5.5;
 inline constexpr double kPostureMax = 3.2;  ///< rad, of a posture mode's value
-/// How readily one joint freedom moves.
-struct JointWeight {
-  double weight = 1.0;  ///< > 0; the larger, the less the freedom moves beside the others
-  bool locked = false;  ///< it keeps its start angle
-
-  friend bool operator==(const JointWeight&, const JointWeight&) = default;
-};
-
-/// Where a motion is drawn to in what its goals leave free, and how it gets there.
-struct PostureParameters {
-  std::vector<double> modes;  ///< (posture_modes of the body) rad, -kPostureMax..kPostureMax
-  Timing<double> timing{};    ///< within kTimingNumbers
-
-  friend bool operator==(const PostureParameters&, const PostureParameters&) = default;
-};
-
-/// The freedoms of an arm that moves by weights.
-inline constexpr int kArmDofs = 4;
-/// The weights of shoulder flexion, abduction and rotation, and of elbow flexion.
-using ArmWeights = std::array<JointWeight, kArmDofs>;
-
-/// The few readable numbers that a motion is generated from: a search finds them, a person edits
-/// them. Which of them a motion has, and what each is called, its plan tells (plan/plan.hpp).
-struct Parameters {
-  std::vector<JointWeight> joints;  ///< (dofs of the plan's first layer) in that body's order
-  /// of the whole body; no modes: weights alone, as in the paper
-  PostureParameters posture{};
-  /// Of layers that shorten limbs: (limbs) 0..kContractionMax, where the limb is longest and
-  /// shortest.
-  std::vector<double> contractions{};
-  std::vector<ArmWeights> arms{};  ///< (goals whose arm moves by weights)
-  std::vector<double> swivels{};   ///< (goals whose arm moves by its swivel) rad
-  std::vector<double> finals{};    ///< (final angles that layers search) rad
-  /// (the task's supports) share of the body's weight that the hand presses with; below 0 it is
-  /// free
-  std::vector<double> supports{};
-  /// The motion is the mirror image of the one that the other side's values make, as a body that
-  /// stands on one foot and its image do not move alike to the last digit.
-  bool reflected = false;
-
-  friend bool operator==(const Parameters&, const Parameters&) = default;
-};
 /// A limb's range has this many parts; all of them make it shortest.
 inline constexpr int kContractionMax = 15;
-
-/// Values of which a search leaves some as a person has set them.
-struct FixedParameters {
-  Parameters values;      ///< with a posture
-  std::vector<bool> set;  ///< (the plan's parameters that the values have) which are set
-};
 
 /// The most that a hand presses with, as a share of the body's weight: a weak man (5th percentile)
 /// pushes 187 N with his left arm straight (MIL-STD-1472, arm strength; quoted from memory), a
@@ -132,22 +85,106 @@ inline constexpr double kSupportMost = 0.25;
 /// The least value of a support's parameter; all below 0 leave the hand free.
 inline constexpr double kSupportLeast = -0.05;
 
-/// All freedoms alike: the plain pseudo-inverse.
+/// The values of the few readable numbers that a motion is generated from: a search finds them, a
+/// person edits them. The plan's ParameterList says of each its name, meaning and range.
+struct Parameters {
+  std::vector<double> values{};  ///< (the list's) in its order
+  std::vector<bool> locked{};    ///< (the list's) of weights: the freedom keeps its start angle
+  /// The motion is drawn to a posture: weights alone, as in the paper, and a posture of 0 are
+  /// different motions. If not, the posture's numbers are 0.
+  bool posed = false;
+  /// The motion is the mirror image of the one that the other side's values make, as a body that
+  /// stands on one foot and its image do not move alike to the last digit.
+  bool reflected = false;
+
+  friend bool operator==(const Parameters&, const Parameters&) = default;
+};
+
+/// Values of which a search leaves some as a person has set them.
+struct FixedParameters {
+  Parameters values;      ///< of the list
+  std::vector<bool> set;  ///< (the list's) which are set
+};
+
+/// The meaning of a parameter's number.
+enum class ParameterKind {
+  weight,       ///< of one freedom in weighted IK; a lock keeps the freedom at its start angle
+  contraction,  ///< how much shorter limbs end: 0..kContractionMax parts of their range
+  swivel,       ///< rad, how far the elbow ends from where the arm's path takes it, outwards
+  final_angle,  ///< rad, that one freedom ends at
+  mode,         ///< rad, the value of a posture mode
+  timing,       ///< a number of Timing
+  support,      ///< share of the body's weight that a resting hand presses with
+};
+
+/// One number that a search or a person sets.
+struct ParameterInfo {
+  std::string name;  ///< "right_hip.flexion", "legs", "right_arm", "squat"
+  ParameterKind kind = ParameterKind::weight;  ///< its meaning
+  /// Of the layer's body: the freedom with that weight or final angle; the freedoms that turn the
+  /// elbow; limbs that share a contraction. Of the posture: the number of the mode or timing.
+  std::vector<int> applies_to{};
+  double low = 0.0;             ///< the least that is allowed
+  double high = 0.0;            ///< the most that is allowed
+  double shown_low = 0.0;       ///< the least that makes sense
+  double shown_high = 0.0;      ///< the most that makes sense
+  double start = 0.0;           ///< before any search
+  std::string group{};          ///< "right_leg", "arms", "trunk", "posture", "path"
+  std::string_view sentence{};  ///< its effect
+  std::string layer{};          ///< name of its layer, where that is below the first
+
+  /// Whether motions that have no posture do without it.
+  [[nodiscard]] bool of_posture() const {
+    return kind == ParameterKind::mode || kind == ParameterKind::timing;
+  }
+  /// "right_hip.flexion", "right_arm.right_elbow.flexion" of the layer below, "squat".
+  [[nodiscard]] std::string subject() const;
+  /// As people write and read it: "right_hip.flexion.weight", "legs.contraction", "squat_deg". An
+  /// angle takes a unit, "_deg" or "_rad".
+  [[nodiscard]] std::string spelled(std::string_view unit = "_deg") const;
+};
+
+/// All parameters of a plan: of its first layer, then of those below. Whatever assigns, fixes,
+/// mirrors, stores, shows or searches parameters goes by this list.
+struct ParameterList {
+  std::vector<ParameterInfo> all;  ///< in the order of Parameters::values
+
+  [[nodiscard]] std::size_t size() const { return all.size(); }  ///< how many there are
+  /// As people write them, angles in radians.
+  [[nodiscard]] std::vector<std::string> names() const;
+  /// Index of the parameter that is spelled so, its angle in degrees or radians.
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view spelled) const;
+  /// The values of one kind.
+  [[nodiscard]] std::vector<double> of_kind(ParameterKind kind, const Parameters& values) const;
+  /// The values that a plan begins with: weights of 1, no contraction, no posture, no swivel, and
+  /// final angles as at the start.
+  [[nodiscard]] Parameters start() const;
+  /// Fails on values of another list, and on those outside their range.
+  [[nodiscard]] Result<void> check(const Parameters& values) const;
+};
+
+/// Values of which none is fixed.
+[[nodiscard]] FixedParameters no_fixed_parameters(const ParameterList& list);
+
+/// All freedoms of the whole body alike, and no posture: the plain pseudo-inverse.
 [[nodiscard]] Parameters uniform_parameters(const BodyModel& body);
 
 /// The paper's code (section 3.2): one gene per freedom, 1..15 is the weight, 0 locks it.
-[[nodiscard]] Parameters decode_paper_genes(std::span<const std::uint16_t> genes);
+[[nodiscard]] Parameters decode_paper_genes(const BodyModel& body,
+                                            std::span<const std::uint16_t> genes);
 
 /// 1 / w of each of the paper's genes, 0 where locked, in single precision: what BatchRollout
 /// takes, (motions × dofs) of genomes one after the other.
 [[nodiscard]] std::vector<float> inverse_weights_of_genes(std::span<const std::uint16_t> genes);
 
-/// 1 / weight, or 0 where locked: (dofs), what weighted IK computes with.
-[[nodiscard]] std::vector<double> inverse_weights(const Parameters& parameters);
+/// 1 / weight, or 0 where locked: (dofs), what weighted IK computes with; of values of the whole
+/// body.
+[[nodiscard]] std::vector<double> inverse_weights(const BodyModel& body,
+                                                  const Parameters& parameters);
 
 /// (dofs, rad) the change of posture that the modes' values add up to; PreconditionError where
 /// there are not as many values as the body has modes.
 [[nodiscard]] std::vector<double> posture_change(const BodyModel& body,
-                                                 const PostureParameters& posture);
+                                                 std::span<const double> modes);
 
 }  // namespace shigusa

@@ -5,6 +5,7 @@
 #include <shigusa/random.hpp>
 
 #include "problem/make_problem.hpp"
+#include "problem/plan_of.hpp"
 #include "problem/reachability.hpp"
 #include "rollout/detour.hpp"
 #include "rollout/rollout.hpp"
@@ -27,11 +28,12 @@ Task goal_task(const BodyModel& body, const Vec3d& goal, Preset preset,
 GoalSearch::GoalSearch(const BodyModel& body, const Vec3d& goal, const GoalSearchSettings& settings)
     : task_(goal_task(body, goal, Preset::flat, settings.criteria)),
       reach_(make_problem(task_).value()),
-      criteria_(task_criteria(task_)) {
+      criteria_(task_criteria(task_)),
+      list_(parameter_list(plan_of(task_).value())) {
   const ClosestReach closest = closest_reach(reach_);
   add_detours(reach_);
   reach_.steps = settings.steps;
-  space_.emplace(reach_, settings.code, task_.fixed);
+  space_.emplace(reach_, list_, settings.code, task_.fixed);
   batch_.emplace(reach_, criteria_, task_.batch);
   if (any_arrives()) return;
   reach_.guide = closest.angles;

@@ -41,6 +41,7 @@ class GoalSearch {
   Task task_;
   ReachProblem reach_;
   CriteriaSettings criteria_;
+  ParameterList list_;
   std::optional<ParameterSpace> space_;
   std::optional<BatchRollout> batch_;
 };

@@ -87,10 +87,10 @@ void apply(const Variant& variant, Task& task) {
     }
   });
   if (variant.fixed.empty()) return;
-  const auto plan = whole_body_plan(task.body);
-  task.fixed = no_fixed_parameters(task.body);
+  const ParameterList list = parameter_list(whole_body_plan(task.body));
+  task.fixed = no_fixed_parameters(list);
   for (const std::string& assignment : variant.fixed) {
-    SHG_CHECK(fix_parameter(plan, assignment, *task.fixed), "cannot fix " + assignment);
+    SHG_CHECK(fix_parameter(list, assignment, *task.fixed), "cannot fix " + assignment);
   }
 }
 

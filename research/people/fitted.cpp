@@ -7,6 +7,7 @@
 #include "measures.hpp"
 #include "plan/assignment.hpp"
 #include "plan/held_input.hpp"
+#include "plan/plan.hpp"
 #include "problem/make_problem.hpp"
 #include "rollout/rollout.hpp"
 #include "search/cma_es.hpp"
@@ -36,14 +37,14 @@ std::vector<FitKind> fit_kinds() {
 FittedReach fitted_reach(const Recorded& reach, const FitKind& kind, int evaluations) {
   const Task task = reach.task();
   const ReachProblem problem = make_problem(task).value();
-  FixedParameters fixed = no_fixed_parameters(task.body);
+  const ParameterList list = parameter_list(whole_body_plan(task.body));
+  FixedParameters fixed = no_fixed_parameters(list);
   if (kind.straight && kind.code != GeneCode::logarithmic) {
     for (const char* none : {"bow=0", "sway=0"}) {
-      SHG_CHECK(fix_parameter(whole_body_plan(task.body), none, fixed).has_value(),
-                "a parameter of the preset");
+      SHG_CHECK(fix_parameter(list, none, fixed).has_value(), "a parameter of the preset");
     }
   }
-  const ParameterSpace space(problem, kind.code, fixed);
+  const ParameterSpace space(problem, list, kind.code, fixed);
   const std::vector<bool> moved = moved_by_targets(problem);
   Rollout<double> rollout(problem);
   Clip clip{task.body.dof_count(), problem.steps + 1, problem.duration / problem.steps, {}};

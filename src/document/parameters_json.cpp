@@ -20,16 +20,16 @@ constexpr const char* kReflected = "reflected";
 // Where a parameter stands: {"posture", "squat_rad"}.
 struct Placed {
   std::vector<std::string> path;
-  Parameter parameter;
+  std::size_t index;  // of the list
+  const ParameterInfo* info;
 };
 
-std::vector<std::string> path_of(const Parameter& parameter) {
-  const ParameterInfo& info = *parameter.info;
+std::vector<std::string> path_of(const ParameterInfo& info) {
   const std::string& name = info.name;
   std::vector<std::string> path;
   switch (info.kind) {
     case ParameterKind::weight:
-      if (parameter.below) path = {kArms, parameter.layer->name};
+      if (!info.layer.empty()) path = {kArms, info.layer};
       path.insert(path.end(), {kWeights, name});
       break;
     case ParameterKind::contraction:
@@ -39,7 +39,7 @@ std::vector<std::string> path_of(const Parameter& parameter) {
       path = {kArms, name, "swivel_rad"};
       break;
     case ParameterKind::final_angle:
-      path = {parameter.layer->name, name + "_rad"};
+      path = {info.layer, name + "_rad"};
       break;
     case ParameterKind::mode:
       path = {kPosture, name + "_rad"};
@@ -54,11 +54,12 @@ std::vector<std::string> path_of(const Parameter& parameter) {
   return path;
 }
 
-std::vector<Placed> placed(std::span<const Layer> plan, Parameters& values) {
+// All that the values have.
+std::vector<Placed> placed(const ParameterList& list, const Parameters& values) {
   std::vector<Placed> all;
-  for (Parameter& parameter : parameters_of(plan, values)) {
-    std::vector<std::string> path = path_of(parameter);
-    all.push_back({std::move(path), std::move(parameter)});
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const ParameterInfo& info = list.all[i];
+    if (values.posed || !info.of_posture()) all.push_back({path_of(info), i, &info});
   }
   return all;
 }
@@ -74,8 +75,7 @@ std::vector<Placed> below(std::span<const Placed> all, std::size_t depth, const 
   return found;
 }
 
-void read_locked(JsonReader& reader, std::span<const Placed> weights) {
-  for (const Placed& weight : weights) *weight.parameter.locked = false;
+void read_locked(JsonReader& reader, std::span<const Placed> weights, Parameters& values) {
   if (!reader.has(kLocked)) return;
   if (!reader.value(kLocked).is_array()) reader.wrong(kLocked, say("list_of_texts"));
   for (const Json& name : reader.value(kLocked)) {
@@ -83,7 +83,7 @@ void read_locked(JsonReader& reader, std::span<const Placed> weights) {
       return name.is_string() && known.path.back() == name.get<std::string>();
     });
     if (joint != weights.end()) {
-      *joint->parameter.locked = true;
+      values.locked[joint->index] = true;
     } else {
       reader.wrong(kLocked, say("no_such_freedom"));
     }
@@ -91,7 +91,8 @@ void read_locked(JsonReader& reader, std::span<const Placed> weights) {
 }
 
 // Reads what stands in one object. An angle or a share of a posture may be missing; it is 0 then.
-void read_object(JsonReader& reader, std::span<const Placed> all, std::size_t depth) {
+void read_object(JsonReader& reader, std::span<const Placed> all, std::size_t depth,
+                 Parameters& values) {
   std::vector<std::string> keys;
   for (const Placed& one : all) {
     const std::string& key = one.path[depth];
@@ -103,16 +104,13 @@ void read_object(JsonReader& reader, std::span<const Placed> all, std::size_t de
     const bool optional = key == kPosture || (depth > 0 && first.path[depth - 1] == kPosture);
     if (!optional) reader.require(key.c_str());
     if (first.path.size() == depth + 1) {
-      const ParameterInfo& info = *first.parameter.info;
-      double value = first.parameter.value();
-      reader.number(key.c_str(), value, info.low, info.high);
-      first.parameter.set(value);
+      reader.number(key.c_str(), values.values[first.index], first.info->low, first.info->high);
     } else if (reader.has(key.c_str())) {
       JsonReader object = reader.object(key.c_str());
-      read_object(object, inner, depth + 1);
+      read_object(object, inner, depth + 1, values);
       reader.absorb(object.finish());
     }
-    if (key == kWeights) read_locked(reader, inner);
+    if (key == kWeights) read_locked(reader, inner, values);
   }
 }
 
@@ -122,48 +120,53 @@ bool has_posture(const Json& parameters) {
   return posture != parameters.end() && !(posture->is_object() && posture->empty());
 }
 
+// Whether motions may have a posture: those that move the whole body at once.
+bool has_posture(const ParameterList& list) {
+  return std::any_of(list.all.begin(), list.all.end(),
+                     [](const ParameterInfo& info) { return info.of_posture(); });
+}
+
 }  // namespace
 
-Json parameters_to_json(std::span<const Layer> plan, Parameters values) {
+Json parameters_to_json(const ParameterList& list, const Parameters& values) {
   Json json = empty_weights();
   json[kContractions] = Json::object();
   json[kPosture] = Json::object();
-  if (!moves_whole_body(plan)) json[kArms] = Json::object();
-  for (const Placed& one : placed(plan, values)) {
+  if (!has_posture(list)) json[kArms] = Json::object();
+  for (const Placed& one : placed(list, values)) {
     Json* object = &json;
     for (std::size_t k = 0; k + 1 < one.path.size(); ++k) {
       if (one.path[k] == kWeights && !object->contains(kLocked)) *object = empty_weights();
-      if (one.path[k] == kWeights && *one.parameter.locked) {
+      if (one.path[k] == kWeights && values.locked[one.index]) {
         (*object)[kLocked].push_back(one.path.back());
       }
       object = &(*object)[one.path[k]];
     }
-    (*object)[one.path.back()] = one.parameter.value();
+    (*object)[one.path.back()] = values.values[one.index];
   }
   if (values.reflected) json[kReflected] = true;
   return json;
 }
 
-Result<Parameters> read_parameters(std::span<const Layer> plan, const Json& candidate,
+Result<Parameters> read_parameters(const ParameterList& list, const Json& candidate,
                                    const std::string& place) {
   const auto member = candidate.is_object() ? candidate.find("parameters") : candidate.end();
   if (!candidate.is_object() || member == candidate.end()) {
     return fail(ErrorCode::parse, say("is_missing"), place + ".parameters");
   }
   JsonReader reader(*member, place + ".parameters");
-  Parameters values = start_values(plan);
-  const bool whole = moves_whole_body(plan);
+  Parameters values = list.start();
+  const bool whole = has_posture(list);
   if (whole && reader.has("later")) reader.wrong("later", say("one_phase"));
-  give_posture(plan, values);
-  read_object(reader, placed(plan, values), 0);
+  values.posed = whole && has_posture(*member);
+  read_object(reader, placed(list, values), 0, values);
   reader.truth(kReflected, values.reflected);
   // these may stand there without anything in them
   for (const char* key : {kContractions, kPosture}) {
-    const bool known = (key == kPosture) == whole;
+    const bool known = key == kPosture ? values.posed : !whole;
     if (!known && reader.has(key)) reader.absorb(reader.object(key).finish());
   }
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
-  if (!has_posture(*member)) values.posture = {};
   return values;
 }
 

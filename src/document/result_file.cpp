@@ -100,8 +100,7 @@ void add_files(const Candidate& candidate, const CandidateFiles& files, double r
   }
 }
 
-Json candidate_to_json(const FinishedRun& run, std::span<const Layer> plan, std::size_t index,
-                       const ResultFiles& files) {
+Json candidate_to_json(const FinishedRun& run, std::size_t index, const ResultFiles& files) {
   const CharacterSpec& character = run.file.character;
   const Candidate& candidate = run.generation.candidates[index];
   Json json;
@@ -125,7 +124,7 @@ Json candidate_to_json(const FinishedRun& run, std::span<const Layer> plan, std:
                              {"searches", arms->searches},
                              {"left", arms->left}};
   }
-  json["parameters"] = parameters_to_json(plan, candidate.parameters);
+  json["parameters"] = parameters_to_json(*run.generation.parameters, candidate.parameters);
   const bool written = index < files.candidates.size();
   const CandidateFiles& own = written ? files.candidates[index] : CandidateFiles{};
   add_files(candidate, own, files.rate, json);
@@ -137,7 +136,7 @@ Json candidate_to_json(const FinishedRun& run, std::span<const Layer> plan, std:
   return json;
 }
 
-Json search_to_json(std::span<const Layer> plan, const GenerateResult& generation) {
+Json search_to_json(const GenerateResult& generation) {
   Json json{{"end", word_of(generation.end)},
             {"generations", generation.log.generations},
             {"missed", generation.log.missed},
@@ -147,8 +146,9 @@ Json search_to_json(std::span<const Layer> plan, const GenerateResult& generatio
             {"replay_differs", generation.log.replay_differs},
             {"replay_difference", generation.log.replay_difference}};
   if (generation.best_seen) {
-    json["best_seen"] = {{"score", generation.best_seen_score},
-                         {"parameters", parameters_to_json(plan, *generation.best_seen)}};
+    json["best_seen"] = {
+        {"score", generation.best_seen_score},
+        {"parameters", parameters_to_json(*generation.parameters, *generation.best_seen)}};
   }
   return json;
 }
@@ -247,7 +247,6 @@ TaskFile played_task(TaskFile file, const GenerateResult& generation) {
 
 std::string format_result(const FinishedRun& run, const ResultFiles& files) {
   const auto& [file, task, generation, info] = run;
-  const Plan plan = plan_of(task).value();
   Json json;
   json["version"] = kResultVersion;
   json["status"] = word_of(generation.status);
@@ -271,7 +270,7 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
   }
   json["candidates"] = Json::array();
   for (std::size_t i = 0; i < generation.candidates.size(); ++i) {
-    json["candidates"].push_back(candidate_to_json(run, plan, i, files));
+    json["candidates"].push_back(candidate_to_json(run, i, files));
   }
   if (!generation.fewer.empty()) {
     json["fewer"] = generation.fewer.text;
@@ -286,7 +285,7 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
     for (const Message& note : notes) json["goal_note_messages"].push_back(message_to_json(note));
   }
   if (!files.notes.empty()) json["file_notes"] = texts_to_json(files.notes);
-  json["search_detail"] = search_to_json(plan, generation);
+  json["search_detail"] = search_to_json(generation);
   json["doubts"] = texts_to_json(task.body.doubts());
   json["task"] = task_to_json(played_task(file, generation));
   // names from files may hold anything; what is not UTF-8 is replaced
@@ -312,11 +311,12 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   SHG_TRY_ASSIGN(const BodyModel body, build_body(result.task));
   const Result<Plan> plan = plan_of(body, result.task);
   if (!plan) return fail(ErrorCode::parse, plan.error().to_message(), place + ": task");
+  const ParameterList list = parameter_list(*plan);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);
     SHG_TRY_ASSIGN(result.files.emplace_back(), read_files(candidates[i], at));
     SHG_TRY(read_rate(candidates[i], at + ".fps", result.rate));
-    SHG_TRY_ASSIGN(result.candidates.emplace_back(), read_parameters(*plan, candidates[i], at));
+    SHG_TRY_ASSIGN(result.candidates.emplace_back(), read_parameters(list, candidates[i], at));
   }
   return result;
 }

@@ -3,43 +3,40 @@
 #include <shigusa/edit.hpp>
 
 #include "formats/json_text.hpp"
-#include "problem/plan_of.hpp"
+#include "plan/parameter_info.hpp"
 
 namespace shigusa {
 namespace {
 
-// The parameters that change a motion most come first.
-bool comes_first(const Parameter& parameter) { return info_of(parameter.info->kind).word.empty(); }
-
-EditableParameter editable(const Parameter& parameter) {
-  const ParameterInfo& info = *parameter.info;
+EditableParameter editable(const ParameterInfo& info, double value, bool locked) {
   const bool angle = info_of(info.kind).angle;
-  const auto shown = [angle](double value) { return angle ? degrees(value) : value; };
-  return {.name = parameter.spelled(),
+  const auto shown = [angle](double number) { return angle ? degrees(number) : number; };
+  return {.name = info.spelled(),
           .group = info.group,
-          .kind = parameter.locked != nullptr ? EditableKind::weight
-                  : angle                     ? EditableKind::angle
-                                              : EditableKind::share,
-          .value = shown(parameter.value()),
+          .kind = info.kind == ParameterKind::weight ? EditableKind::weight
+                  : angle                            ? EditableKind::angle
+                                                     : EditableKind::share,
+          .value = shown(value),
           // of what is allowed, what makes sense
-          .low = shown(min(info.shown_low, parameter.value())),
-          .high = shown(max(info.shown_high, parameter.value())),
-          .locked = parameter.locked != nullptr && *parameter.locked,
+          .low = shown(min(info.shown_low, value)),
+          .high = shown(max(info.shown_high, value)),
+          .locked = locked,
           .sentence = info.sentence};
 }
 
 }  // namespace
 
-Result<std::vector<EditableParameter>> editable_parameters(const Task& task,
-                                                           const Candidate& candidate) {
-  SHG_TRY_ASSIGN(const Plan plan, plan_of(task));
-  Parameters values = candidate.parameters;
-  give_posture(plan, values);
-  std::vector<Parameter> all = parameters_of(plan, values);
-  std::stable_partition(all.begin(), all.end(), comes_first);
-  std::vector<EditableParameter> list;
-  for (const Parameter& parameter : all) list.push_back(editable(parameter));
-  return list;
+std::vector<EditableParameter> editable_parameters(const ParameterList& list,
+                                                   const Parameters& values) {
+  std::vector<EditableParameter> editables;
+  // those that change a motion most come first
+  for (const bool of_posture : {true, false}) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list.all[i].of_posture() != of_posture) continue;
+      editables.push_back(editable(list.all[i], values.values[i], values.locked[i]));
+    }
+  }
+  return editables;
 }
 
 std::string format_parameters(const std::vector<EditableParameter>& parameters) {

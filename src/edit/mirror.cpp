@@ -22,8 +22,7 @@ Result<TaskFile> mirrored(TaskFile task) {
   return task;
 }
 
-Parameters mirrored(std::span<const Layer> from, std::span<const Layer> to,
-                    const Parameters& values) {
+Parameters mirrored(const ParameterList& from, const ParameterList& to, const Parameters& values) {
   return mirrored_values(from, to, values);
 }
 

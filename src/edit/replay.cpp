@@ -31,10 +31,9 @@ Result<GenerateResult> replay(MotionPlayer& player, StoredResult& stored, int ca
   if (candidate < 1 || candidate > count_of(stored)) {
     return fail(ErrorCode::invalid_argument, say("no_candidate", candidate, count_of(stored)));
   }
-  SHG_TRY_ASSIGN(const Plan plan, plan_of(player.task()));
   Parameters& parameters = stored.candidates[static_cast<std::size_t>(candidate - 1)];
   for (const std::string& assignment : assignments) {
-    if (const auto ok = assign_parameter(plan, assignment, parameters); !ok) {
+    if (const auto ok = assign_parameter(player.parameters(), assignment, parameters); !ok) {
       return fail(ok.error().code, ok.error().message, assignment);
     }
   }
@@ -69,10 +68,12 @@ Result<void> mirror_result(StoredResult& stored) {
   SHG_TRY_ASSIGN(const Task task, make_task(image, {}));
   SHG_TRY_ASSIGN(const Plan from, plan_of(body, stored.task));
   SHG_TRY_ASSIGN(const Plan to, plan_of(task));
+  const ParameterList own = parameter_list(from);
+  const ParameterList other = parameter_list(to);
   stored.task = std::move(image);
   for (Parameters& values : stored.candidates) {
     const bool reflected = !values.reflected;
-    values = mirrored(from, to, values);
+    values = mirrored(own, other, values);
     values.reflected = reflected;
   }
   return {};

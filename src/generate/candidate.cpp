@@ -13,17 +13,28 @@ namespace shigusa {
 
 namespace {
 
-PathKind path_kind(const ReachProblem& problem, const EffectorPath& path,
-                   const Parameters& parameters) {
+// Whether values have paths leave their lines.
+bool bends_paths(const ParameterList& list, const Parameters& values) {
+  const std::vector<double> numbers = list.of_kind(ParameterKind::timing, values);
+  Timing<double> timing;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    timing.*kTimingMembers<double>[k] = numbers[k];
+  }
+  return timing.bends_paths();
+}
+
+PathKind path_kind(const ReachProblem& problem, const EffectorPath& path, bool bends) {
   if (!problem.follow_path) return PathKind::free;
   if (path.detour != Vec3d{}) return PathKind::detour;
-  return parameters.posture.timing.bends_paths() ? PathKind::bowed : PathKind::straight;
+  return bends ? PathKind::bowed : PathKind::straight;
 }
 
 // Adds how the motion meets each of the task's goals, whatever approach it took.
-void add_goal_results(const Task& task, const ReachProblem& problem, const Motion& motion,
+void add_goal_results(const Problem& of, const ReachProblem& problem, const Motion& motion,
                       Candidate& candidate) {
+  const Task& task = of.task;
   const BodyModel& body = task.body;
+  const bool bends = bends_paths(*of.parameters, candidate.parameters);
   const Clip& clip = motion.clip;
   Kinematics<double> start(body);
   Kinematics<double> end(body);
@@ -39,7 +50,7 @@ void add_goal_results(const Task& task, const ReachProblem& problem, const Motio
     result.node = effector.node;
     result.reached = reached;
     result.error = goal_miss(asked, reached);
-    result.path = path_kind(problem, reach.path, candidate.parameters);
+    result.path = path_kind(problem, reach.path, bends);
     const EffectorTurn turn = goal_turn(body, asked, reach.effector, start);
     result.turn.start = to_quat(start.link_rotation(effector.link));
     result.turn.reached = to_quat(end.link_rotation(effector.link));
@@ -83,11 +94,14 @@ double slide_of(const ReachProblem& problem, const Clip& clip, const HandSupport
 }
 
 // Adds the hands that rest in this motion.
-void add_resting_hands(const Task& task, const ReachProblem& problem, const Motion& motion,
+void add_resting_hands(const Problem& of, const ReachProblem& problem, const Motion& motion,
                        Candidate& candidate) {
+  const Task& task = of.task;
   const std::vector<IkSupport<double>> at_rest = ik_supports(problem);
+  const std::vector<double> presses =
+      of.parameters->of_kind(ParameterKind::support, candidate.parameters);
   for (std::size_t k = 0; k < problem.supports.size(); ++k) {
-    if (candidate.parameters.supports[k] < 0.0) continue;
+    if (presses[k] < 0.0) continue;
     const HandSupport& support = problem.supports[k];
     const Effector& hand = task.body.effector(support.effector);
     RestResult& rest = candidate.resting.emplace_back();
@@ -141,7 +155,7 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
   Candidate candidate;
   candidate.parameters = parameters;
   candidate.score = score_motion(body, rolled.motion, problem.criteria);
-  add_goal_results(task, approach, rolled.motion, candidate);
+  add_goal_results(problem, approach, rolled.motion, candidate);
   candidate.path_error = rolled.outcome.path_error;
   for (const Foot& foot : body.feet()) {
     // the base cannot move; what another foot does was measured in every frame
@@ -154,7 +168,7 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
     const Mat3d stands = start_kinematics(body).link_rotation(foot.link);
     candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip, stands);
   }
-  add_resting_hands(task, approach, rolled.motion, candidate);
+  add_resting_hands(problem, approach, rolled.motion, candidate);
   candidate.measures = measure_motion(body, rolled.motion, collision_of(problem, candidate));
   candidate.judgement = judge(body, rolled.motion, candidate.measures);
   const Clip& clip = rolled.motion.clip;

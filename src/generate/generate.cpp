@@ -81,6 +81,7 @@ Result<GenerateResult> generate(const PreparedTask& prepared, const Progress& pr
   }
   if (traits.natural && minds_jolts(task)) try_gentler(problem, found);
   check_possible_in(problem, on_all, joint, found);
+  found.parameters = problem.parameters;
   if (!found.meets_goals()) found.conflict = conflict_of(task);
   return found;
 }

@@ -12,7 +12,7 @@
 namespace shigusa {
 namespace {
 
-RolledOut play_layers(const LayeredProblem& problem, const Parameters& parameters) {
+RolledOut play_layers(const LayeredProblem& problem, const LayeredValues& parameters) {
   LayeredPlayer player(problem);
   ReducedClip<double> clip;
   player.run_upper(parameters, clip);
@@ -21,11 +21,12 @@ RolledOut play_layers(const LayeredProblem& problem, const Parameters& parameter
 
 // The weights that layers give to the whole body's freedoms; what they move in closed form has
 // weights of 1.
-Parameters body_parameters(const LayeredProblem& problem, const Parameters& layered) {
+Parameters body_parameters(const LayeredProblem& problem, const LayeredValues& layered) {
   const BodyModel& body = *problem.reach.body;
   Parameters parameters = uniform_parameters(body);
   const auto set = [&](int dof, const JointWeight& joint) {
-    parameters.joints[static_cast<std::size_t>(dof)] = joint;
+    parameters.values[static_cast<std::size_t>(dof)] = joint.weight;
+    parameters.locked[static_cast<std::size_t>(dof)] = joint.locked;
   };
   const ReducedBody& upper = problem.layers[0].body;
   for (const ParameterInfo& info : problem.layers[0].parameters) {
@@ -76,12 +77,13 @@ LayeredProblem in_layers(const ReachProblem& reach, const Plan& plan) {
   return problem;
 }
 
-std::optional<Arrival> body_arrival(const LayeredProblem& problem, const Parameters& parameters) {
+std::optional<Arrival> body_arrival(const LayeredProblem& problem,
+                                    const LayeredValues& parameters) {
   return first_arrival(problem.body_approaches, body_parameters(problem, parameters));
 }
 
-std::optional<Arrival> layered_arrival(const LayeredProblem& problem, const Parameters& parameters,
-                                       LayeredApproach last) {
+std::optional<Arrival> layered_arrival(const LayeredProblem& problem,
+                                       const LayeredValues& parameters, LayeredApproach last) {
   if (problem.in_reach) {
     RolledOut rolled = play_layers(problem, parameters);
     if (rolled.outcome.met(problem.reach.tolerance)) {
@@ -91,7 +93,7 @@ std::optional<Arrival> layered_arrival(const LayeredProblem& problem, const Para
   return last == LayeredApproach::layers ? std::nullopt : body_arrival(problem, parameters);
 }
 
-Arrival nearest_layered_arrival(const LayeredProblem& problem, const Parameters& parameters) {
+Arrival nearest_layered_arrival(const LayeredProblem& problem, const LayeredValues& parameters) {
   if (auto arrived = layered_arrival(problem, parameters, LayeredApproach::body)) {
     return std::move(*arrived);
   }

@@ -23,14 +23,14 @@ enum class LayeredApproach {
 // The motion on the first approach on which the parameters arrive, as long as that is not after
 // `last`. The same parameters always give the same motion.
 [[nodiscard]] std::optional<Arrival> layered_arrival(const LayeredProblem& problem,
-                                                     const Parameters& parameters,
+                                                     const LayeredValues& parameters,
                                                      LayeredApproach last);
 // The motion on LayeredApproach::body, where the parameters arrive on it.
 [[nodiscard]] std::optional<Arrival> body_arrival(const LayeredProblem& problem,
-                                                  const Parameters& parameters);
+                                                  const LayeredValues& parameters);
 // The motion on the first of all approaches on which the parameters arrive; where they arrive on
 // none, the nearest one.
 [[nodiscard]] Arrival nearest_layered_arrival(const LayeredProblem& problem,
-                                              const Parameters& parameters);
+                                              const LayeredValues& parameters);
 
 }  // namespace shigusa

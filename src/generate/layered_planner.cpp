@@ -100,7 +100,7 @@ class UpperSearch {
     SearchProblem searched;
     searched.genes = static_cast<int>(genes_.size());
     searched.evaluate = [this](std::span<const double> points, std::span<double> scores) {
-      std::vector<Parameters> parameters;
+      std::vector<LayeredValues> parameters;
       for (std::size_t i = 0; i < scores.size(); ++i) {
         parameters.push_back(decoded(points.subspan(i * genes_.size(), genes_.size())));
       }
@@ -126,29 +126,32 @@ class UpperSearch {
 
   // The values that a point's motion is generated from, with all that the layers below find for it.
   Expanded expanded(std::span<const double> point) {
-    if (!layers_) return {whole(decoded(point)), 0};
-    return scorer_.play(decoded(point), {.rounds = task_.layers.feedback_rounds,
-                                         .search = task_.layers.limb_search,
-                                         .seed = run_.seed});
+    if (!layers_) return {parameters_of(problem_.layers, whole(decoded(point)))};
+    LayeredScorer::Played played =
+        scorer_.play(decoded(point), {.rounds = task_.layers.feedback_rounds,
+                                      .search = task_.layers.limb_search,
+                                      .seed = run_.seed});
+    return {parameters_of(problem_.layers, std::move(played.values)), played.searches};
   }
   // The values of a point as the search scored them.
   Parameters as_searched(std::span<const double> point) {
-    if (!layers_) return whole(decoded(point));
-    return scorer_.play(decoded(point), {.rounds = 0}).values;
+    const LayeredValues upper = decoded(point);
+    return parameters_of(problem_.layers,
+                         layers_ ? scorer_.play(upper, {.rounds = 0}).values : whole(upper));
   }
 
  private:
   [[nodiscard]] bool keeps_ends() const { return traits_of(task_.preset).natural; }
-  [[nodiscard]] Parameters decoded(std::span<const double> point) const {
+  [[nodiscard]] LayeredValues decoded(std::span<const double> point) const {
     return decode_searched(problem_, genes_, point, searches_paper_code(task_));
   }
 
   // upper values above the start values of the layers below
-  [[nodiscard]] Parameters whole(const Parameters& upper) const {
+  [[nodiscard]] LayeredValues whole(const LayeredValues& upper) const {
     return below_upper(start_values(problem_.layers), upper);
   }
 
-  void score_bodies(std::span<const Parameters> parameters, std::span<double> scores) {
+  void score_bodies(std::span<const LayeredValues> parameters, std::span<double> scores) {
     const CriteriaSettings& criteria = problem_.layers[0].criteria;
     const std::size_t dofs = postures_.size() / scores.size();
     const auto score = [&](int i, int) {
@@ -201,10 +204,10 @@ class LayeredPlanner : public Planner {
 
   [[nodiscard]] std::optional<Arrival> arrival(const Parameters& values,
                                                std::size_t last) const override {
-    return layered_arrival(problem_, values, tried_[last]);
+    return layered_arrival(problem_, layered_values(problem_.layers, values), tried_[last]);
   }
   [[nodiscard]] Arrival nearest(const Parameters& values) const override {
-    return nearest_layered_arrival(problem_, values);
+    return nearest_layered_arrival(problem_, layered_values(problem_.layers, values));
   }
 
   [[nodiscard]] Candidate candidate(const Expanded& expanded, Arrival arrival) const override {

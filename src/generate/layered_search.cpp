@@ -100,8 +100,8 @@ std::vector<std::size_t> searched_genes(const LayeredProblem& problem) {
   return searched;
 }
 
-Parameters decode_searched(const LayeredProblem& problem, std::span<const std::size_t> searched,
-                           std::span<const double> point, bool paper) {
+LayeredValues decode_searched(const LayeredProblem& problem, std::span<const std::size_t> searched,
+                              std::span<const double> point, bool paper) {
   const Layer& layer = problem.layers[0];
   const auto spread = [&](auto rest, const auto& values) {
     std::vector<typename std::decay_t<decltype(values)>::value_type> all;
@@ -123,7 +123,7 @@ Parameters decode_searched(const LayeredProblem& problem, std::span<const std::s
              genes));
 }
 
-Parameters below_upper(Parameters start, const Parameters& upper) {
+LayeredValues below_upper(LayeredValues start, const LayeredValues& upper) {
   start.joints = upper.joints;
   start.contractions = upper.contractions;
   return start;
@@ -139,7 +139,7 @@ LayeredScorer::LayeredScorer(const LayeredProblem& problem, const CriteriaSettin
       player_(problem),
       batch_(player_.setup(), criteria, settings) {}
 
-void LayeredScorer::Rows::add(const Parameters& parameters) {
+void LayeredScorer::Rows::add(const LayeredValues& parameters) {
   const auto append = [](std::vector<float>& rows, const std::vector<double>& row) {
     for (const double x : row) rows.push_back(static_cast<float>(x));
   };
@@ -167,7 +167,7 @@ double LayeredScorer::judged(const RolledOut& played) const {
   return score + min(kOverLimitCost * excess, kOverLimitMost);
 }
 
-double LayeredScorer::score_alone(const Parameters& upper, std::span<float> posture) {
+double LayeredScorer::score_alone(const LayeredValues& upper, std::span<float> posture) {
   ReducedClip<double> clip;
   player_.run_upper(upper, clip);
   const bool kept =
@@ -175,7 +175,7 @@ double LayeredScorer::score_alone(const Parameters& upper, std::span<float> post
   if (!kept || !player_.check_pelvis(clip).in_reach) {
     return worst_score(*criteria_) + min(clip.path_error + clip.foot_error, 1.0);
   }
-  Parameters values = below_upper(start_, upper);
+  LayeredValues values = below_upper(start_, upper);
   values.arms = choose_arms(ends_of(player_.hand_paths(clip)));
   values.swivels = player_.find_swivels(clip);
   const RolledOut played = player_.expand_freeing(clip, values);
@@ -183,7 +183,7 @@ double LayeredScorer::score_alone(const Parameters& upper, std::span<float> post
   return judged(played);
 }
 
-void LayeredScorer::score(std::span<const Parameters> parameters, std::span<double> scores,
+void LayeredScorer::score(std::span<const LayeredValues> parameters, std::span<double> scores,
                           std::span<float> postures) {
   if (!criteria_->user.empty()) {
     const std::size_t dofs = postures.size() / scores.size();
@@ -192,14 +192,14 @@ void LayeredScorer::score(std::span<const Parameters> parameters, std::span<doub
     }
     return;
   }
-  Parameters below = start_;
+  LayeredValues below = start_;
   below.arms.clear();
   below.swivels.clear();
   Rows rows;
-  for (const Parameters& upper : parameters) rows.add(below_upper(below, upper));
+  for (const LayeredValues& upper : parameters) rows.add(below_upper(below, upper));
   const auto choose = [this](std::span<const Vec3d> hands) {
     Rows chosen;
-    Parameters arms;
+    LayeredValues arms;
     arms.arms = choose_arms(hands);
     chosen.add(arms);
     return chosen.arms;
@@ -207,10 +207,10 @@ void LayeredScorer::score(std::span<const Parameters> parameters, std::span<doub
   batch_.score(rows.inputs(), choose, scores, postures);
 }
 
-Expanded LayeredScorer::play(const Parameters& upper, const Feedback& feedback) {
+LayeredScorer::Played LayeredScorer::play(const LayeredValues& upper, const Feedback& feedback) {
   ReducedClip<double> clip;
   player_.run_upper(upper, clip);
-  Expanded played{.values = below_upper(start_, upper)};
+  Played played{.values = below_upper(start_, upper)};
   played.values.arms = choose_arms(ends_of(player_.hand_paths(clip)));
   played.values.swivels = player_.find_swivels(clip);
   if (!player_.expand_freeing(clip, played.values).outcome.met(problem_->reach.tolerance)) {
@@ -224,7 +224,7 @@ Expanded LayeredScorer::play(const Parameters& upper, const Feedback& feedback) 
 }
 
 void LayeredScorer::retake_weights(const ReducedClip<double>& clip, const Feedback& feedback,
-                                   Expanded& played) {
+                                   Played& played) {
   if (played.values.arms.empty()) return;
   const std::vector<HandPath> paths = player_.hand_paths(clip);
   const BodyModel& body = *problem_->reach.body;
@@ -247,7 +247,7 @@ void LayeredScorer::retake_weights(const ReducedClip<double>& clip, const Feedba
   }
 }
 
-void LayeredScorer::refine_swivels(const ReducedClip<double>& clip, Parameters& parameters) {
+void LayeredScorer::refine_swivels(const ReducedClip<double>& clip, LayeredValues& parameters) {
   const std::vector<HandPath> paths = player_.hand_paths(clip);
   for (std::size_t g = 0; g < parameters.swivels.size(); ++g) {
     const RolledOut played = player_.expand(clip, parameters);
@@ -259,8 +259,8 @@ void LayeredScorer::refine_swivels(const ReducedClip<double>& clip, Parameters& 
   }
 }
 
-void LayeredScorer::score_finals(const ReducedClip<double>& clip, std::span<const Parameters> tried,
-                                 std::span<double> scores) {
+void LayeredScorer::score_finals(const ReducedClip<double>& clip,
+                                 std::span<const LayeredValues> tried, std::span<double> scores) {
   if (!criteria_->user.empty()) {
     for (std::size_t i = 0; i < scores.size(); ++i) {
       scores[i] = judged(player_.expand(clip, tried[i]));
@@ -268,7 +268,7 @@ void LayeredScorer::score_finals(const ReducedClip<double>& clip, std::span<cons
     return;
   }
   Rows rows;
-  for (const Parameters& parameters : tried) rows.add(parameters);
+  for (const LayeredValues& parameters : tried) rows.add(parameters);
   const std::size_t weights = rows.arms.size() / scores.size();
   const auto keep = [&](std::span<const Vec3d>) {
     return std::vector<float>(rows.arms.begin(),
@@ -280,10 +280,10 @@ void LayeredScorer::score_finals(const ReducedClip<double>& clip, std::span<cons
 }
 
 void LayeredScorer::settle_rest(const ReducedClip<double>& clip, std::uint64_t seed,
-                                Parameters& parameters) {
+                                LayeredValues& parameters) {
   const std::size_t angles = parameters.finals.size();
   const RestEvaluation score = [&](std::span<const double> finals, std::span<double> scores) {
-    std::vector<Parameters> tried(scores.size(), parameters);
+    std::vector<LayeredValues> tried(scores.size(), parameters);
     for (std::size_t i = 0; i < scores.size(); ++i) {
       const auto first = finals.subspan(i * angles, angles);
       tried[i].finals.assign(first.begin(), first.end());

@@ -14,15 +14,15 @@ namespace shigusa {
 // The upper layer's genes that have something to act on: an arm without a goal hangs.
 [[nodiscard]] std::vector<std::size_t> searched_genes(const LayeredProblem& problem);
 
-// Parameters of the upper layer from a point of the searched genes' unit cube; the genes that are
+// Values of the upper layer from a point of the searched genes' unit cube; the genes that are
 // not searched have a weight of 1 and no contraction. `paper`: in the paper's code of 16 numbers,
 // else decode_layer_point's.
-[[nodiscard]] Parameters decode_searched(const LayeredProblem& problem,
-                                         std::span<const std::size_t> searched,
-                                         std::span<const double> point, bool paper);
+[[nodiscard]] LayeredValues decode_searched(const LayeredProblem& problem,
+                                            std::span<const std::size_t> searched,
+                                            std::span<const double> point, bool paper);
 
 // The values of all layers: those of the upper one, and below it those that they start with.
-[[nodiscard]] Parameters below_upper(Parameters start, const Parameters& upper);
+[[nodiscard]] LayeredValues below_upper(LayeredValues start, const LayeredValues& upper);
 
 // Scores upper motions with their limbs, many at once.
 class LayeredScorer {
@@ -36,7 +36,7 @@ class LayeredScorer {
 
   // scores (parameters): the criteria's; where hand or foot leaves its place, the worst of all and
   // more, by what is missed. postures: (parameters × dofs) rad, how each motion ends, or empty.
-  void score(std::span<const Parameters> parameters, std::span<double> scores,
+  void score(std::span<const LayeredValues> parameters, std::span<double> scores,
              std::span<float> postures = {});
 
   // How much `play` searches. The upper layer reports arms that pass through the body to the lower
@@ -49,8 +49,13 @@ class LayeredScorer {
     LimbSearch search = LimbSearch::ladder;
     std::optional<std::uint64_t> seed{};
   };
+  // Values of all layers.
+  struct Played {
+    LayeredValues values;
+    int searches = 0;  // that the arms took for them
+  };
   // Plays one motion in full, with all that the layers below find for it.
-  [[nodiscard]] Expanded play(const Parameters& upper, const Feedback& feedback);
+  [[nodiscard]] Played play(const LayeredValues& upper, const Feedback& feedback);
 
  private:
   // The rows of many motions' parameters; no rows of what is searched below.
@@ -61,7 +66,7 @@ class LayeredScorer {
     std::vector<float> swivels;
     std::vector<float> arms;
 
-    void add(const Parameters& parameters);
+    void add(const LayeredValues& parameters);
     [[nodiscard]] LayeredInputs inputs() const {
       return {inverse_weights, contractions, finals, swivels, arms};
     }
@@ -69,20 +74,20 @@ class LayeredScorer {
 
   [[nodiscard]] std::vector<ArmWeights> choose_arms(std::span<const Vec3d> hands) const;
   // For criteria of a user's, which want whole motions: one thread scores one after the other.
-  double score_alone(const Parameters& upper, std::span<float> posture);
+  double score_alone(const LayeredValues& upper, std::span<float> posture);
   [[nodiscard]] double judged(const RolledOut& played) const;
-  void retake_weights(const ReducedClip<double>& clip, const Feedback& feedback, Expanded& played);
-  void refine_swivels(const ReducedClip<double>& clip, Parameters& parameters);
-  void settle_rest(const ReducedClip<double>& clip, std::uint64_t seed, Parameters& parameters);
+  void retake_weights(const ReducedClip<double>& clip, const Feedback& feedback, Played& played);
+  void refine_swivels(const ReducedClip<double>& clip, LayeredValues& parameters);
+  void settle_rest(const ReducedClip<double>& clip, std::uint64_t seed, LayeredValues& parameters);
   // of motions that differ by their final angles alone
-  void score_finals(const ReducedClip<double>& clip, std::span<const Parameters> tried,
+  void score_finals(const ReducedClip<double>& clip, std::span<const LayeredValues> tried,
                     std::span<double> scores);
 
   const LayeredProblem* problem_;
   const CriteriaSettings* criteria_;
   int threads_;
   ChooseArms choose_;
-  Parameters start_;  // of the layers below, before any search
+  LayeredValues start_;  // of the layers below, before any search
   LayeredPlayer player_;
   LayeredBatch batch_;
 };

@@ -40,7 +40,7 @@ Result<std::optional<Candidate>> MotionPlayer::Made::reflect(const Parameters& v
     other = std::move(*made);
   }
   const Made& there = *other->made_;
-  Parameters source = mirrored_values(problem->plan, there.problem->plan, values);
+  Parameters source = mirrored_values(*problem->parameters, *there.problem->parameters, values);
   SHG_TRY_ASSIGN(const GenerateResult played_there, other->play(source));
   const Candidate& of = played_there.candidates.front();
   Arrival arrival = planner->nearest(values);
@@ -67,11 +67,13 @@ MotionPlayer& MotionPlayer::operator=(MotionPlayer&&) noexcept = default;
 MotionPlayer::~MotionPlayer() = default;
 
 const Task& MotionPlayer::task() const { return made_->task; }
+const ParameterList& MotionPlayer::parameters() const { return *made_->problem->parameters; }
 
 Result<GenerateResult> MotionPlayer::play(const Parameters& values) {
   const Problem& problem = *made_->problem;
-  SHG_TRY(check_parameters(problem.plan, values));
+  SHG_TRY(problem.parameters->check(values));
   GenerateResult generation;
+  generation.parameters = problem.parameters;
   generation.duration = problem.reach.duration;
   SHG_TRY_ASSIGN(Candidate candidate, made_->play(values));
   generation.candidates.push_back(std::move(candidate));

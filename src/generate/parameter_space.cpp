@@ -21,25 +21,15 @@ constexpr double kSupportStart = 0.05;
 // Whether each freedom moves a target: the others do nothing in weighted IK.
 std::vector<bool> useful_dofs(const ReachProblem& problem) {
   std::vector<bool> useful(problem.body->dofs().size());
-  for (const IkTarget<double>& target : ik_targets(problem)) {
-    for (const int d : problem.body->chain(target.link)) useful[static_cast<std::size_t>(d)] = true;
-  }
+  const auto use = [&](int link) {
+    for (const int d : problem.body->chain(link)) useful[static_cast<std::size_t>(d)] = true;
+  };
+  for (const IkTarget<double>& target : ik_targets(problem)) use(target.link);
   for (const IkSupport<double>& support : ik_supports(problem)) {
-    for (const int d : problem.body->chain(support.link))
-      useful[static_cast<std::size_t>(d)] = true;
-    if (support.carrier == kWorldCarrier) continue;
-    for (const int d : problem.body->chain(support.carrier)) {
-      useful[static_cast<std::size_t>(d)] = true;
-    }
+    use(support.link);
+    if (support.carrier != kWorldCarrier) use(support.carrier);
   }
   return useful;
-}
-
-// The task's supports, as its plan names them.
-std::vector<Support> supports_of(const ReachProblem& problem) {
-  std::vector<Support> supports;
-  for (const HandSupport& support : problem.supports) supports.push_back({support.name, {}});
-  return supports;
 }
 
 // "hip.flexion" of "left_hip.flexion", "spine.flexion" of all of its joints; arms keep their side
@@ -57,81 +47,66 @@ void repeat(std::span<const double> values, std::size_t motions, std::vector<flo
   }
 }
 
-// Copies the weights that are set.
-void keep_joints(const std::vector<bool>& set, std::span<const JointWeight> from,
-                 std::vector<JointWeight>& joints) {
-  for (std::size_t d = 0; d < set.size(); ++d) {
-    if (set[d]) joints[d] = from[d];
-  }
+// The number of the freedom, the posture mode, the timing or the support that a parameter is of.
+std::size_t number_of(const ParameterInfo& info) {
+  return static_cast<std::size_t>(info.applies_to[0]);
 }
 
 }  // namespace
 
-ParameterSpace::ParameterSpace(const ReachProblem& problem, GeneCode code,
-                               const std::optional<FixedParameters>& fixed)
+ParameterSpace::ParameterSpace(const ReachProblem& problem, const ParameterList& list,
+                               GeneCode code, const std::optional<FixedParameters>& fixed)
     : body_(problem.body),
+      list_(&list),
       code_(code),
       named_(code == GeneCode::natural || code == GeneCode::every),
-      fixed_(fixed ? *fixed : no_fixed_parameters(*body_, supports_of(problem))),
-      posed_(named_),
+      base_(list.start()),
+      set_(fixed ? fixed->set : std::vector<bool>(list.size())),
       modes_(posture_modes(*body_)) {
-  const Plan plan = whole_body_plan(*body_, supports_of(problem));
+  base_.posed = named_;
   const std::vector<bool> useful = useful_dofs(problem);
-  const std::vector<Parameter> all = parameters_of(plan, fixed_.values);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const ParameterInfo& info = *all[i].info;
-    if (info.kind == ParameterKind::weight) {
-      fixed_joints_.push_back(fixed_.set[i]);
-    } else {
-      posed_ = posed_ || fixed_.set[i];
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const bool weight = list.all[i].kind == ParameterKind::weight;
+    if (set_[i]) {
+      base_.values[i] = fixed->values.values[i];
+      base_.locked[i] = fixed->values.locked[i];
+      base_.posed = base_.posed || !weight;
     }
     // a genome of the paper's has a gene for each freedom
-    if (!fixed_.set[i] || (code_ == GeneCode::paper && info.kind == ParameterKind::weight)) {
-      add(all[i], useful);
-    }
+    if (!set_[i] || (code_ == GeneCode::paper && weight)) add(i, useful);
   }
 }
 
-void ParameterSpace::add(const Parameter& parameter, const std::vector<bool>& useful) {
-  const ParameterInfo& info = *parameter.info;
+void ParameterSpace::add(std::size_t parameter, const std::vector<bool>& useful) {
+  const ParameterInfo& info = list_->all[parameter];
   Gene gene{.kind = info.kind,
             .name = info.name,
-            .index = info.applies_to.empty() ? 0 : static_cast<std::size_t>(info.applies_to[0]),
+            .parameters = {parameter},
             .lower = info.shown_low,
             .upper = info.shown_high};
-  switch (info.kind) {
-    case ParameterKind::weight:
-      return add_weight(std::move(gene), useful);
-    case ParameterKind::mode: {
-      const std::vector<double>& direction = modes_[gene.index].direction;
-      bool moves = false;
-      for (std::size_t d = 0; d < useful.size(); ++d) {
-        moves = moves || (useful[d] && direction[d] != 0.0);
-      }
-      if (!named_ || !moves) return;
-      break;
+  if (info.kind == ParameterKind::weight) return add_weight(parameter, useful, std::move(gene));
+  if (info.kind == ParameterKind::support) gene.start = kSupportStart;
+  if (info.of_posture() && !named_) return;
+  if (info.kind == ParameterKind::mode) {
+    const std::vector<double>& direction = modes_[number_of(info)].direction;
+    bool moves = false;
+    for (std::size_t d = 0; d < useful.size(); ++d) {
+      moves = moves || (useful[d] && direction[d] != 0.0);
     }
-    case ParameterKind::timing: {
-      const TimingNumber& number = kTimingNumbers[gene.index];
-      if (!named_ || !(number.searched || code_ == GeneCode::every)) return;
-      gene.lower = number.searched_low;
-      gene.upper = number.searched_high;
-      break;
-    }
-    case ParameterKind::support:
-      gene.start = kSupportStart;
-      break;
-    case ParameterKind::contraction:
-    case ParameterKind::swivel:
-    case ParameterKind::final_angle:
-      return;
+    if (!moves) return;
+  }
+  if (info.kind == ParameterKind::timing) {
+    const TimingNumber& number = kTimingNumbers[number_of(info)];
+    if (!number.searched && code_ != GeneCode::every) return;
+    gene.lower = number.searched_low;
+    gene.upper = number.searched_high;
   }
   genes_.push_back(std::move(gene));
 }
 
-void ParameterSpace::add_weight(Gene gene, const std::vector<bool>& useful) {
-  const std::size_t d = gene.index;
-  gene.dofs = {d};
+void ParameterSpace::add_weight(std::size_t parameter, const std::vector<bool>& useful, Gene gene) {
+  const std::size_t d = number_of(list_->all[parameter]);
+  if (set_[parameter]) gene.parameters.clear();
   gene.lower = -kLogWeightRange;
   gene.upper = kLogWeightRange;
   if (named_) {
@@ -139,7 +114,7 @@ void ParameterSpace::add_weight(Gene gene, const std::vector<bool>& useful) {
     gene.name = shared_name(body_->dofs()[d]);
     const auto same = [&gene](const Gene& other) { return other.name == gene.name; };
     if (const auto own = std::find_if(genes_.begin(), genes_.end(), same); own != genes_.end()) {
-      own->dofs.push_back(d);
+      own->parameters.push_back(parameter);
       return;
     }
     // a freedom that gives way last is not to be among the first
@@ -171,44 +146,25 @@ double ParameterSpace::coordinate(int gene, double value) const {
   return clamp(genes_[static_cast<std::size_t>(gene)].of(value), 0.0, 1.0);
 }
 
-// Sets the fixed weights, and the posture as it is fixed: genes come after.
-void ParameterSpace::keep_fixed(Parameters& parameters) const {
-  keep_joints(fixed_joints_, fixed_.values.joints, parameters.joints);
-  if (posed_) parameters.posture = fixed_.values.posture;
-  parameters.supports = fixed_.values.supports;
+// The paper's genes of a point; none of other codes.
+Genome ParameterSpace::genome_of(std::span<const double> point) const {
+  return code_ == GeneCode::paper ? genome_of_point(point, kPaperBitsPerGene) : Genome{};
 }
 
 Parameters ParameterSpace::decode(std::span<const double> point) const {
-  if (code_ == GeneCode::paper) {
-    Parameters parameters = decode_paper_genes(genome_of_point(point, kPaperBitsPerGene));
-    keep_fixed(parameters);
-    return parameters;
-  }
-  Parameters parameters = uniform_parameters(*body_);
-  keep_fixed(parameters);
+  Parameters values = base_;
+  const Genome genome = genome_of(point);
   for (std::size_t g = 0; g < genes_.size(); ++g) {
-    const Gene& gene = genes_[g];
-    const double value = gene.at(point[g]);
-    switch (gene.kind) {
-      case ParameterKind::weight:
-        for (const std::size_t d : gene.dofs) {
-          parameters.joints[d].weight = exponential(value);
-        }
-        break;
-      case ParameterKind::mode:
-        parameters.posture.modes[gene.index] = value;
-        break;
-      case ParameterKind::timing:
-        parameters.posture.timing.*kTimingMembers<double>[gene.index] = value;
-        break;
-      case ParameterKind::support:
-        parameters.supports[gene.index] = value;
-        break;
-      default:  // of other plans
-        break;
+    const bool weight = genes_[g].kind == ParameterKind::weight;
+    const double value = genes_[g].at(point[g]);
+    for (const std::size_t p : genes_[g].parameters) {
+      if (weight && !genome.empty()) values.locked[p] = genome[g] == 0;
+      values.values[p] = !weight          ? value
+                         : genome.empty() ? exponential(value)
+                                          : std::max<double>(genome[g], 1.0);
     }
   }
-  return parameters;
+  return values;
 }
 
 std::vector<double> ParameterSpace::encode(const Parameters& values) const {
@@ -219,80 +175,57 @@ std::vector<double> ParameterSpace::encode(const Parameters& values) const {
 }
 
 double ParameterSpace::value_of(const Gene& gene, const Parameters& values) const {
-  switch (gene.kind) {
-    case ParameterKind::weight: {
-      double sum = 0.0;
-      for (const std::size_t d : gene.dofs) {
-        sum += values.joints[d].locked ? kLogWeightRange : natural_log(values.joints[d].weight);
-      }
-      return sum / static_cast<double>(gene.dofs.size());
-    }
-    case ParameterKind::mode: {
-      const std::vector<double>& modes = values.posture.modes;
-      return modes.empty() ? gene.start : modes[gene.index];
-    }
-    case ParameterKind::timing:
-      return values.posture.timing.*kTimingMembers<double>[gene.index];
-    case ParameterKind::support:
-      return values.supports[gene.index];
-    default:  // of other plans
-      return gene.start;
+  if (gene.kind != ParameterKind::weight) return values.values[gene.parameters[0]];
+  double sum = 0.0;
+  for (const std::size_t p : gene.parameters) {
+    sum += values.locked[p] ? kLogWeightRange : natural_log(values.values[p]);
   }
+  return sum / static_cast<double>(gene.parameters.size());
 }
 
 MotionInputs ParameterSpace::rows(std::span<const double> points) {
   const std::size_t motions = points.size() / genes_.size();
-  const std::size_t dofs = body_->dofs().size();
-  Parameters base = uniform_parameters(*body_);
-  keep_fixed(base);
-  const std::vector<double> inverse = inverse_weights(base);
-  weights_.resize(motions * dofs);
-  if (code_ == GeneCode::paper) {
-    weights_ = inverse_weights_of_genes(genome_of_point(points, kPaperBitsPerGene));
+  start_rows(motions);
+  for (std::size_t i = 0; i < motions; ++i) {
+    fill_row(i, points.subspan(i * genes_.size(), genes_.size()));
   }
-  for (std::size_t k = 0; k < weights_.size(); ++k) {
-    const std::size_t d = k % dofs;
-    if (code_ != GeneCode::paper || fixed_joints_[d]) weights_[k] = static_cast<float>(inverse[d]);
-  }
-  start_rows(base, motions);
-  if (code_ != GeneCode::paper) {
-    for (std::size_t i = 0; i < motions; ++i) {
-      fill_row(i, points.subspan(i * genes_.size(), genes_.size()));
-    }
-  }
-  if (!posed_) return weights_;
+  if (!base_.posed) return weights_;
   MotionInputs inputs{weights_, postures_, timing_};
   inputs.supports = supports_;
   return inputs;
 }
 
-// postures, all as the fixed parameters have it
-void ParameterSpace::start_rows(const Parameters& base, std::size_t motions) {
-  if (!posed_) return;
-  repeat(posture_change(*body_, base.posture), motions, postures_);
-  std::vector<double> timing;
-  for (const auto member : kTimingMembers<double>) timing.push_back(base.posture.timing.*member);
-  repeat(timing, motions, timing_);
-  repeat(base.supports, motions, supports_);
+// All as the fixed parameters have it.
+void ParameterSpace::start_rows(std::size_t motions) {
+  repeat(inverse_weights(*body_, base_), motions, weights_);
+  if (!base_.posed) return;
+  repeat(posture_change(*body_, list_->of_kind(ParameterKind::mode, base_)), motions, postures_);
+  repeat(list_->of_kind(ParameterKind::timing, base_), motions, timing_);
+  repeat(list_->of_kind(ParameterKind::support, base_), motions, supports_);
 }
 
 void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
   const std::size_t dofs = body_->dofs().size();
+  const std::size_t supports = supports_.size() * dofs / weights_.size();
+  const std::vector<float> genome = inverse_weights_of_genes(genome_of(point));
   for (std::size_t g = 0; g < genes_.size(); ++g) {
     const Gene& gene = genes_[g];
     const double value = gene.at(point[g]);
-    if (gene.kind == ParameterKind::weight) {
-      const auto inverse = static_cast<float>(exponential(-value));
-      for (const std::size_t d : gene.dofs) weights_[row * dofs + d] = inverse;
-    } else if (gene.kind == ParameterKind::mode) {
-      const std::vector<double>& direction = modes_[gene.index].direction;
-      for (std::size_t d = 0; d < dofs; ++d) {
-        postures_[row * dofs + d] += static_cast<float>(value * direction[d]);
+    const bool weight = gene.kind == ParameterKind::weight;
+    for (const std::size_t p : gene.parameters) {
+      const std::size_t number = number_of(list_->all[p]);
+      if (weight) {
+        weights_[row * dofs + number] =
+            genome.empty() ? static_cast<float>(exponential(-value)) : genome[g];
+      } else if (gene.kind == ParameterKind::mode) {
+        for (std::size_t d = 0; d < dofs; ++d) {
+          postures_[row * dofs + d] += static_cast<float>(value * modes_[number].direction[d]);
+        }
+      } else if (gene.kind == ParameterKind::timing) {
+        timing_[row * kTimings + number] = static_cast<float>(value);
+      } else {
+        supports_[row * supports + number] = static_cast<float>(value);
       }
-    } else if (gene.kind == ParameterKind::support) {
-      supports_[row * fixed_.values.supports.size() + gene.index] = static_cast<float>(value);
-    } else {
-      timing_[row * kTimings + gene.index] = static_cast<float>(value);
     }
   }
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <shigusa/parameters.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "body/posture_modes.hpp"
 #include "plan/motion_input.hpp"
-#include "plan/plan.hpp"
 #include "rollout/reach_problem.hpp"
 
 namespace shigusa {
@@ -24,10 +25,11 @@ enum class GeneCode {
 // The parameters that a search looks for. The natural code has one weight for each freedom that
 // moves a goal's effector or a planted foot, both legs sharing theirs; the value of each posture
 // mode that moves one of these; bow and sway; what resting hands press with. A fixed parameter is
-// no coordinate, or of the paper's code one that changes nothing.
+// no coordinate, or of the paper's code one that changes nothing. The list is of the whole body's
+// plan; problem and list outlive the space.
 class ParameterSpace {
  public:
-  ParameterSpace(const ReachProblem& problem, GeneCode code,
+  ParameterSpace(const ReachProblem& problem, const ParameterList& list, GeneCode code,
                  const std::optional<FixedParameters>& fixed = {});
 
   [[nodiscard]] int genes() const { return static_cast<int>(genes_.size()); }
@@ -55,12 +57,12 @@ class ParameterSpace {
   [[nodiscard]] MotionInputs rows(std::span<const double> points);
 
  private:
+  // One coordinate.
   struct Gene {
     ParameterKind kind = ParameterKind::weight;
     std::string name;
-    std::vector<std::size_t> dofs{};  // whose weight it is
-    std::size_t index = 0;            // of the freedom, the posture mode or the timing
-    double lower = 0.0;               // of what x = 0 stands for; the logarithm of a weight
+    std::vector<std::size_t> parameters{};  // that it sets, all to the same
+    double lower = 0.0;                     // of what x = 0 stands for; the logarithm of a weight
     double upper = 1.0;
     double start = 0.0;  // what the search starts from
 
@@ -69,20 +71,19 @@ class ParameterSpace {
   };
 
   // `useful`: (dofs) which move a target: the others do nothing in weighted IK
-  void add(const Parameter& parameter, const std::vector<bool>& useful);
-  void add_weight(Gene gene, const std::vector<bool>& useful);
-  void start_rows(const Parameters& base, std::size_t motions);
+  void add(std::size_t parameter, const std::vector<bool>& useful);
+  void add_weight(std::size_t parameter, const std::vector<bool>& useful, Gene gene);
+  [[nodiscard]] std::vector<std::uint16_t> genome_of(std::span<const double> point) const;
+  void start_rows(std::size_t motions);
   void fill_row(std::size_t row, std::span<const double> point);
-
-  void keep_fixed(Parameters& parameters) const;
   [[nodiscard]] double value_of(const Gene& gene, const Parameters& values) const;
 
   const BodyModel* body_;
+  const ParameterList* list_;
   GeneCode code_;
-  bool named_;  // weights and postures by what they mean
-  FixedParameters fixed_;
-  std::vector<bool> fixed_joints_;
-  bool posed_;  // motions have a posture
+  bool named_;       // weights and postures by what they mean
+  Parameters base_;  // what is fixed, and the start values of the rest
+  std::vector<bool> set_;
   std::vector<PostureMode> modes_;
   std::vector<Gene> genes_;
   std::vector<float> weights_;

@@ -16,21 +16,17 @@ constexpr double kSquatSlack = radians(8.0);
 constexpr double kSquatAim = radians(4.0);
 constexpr double kSquatPull = 1.0;
 
-std::optional<double> fixed_value(const Problem& problem, std::string_view name) {
+std::optional<double> fixed_squat(const Problem& problem) {
   const std::optional<FixedParameters>& fixed = problem.task.fixed;
-  if (!fixed) return std::nullopt;
-  Parameters values = fixed->values;
-  const std::vector<Parameter> all = parameters_of(problem.plan, values);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].info->name == name && fixed->set[i]) return all[i].value();
-  }
-  return std::nullopt;
+  const auto squat = problem.parameters->find("squat_rad");
+  if (!fixed || !squat || !fixed->set[*squat]) return std::nullopt;
+  return fixed->values.values[*squat];
 }
 
 }  // namespace
 
 std::optional<SquatTarget> SquatTarget::of(const Problem& problem) {
-  const std::optional<double> squat = fixed_value(problem, "squat");
+  const std::optional<double> squat = fixed_squat(problem);
   if (!squat) return std::nullopt;
   const BodyModel& body = problem.task.body;
   SquatTarget target;

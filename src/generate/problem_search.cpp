@@ -162,7 +162,7 @@ Result<GenerateResult> search_problem(const Problem& problem, const RunSettings&
     add_run(task, std::move(again), generation);
   }
   if (generation.candidates.empty()) {
-    generation.candidates.push_back(only_candidate(planner, start_values(problem.plan)));
+    generation.candidates.push_back(only_candidate(planner, problem.parameters->start()));
   }
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_of(task));
   tell_status(planner.in_reach(), generation);

@@ -23,12 +23,11 @@ constexpr int kKeptPerCandidate = 4;
 Result<void> check_fixed(const Problem& problem) {
   const Task& task = problem.task;
   if (!task.fixed) return {};
-  Parameters values = task.fixed->values;
-  SHG_TRY(check_parameters(problem.plan, values));
-  if (task.fixed->set.size() != parameters_of(problem.plan, values).size()) {
+  SHG_TRY(problem.parameters->check(task.fixed->values));
+  if (task.fixed->set.size() != problem.parameters->size()) {
     return fail(ErrorCode::invalid_argument, say("fixed_of_another"));
   }
-  const ParameterSpace space(problem.reach, gene_code(task), task.fixed);
+  const ParameterSpace space(problem.reach, *problem.parameters, gene_code(task), task.fixed);
   if (space.genes() > 0) return {};
   return fail(ErrorCode::invalid_argument, say("all_fixed"));
 }
@@ -36,7 +35,7 @@ Result<void> check_fixed(const Problem& problem) {
 Result<void> check_starts(const Problem& problem) {
   const Task& task = problem.task;
   for (std::size_t k = 0; k < task.starts.size(); ++k) {
-    const Result<void> good = check_parameters(problem.plan, task.starts[k]);
+    const Result<void> good = problem.parameters->check(task.starts[k]);
     if (good) continue;
     const Error& error = good.error();
     const std::string place = fmt::format("starts[{}]", k);
@@ -54,7 +53,7 @@ bool goes_around(const ReachProblem& problem) {
 // The best score of what a search would begin at.
 double best_start(const Problem& problem, const ReachProblem& approach) {
   const Task& task = problem.task;
-  const ParameterSpace space(approach, gene_code(task), task.fixed);
+  const ParameterSpace space(approach, *problem.parameters, gene_code(task), task.fixed);
   std::vector<double> points = known_starts(approach, space, task.starts);
   const std::vector<double> bent = bent_starts(space);
   points.insert(points.end(), bent.begin(), bent.end());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/parameters.hpp>
 #include <span>
 #include <vector>
 
 #include "kinematics/weighted_ik.hpp"
+#include "paper/layered_values.hpp"
 #include "plan/body_limbs.hpp"
 
 namespace shigusa {

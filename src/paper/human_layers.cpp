@@ -48,8 +48,8 @@ CriteriaSettings rest_criteria() {
 
 // the paper's layer of an arm with another parameter
 void search_swivel(Layer& layer) {
-  layer.parameters = {ParameterInfo::named(ParameterKind::swivel, layer.name, {0, 1, 2})
-                          .within(kSwivelMin, kSwivelMax)};
+  layer.parameters = {
+      within(parameter_info(ParameterKind::swivel, layer.name, {0, 1, 2}), kSwivelMin, kSwivelMax)};
   layer.criteria = swivel_criteria();
 }
 
@@ -68,10 +68,12 @@ void add_idle_arm(const BodyModel& body, const BodyLimb& arm, const Layer& alone
     const auto at =
         std::find_if(rest.body.dofs.begin() + first, rest.body.dofs.end(),
                      [&dof](const ReducedDof& reduced) { return reduced.name == dof.name; });
-    rest.parameters.push_back(ParameterInfo::named(ParameterKind::final_angle, dof.name,
-                                                   {static_cast<int>(at - rest.body.dofs.begin())})
-                                  .within(std::min(std::max(range.low, dof.lower), at->start),
-                                          std::max(std::min(range.high, dof.upper), at->start)));
+    ParameterInfo final = parameter_info(ParameterKind::final_angle, dof.name,
+                                         {static_cast<int>(at - rest.body.dofs.begin())});
+    final.start = at->start;
+    rest.parameters.push_back(within(std::move(final),
+                                     std::min(std::max(range.low, dof.lower), at->start),
+                                     std::max(std::min(range.high, dof.upper), at->start)));
   }
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/parameters.hpp>
-
 #include "core/check.hpp"
 #include "core/index.hpp"
 #include "paper/reduced_motion.hpp"
@@ -10,8 +8,8 @@ namespace {
 
 // `value`(gene, kind): a contraction, or a weight, which is 0 for locked.
 template <class Value>
-Parameters decode(const Layer& layer, Value&& value) {
-  Parameters parameters;
+LayeredValues decode(const Layer& layer, Value&& value) {
+  LayeredValues parameters;
   parameters.joints.assign(layer.body.dofs.size(), {.weight = 1.0, .locked = true});
   parameters.contractions.assign(layer.body.limbs.size(), 0.0);
   for (std::size_t g = 0; g < layer.parameters.size(); ++g) {
@@ -30,14 +28,14 @@ Parameters decode(const Layer& layer, Value&& value) {
 
 }  // namespace
 
-Parameters decode_layer_genes(const Layer& layer, std::span<const std::uint16_t> genes) {
+LayeredValues decode_layer_genes(const Layer& layer, std::span<const std::uint16_t> genes) {
   SHG_CHECK(genes.size() == layer.parameters.size(),
             "one number for each parameter of layer " + layer.name);
   return decode(layer,
                 [&](std::size_t gene, ParameterKind) { return static_cast<double>(genes[gene]); });
 }
 
-Parameters decode_layer_point(const Layer& layer, std::span<const double> point) {
+LayeredValues decode_layer_point(const Layer& layer, std::span<const double> point) {
   SHG_CHECK(point.size() == layer.parameters.size(),
             "one number for each parameter of layer " + layer.name);
   return decode(layer, [&](std::size_t gene, ParameterKind kind) {

@@ -8,7 +8,7 @@
 
 namespace shigusa {
 
-std::vector<double> upper_weights(const Parameters& parameters) {
+std::vector<double> upper_weights(const LayeredValues& parameters) {
   std::vector<double> inverse;
   for (const JointWeight& joint : parameters.joints) {
     inverse.push_back(joint.locked ? 0.0 : 1.0 / joint.weight);
@@ -31,7 +31,7 @@ LayeredPlayer::LayeredPlayer(const LayeredProblem& problem)
 LayeredPlayer::LayeredPlayer(LayeredPlayer&&) noexcept = default;
 LayeredPlayer::~LayeredPlayer() = default;
 
-void LayeredPlayer::run_upper(const Parameters& parameters, ReducedClip<double>& clip) {
+void LayeredPlayer::run_upper(const LayeredValues& parameters, ReducedClip<double>& clip) {
   rollout_->run_upper({upper_weights(parameters), parameters.contractions});
   clip = rollout_->clip();
 }
@@ -69,7 +69,7 @@ std::vector<double> LayeredPlayer::find_swivels(const ReducedClip<double>& clip)
   return swivels;
 }
 
-RolledOut LayeredPlayer::played(const ReducedClip<double>& clip, const Parameters& parameters,
+RolledOut LayeredPlayer::played(const ReducedClip<double>& clip, const LayeredValues& parameters,
                                 bool freeing) {
   SHG_CHECK(parameters.arms.size() + parameters.swivels.size() == setup_->arms.size() &&
                 parameters.finals.size() == setup_->finals.size(),
@@ -86,11 +86,12 @@ RolledOut LayeredPlayer::played(const ReducedClip<double>& clip, const Parameter
   return {std::move(recorder.motion), outcome};
 }
 
-RolledOut LayeredPlayer::expand(const ReducedClip<double>& clip, const Parameters& parameters) {
+RolledOut LayeredPlayer::expand(const ReducedClip<double>& clip, const LayeredValues& parameters) {
   return played(clip, parameters, false);
 }
 
-RolledOut LayeredPlayer::expand_freeing(const ReducedClip<double>& clip, Parameters& parameters) {
+RolledOut LayeredPlayer::expand_freeing(const ReducedClip<double>& clip,
+                                        LayeredValues& parameters) {
   RolledOut rolled = played(clip, parameters, true);
   for (std::size_t g = 0; g < setup_->arms.size(); ++g) {
     const LayeredSetup::GoalArm& arm = setup_->arms[g];

@@ -18,7 +18,7 @@ class LayeredPlayer {
   ~LayeredPlayer();
 
   // The upper layer's motion.
-  void run_upper(const Parameters& parameters, ReducedClip<double>& clip);
+  void run_upper(const LayeredValues& parameters, ReducedClip<double>& clip);
   // The hand's path of each goal in an upper motion.
   [[nodiscard]] std::vector<HandPath> hand_paths(const ReducedClip<double>& clip);
   // How far the legs' joints would pass their limits for the pelvis of an upper motion (rad, the
@@ -33,14 +33,15 @@ class LayeredPlayer {
   // The whole body's motion for an upper motion and the parameters of the layers below; those of
   // the upper layer are the clip's. A hand whose arm cannot follow its path with its weights
   // (locked, mostly) leaves it.
-  [[nodiscard]] RolledOut expand(const ReducedClip<double>& clip, const Parameters& parameters);
+  [[nodiscard]] RolledOut expand(const ReducedClip<double>& clip, const LayeredValues& parameters);
   // Expands so, but gives an arm that cannot follow its path the weights of all freedoms alike.
-  [[nodiscard]] RolledOut expand_freeing(const ReducedClip<double>& clip, Parameters& parameters);
+  [[nodiscard]] RolledOut expand_freeing(const ReducedClip<double>& clip,
+                                         LayeredValues& parameters);
 
   [[nodiscard]] const LayeredSetup& setup() const { return *setup_; }
 
  private:
-  [[nodiscard]] RolledOut played(const ReducedClip<double>& clip, const Parameters& parameters,
+  [[nodiscard]] RolledOut played(const ReducedClip<double>& clip, const LayeredValues& parameters,
                                  bool freeing);
 
   std::unique_ptr<const LayeredSetup> setup_;
@@ -49,6 +50,6 @@ class LayeredPlayer {
 };
 
 // The inverse weights of an upper motion's dofs, 0 where locked.
-[[nodiscard]] std::vector<double> upper_weights(const Parameters& parameters);
+[[nodiscard]] std::vector<double> upper_weights(const LayeredValues& parameters);
 
 }  // namespace shigusa

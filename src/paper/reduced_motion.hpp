@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/parameters.hpp>
 #include <shigusa/transform.hpp>
 #include <span>
 #include <vector>
 
+#include "paper/layered_values.hpp"
 #include "paper/reduced_limits.hpp"
 #include "paper/reduced_problem.hpp"
 #include "rollout/posture_law.hpp"
@@ -98,11 +98,11 @@ template <class S>
 // The values of a layer's joints and contractions, in one of two codes. Freedoms without a weight
 // of their own are locked. The paper's code: (parameters of the layer) each 0..kContractionMax; a
 // weight of 0 locks.
-[[nodiscard]] Parameters decode_layer_genes(const Layer& layer,
-                                            std::span<const std::uint16_t> genes);
+[[nodiscard]] LayeredValues decode_layer_genes(const Layer& layer,
+                                               std::span<const std::uint16_t> genes);
 // A code even in the weights' logarithms (kLogWeightRange), without locks, and even in contraction:
 // (parameters of the layer) each 0..1.
-[[nodiscard]] Parameters decode_layer_point(const Layer& layer, std::span<const double> point);
+[[nodiscard]] LayeredValues decode_layer_point(const Layer& layer, std::span<const double> point);
 
 // The parameters of a reduced body's motion as its rollout computes with them.
 template <class S>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/parameters.hpp>
 #include <string_view>
-
-#include "plan/plan.hpp"
 
 namespace shigusa {
 
@@ -20,11 +19,11 @@ namespace shigusa {
 //   left_elbow.final_deg=40                 the angle at which a limb ends that no goal moves
 // Fails on an unknown name (the nearest is suggested), or a value that is not allowed; then nothing
 // is changed.
-[[nodiscard]] Result<void> assign_parameter(std::span<const Layer> plan,
-                                            std::string_view assignment, Parameters& values);
+[[nodiscard]] Result<void> assign_parameter(const ParameterList& list, std::string_view assignment,
+                                            Parameters& values);
 // Changes one of the fixed values so, and notes which were set; `fixed` begins as
 // no_fixed_parameters.
-[[nodiscard]] Result<void> fix_parameter(std::span<const Layer> plan, std::string_view assignment,
+[[nodiscard]] Result<void> fix_parameter(const ParameterList& list, std::string_view assignment,
                                          FixedParameters& fixed);
 
 }  // namespace shigusa

@@ -8,7 +8,8 @@
 
 namespace shigusa {
 
-// Parameters with the memory that a MotionInput looks into.
+// Values of the whole body's plan as the kernel computes with them: weights, modes, timing and
+// supports one after the other, with the memory that a MotionInput looks into.
 class HeldInput {
  public:
   HeldInput(const BodyModel& body, const Parameters& parameters);
@@ -17,8 +18,8 @@ class HeldInput {
 
  private:
   std::vector<double> weights_;
-  std::vector<double> change_;  // empty without modes
-  PostureParameters posture_;
+  std::vector<double> change_;  // empty without a posture
+  Timing<double> timing_{};
   std::vector<double> supports_;
 };
 

@@ -17,7 +17,7 @@ void add_weight(Layer& layer, int dof) {
   const bool shared = std::any_of(dofs.begin(), dofs.end(), [&](const ReducedDof& other) {
     return other.weight_of == dof && without_side(other.name) == without_side(name);
   });
-  layer.parameters.push_back(ParameterInfo::named(
+  layer.parameters.push_back(parameter_info(
       ParameterKind::weight, std::string(shared ? without_side(name) : name), {dof}));
 }
 
@@ -57,12 +57,12 @@ void add_contractions(Layer& layer, LayerReading reading) {
   for (const auto& [kind, name] : {std::pair{LimbKind::leg, "legs"}, {LimbKind::arm, "arms"}}) {
     const std::vector<int> limbs = limbs_of(kind);
     if (reading == LayerReading::shared_contractions) {
-      layer.parameters.push_back(ParameterInfo::named(ParameterKind::contraction, name, limbs));
+      layer.parameters.push_back(parameter_info(ParameterKind::contraction, name, limbs));
       continue;
     }
     for (const int limb : limbs) {
       const std::string& of = layer.body.limbs[static_cast<std::size_t>(limb)].joints.name;
-      layer.parameters.push_back(ParameterInfo::named(ParameterKind::contraction, of, {limb}));
+      layer.parameters.push_back(parameter_info(ParameterKind::contraction, of, {limb}));
     }
   }
 }

@@ -9,17 +9,6 @@
 
 namespace shigusa {
 
-// The meaning of a parameter's number.
-enum class ParameterKind {
-  weight,       // of one freedom in weighted IK; a lock keeps the freedom at its start angle
-  contraction,  // how much shorter limbs end: 0..kContractionMax parts of their range
-  swivel,       // rad, how far the elbow ends from where the arm's path alone takes it, outwards
-  final_angle,  // rad, that one freedom ends at
-  mode,         // rad, the value of a posture mode
-  timing,       // a number of Timing
-  support,      // share of the body's weight that a resting hand presses with
-};
-
 // The facts about all parameters of one kind.
 struct ParameterKindInfo {
   ParameterKind kind;
@@ -54,25 +43,10 @@ inline constexpr std::array kParameterKinds{
   return kParameterKinds[static_cast<std::size_t>(kind)];
 }
 
-// One number that a search or a person sets. Whatever assigns, fixes, mirrors, stores, shows or
-// searches parameters goes by a plan's list of these.
-struct ParameterInfo {
-  std::string name;  // "right_hip.flexion", "legs", "right_arm", "squat"
-  ParameterKind kind = ParameterKind::weight;
-  // Of the layer's body: the freedom with that weight or final angle; the freedoms that turn the
-  // elbow; limbs that share a contraction. Of the posture: the number of the mode or timing.
-  std::vector<int> applies_to{};
-  double low = 0.0;  // what is allowed
-  double high = 0.0;
-  double shown_low = 0.0;  // what makes sense
-  double shown_high = 0.0;
-  std::string group{};  // whose it is: "right_leg", "arms", "trunk", "posture", "path"
-  std::string_view sentence{};
-
-  // A parameter with all that follows from its kind and its name.
-  [[nodiscard]] static ParameterInfo named(ParameterKind kind, std::string name,
+// A parameter with all that follows from its kind and its name.
+[[nodiscard]] ParameterInfo parameter_info(ParameterKind kind, std::string name,
                                            std::vector<int> applies_to);
-  [[nodiscard]] ParameterInfo within(double least, double most) &&;
-};
+// The same with another range.
+[[nodiscard]] ParameterInfo within(ParameterInfo info, double least, double most);
 
 }  // namespace shigusa

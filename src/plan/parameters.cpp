@@ -6,18 +6,20 @@
 #include "body/posture_modes.hpp"
 #include "core/check.hpp"
 #include "plan/held_input.hpp"
+#include "plan/plan.hpp"
 
 namespace shigusa {
 
 Parameters uniform_parameters(const BodyModel& body) {
-  return {std::vector<JointWeight>(body.dofs().size()), {}};
+  return parameter_list(whole_body_plan(body)).start();
 }
 
-Parameters decode_paper_genes(std::span<const std::uint16_t> genes) {
-  Parameters parameters;
-  for (const std::uint16_t gene : genes) {
-    parameters.joints.push_back(gene == 0 ? JointWeight{1.0, true}
-                                          : JointWeight{static_cast<double>(gene), false});
+Parameters decode_paper_genes(const BodyModel& body, std::span<const std::uint16_t> genes) {
+  SHG_CHECK(genes.size() == body.dofs().size(), "one gene for each freedom");
+  Parameters parameters = uniform_parameters(body);
+  for (std::size_t d = 0; d < genes.size(); ++d) {
+    parameters.locked[d] = genes[d] == 0;
+    if (genes[d] != 0) parameters.values[d] = genes[d];
   }
   return parameters;
 }
@@ -31,39 +33,43 @@ std::vector<float> inverse_weights_of_genes(std::span<const std::uint16_t> genes
   return inverse;
 }
 
-std::vector<double> inverse_weights(const Parameters& parameters) {
+std::vector<double> inverse_weights(const BodyModel& body, const Parameters& parameters) {
   std::vector<double> inverse;
-  for (const JointWeight& joint : parameters.joints) {
-    SHG_CHECK(joint.weight > 0.0, "weights are positive");
-    inverse.push_back(joint.locked ? 0.0 : 1.0 / joint.weight);
+  for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+    SHG_CHECK(parameters.values[d] > 0.0, "weights are positive");
+    inverse.push_back(parameters.locked[d] ? 0.0 : 1.0 / parameters.values[d]);
   }
   return inverse;
 }
 
-std::vector<double> posture_change(const BodyModel& body, const PostureParameters& posture) {
+std::vector<double> posture_change(const BodyModel& body, std::span<const double> values) {
   const std::vector<PostureMode> modes = posture_modes(body);
-  SHG_CHECK(posture.modes.size() == modes.size(), "one value for each posture mode");
+  SHG_CHECK(values.size() == modes.size(), "one value for each posture mode");
   std::vector<double> change(body.dofs().size());
   for (std::size_t m = 0; m < modes.size(); ++m) {
     for (std::size_t d = 0; d < change.size(); ++d) {
-      change[d] += posture.modes[m] * modes[m].direction[d];
+      change[d] += values[m] * modes[m].direction[d];
     }
   }
   return change;
 }
 
 HeldInput::HeldInput(const BodyModel& body, const Parameters& parameters)
-    : weights_(inverse_weights(parameters)),
-      posture_(parameters.posture),
-      supports_(parameters.supports) {
-  if (!posture_.modes.empty()) change_ = posture_change(body, posture_);
+    : weights_(inverse_weights(body, parameters)) {
+  const std::span<const double> values(parameters.values);
+  const std::size_t timings = weights_.size() + posture_modes(body).size();
+  SHG_CHECK(values.size() >= timings + kTimings, "values of the whole body's plan");
+  supports_.assign(values.begin() + static_cast<std::ptrdiff_t>(timings + kTimings), values.end());
+  if (!parameters.posed) return;
+  change_ = posture_change(body, values.subspan(weights_.size(), timings - weights_.size()));
+  for (std::size_t k = 0; k < kTimings; ++k) {
+    timing_.*kTimingMembers<double>[k] = values[timings + k];
+  }
 }
 
 MotionInput<double> HeldInput::input() const {
   MotionInput<double> input(weights_);
-  if (!change_.empty()) {
-    input = {weights_, change_, posture_.timing};
-  }
+  if (!change_.empty()) input = {weights_, change_, timing_};
   input.supports = supports_;
   return input;
 }

@@ -21,15 +21,14 @@ constexpr std::array kLimbDofs{&BodyLimb::flexion, &BodyLimb::abduction, &BodyLi
 void add_weights(const BodyModel& body, Layer& layer) {
   for (std::size_t d = 0; d < body.dofs().size(); ++d) {
     layer.parameters.push_back(
-        ParameterInfo::named(ParameterKind::weight, body.dofs()[d].name, {static_cast<int>(d)}));
+        parameter_info(ParameterKind::weight, body.dofs()[d].name, {static_cast<int>(d)}));
   }
 }
 
 void add_modes(const BodyModel& body, Layer& layer) {
   const std::vector<PostureMode> modes = posture_modes(body);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    ParameterInfo mode =
-        ParameterInfo::named(ParameterKind::mode, modes[m].name, {static_cast<int>(m)});
+    ParameterInfo mode = parameter_info(ParameterKind::mode, modes[m].name, {static_cast<int>(m)});
     mode.sentence = modes[m].sentence;
     mode.shown_low = modes[m].lower;
     mode.shown_high = modes[m].upper;
@@ -40,9 +39,9 @@ void add_modes(const BodyModel& body, Layer& layer) {
 void add_timing(Layer& layer) {
   for (std::size_t k = 0; k < kTimings; ++k) {
     const TimingNumber& number = kTimingNumbers[k];
-    layer.parameters.push_back(
-        ParameterInfo::named(ParameterKind::timing, std::string(number.name), {static_cast<int>(k)})
-            .within(number.low, number.high));
+    layer.parameters.push_back(within(
+        parameter_info(ParameterKind::timing, std::string(number.name), {static_cast<int>(k)}),
+        number.low, number.high));
     layer.parameters.back().sentence = number.sentence;
   }
 }
@@ -50,159 +49,8 @@ void add_timing(Layer& layer) {
 void add_supports(std::span<const Support> supports, Layer& layer) {
   for (std::size_t k = 0; k < supports.size(); ++k) {
     layer.parameters.push_back(
-        ParameterInfo::named(ParameterKind::support, supports[k].effector, {static_cast<int>(k)}));
+        parameter_info(ParameterKind::support, supports[k].effector, {static_cast<int>(k)}));
   }
-}
-
-// How many values of each kind a plan has.
-struct Counts {
-  std::size_t joints = 0;
-  std::size_t modes = 0;
-  std::size_t contractions = 0;
-  std::size_t arms = 0;
-  std::size_t swivels = 0;
-  std::vector<double> finals{};  // rad, at the start
-  std::size_t supports = 0;
-};
-
-std::size_t count_of(const Layer& layer, ParameterKind kind) {
-  return static_cast<std::size_t>(
-      std::count_if(layer.parameters.begin(), layer.parameters.end(),
-                    [kind](const ParameterInfo& info) { return info.kind == kind; }));
-}
-
-Counts counts_of(std::span<const Layer> plan) {
-  const Layer& first = plan.front();
-  const bool whole = moves_whole_body(plan);
-  Counts counts{.joints = whole ? count_of(first, ParameterKind::weight) : first.body.dofs.size(),
-                .modes = count_of(first, ParameterKind::mode),
-                .contractions = first.body.limbs.size(),
-                .supports = count_of(first, ParameterKind::support)};
-  for (const Layer& layer : plan.subspan(1)) {
-    if (searches(layer, ParameterKind::weight)) ++counts.arms;
-    if (searches(layer, ParameterKind::swivel)) ++counts.swivels;
-    for (const ParameterInfo& info : layer.parameters) {
-      if (info.kind != ParameterKind::final_angle) continue;
-      counts.finals.push_back(layer.body.dofs[index(info.applies_to[0])].start);
-    }
-  }
-  return counts;
-}
-
-bool has_weight(const Layer& layer, std::size_t dof) {
-  return std::any_of(
-      layer.parameters.begin(), layer.parameters.end(), [dof](const ParameterInfo& info) {
-        return info.kind == ParameterKind::weight &&
-               std::count(info.applies_to.begin(), info.applies_to.end(), static_cast<int>(dof)) >
-                   0;
-      });
-}
-
-// Gives the parameters of one layer after the other their places.
-class Binder {
- public:
-  explicit Binder(Parameters& values)
-      : values_(values),
-        arm_(values.arms.begin()),
-        swivel_(values.swivels.begin()),
-        final_(values.finals.begin()) {}
-
-  void add(const Layer& layer, bool below) {
-    for (const ParameterInfo& info : layer.parameters) {
-      Parameter parameter{.layer = &layer, .info = &info, .below = below};
-      if (place(info, below, parameter)) parameters_.push_back(std::move(parameter));
-    }
-    if (below && searches(layer, ParameterKind::weight)) ++arm_;
-  }
-
-  std::vector<Parameter> take() { return std::move(parameters_); }
-
- private:
-  // Whether the values have the parameter.
-  bool place(const ParameterInfo& info, bool below, Parameter& parameter) {
-    const std::size_t first = info.applies_to.empty() ? 0 : index(info.applies_to[0]);
-    switch (info.kind) {
-      case ParameterKind::weight: {
-        JointWeight& joint = below ? (*arm_)[first] : values_.joints[first];
-        parameter.values = {&joint.weight};
-        parameter.locked = &joint.locked;
-        return true;
-      }
-      case ParameterKind::contraction:
-        for (const int limb : info.applies_to) {
-          parameter.values.push_back(&values_.contractions[index(limb)]);
-        }
-        return true;
-      case ParameterKind::swivel:
-        parameter.values = {&*swivel_++};
-        return true;
-      case ParameterKind::final_angle:
-        parameter.values = {&*final_++};
-        return true;
-      case ParameterKind::mode: {
-        if (values_.posture.modes.empty()) return false;
-        parameter.values = {&values_.posture.modes[first]};
-        return true;
-      }
-      case ParameterKind::timing:
-        if (values_.posture.modes.empty()) return false;
-        parameter.values = {&(values_.posture.timing.*kTimingMembers<double>[first])};
-        return true;
-      case ParameterKind::support:
-        parameter.values = {&values_.supports[first]};
-        return true;
-    }
-    return false;
-  }
-
-  Parameters& values_;
-  std::vector<ArmWeights>::iterator arm_;
-  std::vector<double>::iterator swivel_;
-  std::vector<double>::iterator final_;
-  std::vector<Parameter> parameters_;
-};
-
-Result<void> check_counts(const Counts& counts, const Parameters& values) {
-  const auto wrong = [](std::string_view what, std::size_t given, std::size_t known) {
-    return fail(ErrorCode::invalid_argument, say("plan_counts", given, what, known));
-  };
-  if (values.joints.size() != counts.joints) {
-    return wrong("joint weights", values.joints.size(), counts.joints);
-  }
-  if (!values.posture.modes.empty() && values.posture.modes.size() != counts.modes) {
-    return wrong("posture values", values.posture.modes.size(), counts.modes);
-  }
-  if (values.contractions.size() != counts.contractions) {
-    return wrong("contractions", values.contractions.size(), counts.contractions);
-  }
-  if (values.arms.size() != counts.arms) return wrong("arms", values.arms.size(), counts.arms);
-  if (values.swivels.size() != counts.swivels) {
-    return wrong("swivels", values.swivels.size(), counts.swivels);
-  }
-  if (values.finals.size() != counts.finals.size()) {
-    return wrong("final angles", values.finals.size(), counts.finals.size());
-  }
-  if (values.supports.size() != counts.supports) {
-    return wrong("supports", values.supports.size(), counts.supports);
-  }
-  return {};
-}
-
-Result<void> check_range(const Parameter& parameter) {
-  const ParameterInfo& info = *parameter.info;
-  const std::string_view word = info_of(info.kind).word;
-  const std::string_view what = word.empty() ? "value" : word;
-  for (const double* value : parameter.values) {
-    if (!(*value >= info.low && *value <= info.high)) {
-      return fail(ErrorCode::invalid_argument,
-                  say("parameter_range", what, *value, info.low, info.high), parameter.subject());
-    }
-    if (*value != parameter.value()) {
-      return fail(ErrorCode::invalid_argument,
-                  say("shared_values", what, parameter.value(), *value), parameter.subject());
-    }
-  }
-  return {};
 }
 
 // Whether a layer's freedom is one of a limb.
@@ -274,63 +122,15 @@ Plan whole_body_plan(const BodyModel& body, std::span<const Support> supports) {
 
 bool moves_whole_body(std::span<const Layer> plan) { return plan.front().body.dofs.empty(); }
 
-std::string Parameter::subject() const {
-  const bool of_layer = below && info->kind == ParameterKind::weight;
-  return of_layer ? layer->name + "." + info->name : info->name;
-}
-
-std::string Parameter::spelled(std::string_view unit) const {
-  const ParameterKindInfo& kind = info_of(info->kind);
-  std::string text = subject();
-  if (!kind.word.empty()) text.append(".").append(kind.word);
-  return kind.angle ? text.append(unit) : text;
-}
-
-Parameters start_values(std::span<const Layer> plan) {
-  const Counts counts = counts_of(plan);
-  Parameters values{.joints = std::vector<JointWeight>(counts.joints)};
-  for (std::size_t d = 0; d < counts.joints; ++d) {
-    values.joints[d].locked = !has_weight(plan.front(), d);
+ParameterList parameter_list(std::span<const Layer> plan) {
+  ParameterList list;
+  for (const Layer& layer : plan) {
+    for (const ParameterInfo& info : layer.parameters) {
+      list.all.push_back(info);
+      if (&layer != plan.data()) list.all.back().layer = layer.name;
+    }
   }
-  values.contractions.assign(counts.contractions, 0.0);
-  values.arms.assign(counts.arms, {});
-  values.swivels.assign(counts.swivels, 0.0);
-  values.finals = counts.finals;
-  values.supports.assign(counts.supports, 0.0);
-  return values;
-}
-
-void give_posture(std::span<const Layer> plan, Parameters& values) {
-  values.posture.modes.resize(count_of(plan.front(), ParameterKind::mode));
-}
-
-std::vector<Parameter> parameters_of(std::span<const Layer> plan, Parameters& values) {
-  Binder binder(values);
-  for (const Layer& layer : plan) binder.add(layer, &layer != plan.data());
-  return binder.take();
-}
-
-Result<void> check_parameters(std::span<const Layer> plan, const Parameters& values) {
-  SHG_TRY(check_counts(counts_of(plan), values));
-  Parameters copy = values;
-  for (const Parameter& parameter : parameters_of(plan, copy)) {
-    SHG_TRY(check_range(parameter));
-  }
-  const std::vector<ReducedDof>& dofs = plan.front().body.dofs;
-  for (std::size_t d = 0; d < dofs.size(); ++d) {
-    if (dofs[d].kind == ReducedDof::Kind::slide || has_weight(plan.front(), d)) continue;
-    if (values.joints[d].locked) continue;
-    return fail(ErrorCode::invalid_argument, say("not_locked"), dofs[d].name);
-  }
-  return {};
-}
-
-FixedParameters no_fixed_parameters(const BodyModel& body, std::span<const Support> supports) {
-  const Plan plan = whole_body_plan(body, supports);
-  FixedParameters fixed{start_values(plan), {}};
-  give_posture(plan, fixed.values);
-  fixed.set.resize(parameters_of(plan, fixed.values).size());
-  return fixed;
+  return list;
 }
 
 }  // namespace shigusa

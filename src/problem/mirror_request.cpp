@@ -62,22 +62,20 @@ void mirror_fields(Holder& holder) {
 
 void mirror_request(Request& request) { mirror_fields<Request>(request); }
 
-Parameters mirrored_values(std::span<const Layer> from, std::span<const Layer> to,
+Parameters mirrored_values(const ParameterList& from, const ParameterList& to,
                            const Parameters& values) {
-  Parameters source = values;
-  Parameters image = start_values(to);
-  image.posture.modes.resize(values.posture.modes.size());
-  const std::vector<Parameter> of_image = parameters_of(to, image);
-  for (const Parameter& parameter : parameters_of(from, source)) {
-    const auto other =
-        std::find_if(of_image.begin(), of_image.end(), [&parameter](const Parameter& known) {
-          return known.info->kind == parameter.info->kind &&
-                 known.info->name == with_other_side(parameter.info->name) &&
-                 known.layer->name == with_other_side(parameter.layer->name);
-        });
-    if (other == of_image.end()) continue;
-    other->set(turns(parameter.info->name) ? -parameter.value() : parameter.value());
-    if (other->locked != nullptr) *other->locked = *parameter.locked;
+  Parameters image = to.start();
+  image.posed = values.posed;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const ParameterInfo& info = from.all[i];
+    const auto other = std::find_if(to.all.begin(), to.all.end(), [&](const ParameterInfo& known) {
+      return known.kind == info.kind && known.name == with_other_side(info.name) &&
+             known.layer == with_other_side(info.layer);
+    });
+    if (other == to.all.end()) continue;
+    const auto k = static_cast<std::size_t>(other - to.all.begin());
+    image.values[k] = turns(info.name) ? -values.values[i] : values.values[i];
+    image.locked[k] = values.locked[i];
   }
   return image;
 }

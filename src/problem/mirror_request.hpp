@@ -18,7 +18,7 @@ void mirror_request(Request& request);
 
 // The values of a motion's mirror image: each goes to the parameter of the other side, and a turn
 // of the trunk changes its sign.
-[[nodiscard]] Parameters mirrored_values(std::span<const Layer> from, std::span<const Layer> to,
+[[nodiscard]] Parameters mirrored_values(const ParameterList& from, const ParameterList& to,
                                          const Parameters& values);
 
 }  // namespace shigusa

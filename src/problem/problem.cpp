@@ -14,6 +14,7 @@ Result<std::unique_ptr<const Problem>> posed(Task task) {
   auto problem = std::make_unique<Problem>(std::move(task));
   SHG_TRY_ASSIGN(problem->reach, make_problem(problem->task));
   SHG_TRY_ASSIGN(problem->plan, plan_of(problem->task.body, problem->task, problem->criteria));
+  problem->parameters = std::make_shared<const ParameterList>(parameter_list(problem->plan));
   return problem;
 }
 

@@ -13,9 +13,10 @@ namespace shigusa {
 // All that a task means for its body, derived once by `prepare` and const from there on.
 struct Problem {
   Task task;  // its goals without loads, which the body holds; its body on its contacts
-  CriteriaSettings criteria;  // task_criteria
-  Plan plan{};                // plan_of
-  ReachProblem reach{};       // make_problem; points to the task's body
+  CriteriaSettings criteria;                          // task_criteria
+  Plan plan{};                                        // plan_of
+  std::shared_ptr<const ParameterList> parameters{};  // the plan's
+  ReachProblem reach{};                               // make_problem; points to the task's body
 
   explicit Problem(Task of) : task(std::move(of)), criteria(task_criteria(task)) {}
   Problem(const Problem&) = delete;

@@ -163,7 +163,7 @@ Result<void> settle_on(const Obstacle& obstacle, const Support& asked,
 
 // Lets the hands arrive as early as they can in the motion of uniform weights.
 void settle_arrival(ReachProblem& problem) {
-  const std::vector<double> uniform = inverse_weights(uniform_parameters(*problem.body));
+  const std::vector<double> uniform(problem.body->dofs().size(), 1.0);
   for (const double arrives : kArrivals) {
     for (HandSupport& support : problem.supports) support.arrives = arrives;
     Rollout<double> rollout(problem);

@@ -26,7 +26,7 @@ std::vector<CapsulePair> pairs_beyond_elbow(const BodyModel& body, const Effecto
 
 DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
   const Effector& effector = problem.body->effector(problem.goals[goal].effector);
-  const std::vector<double> uniform = inverse_weights(uniform_parameters(*problem.body));
+  const std::vector<double> uniform(problem.body->dofs().size(), 1.0);
   const std::vector<CapsulePair> pairs = pairs_beyond_elbow(*problem.body, effector);
   DeepestMoment moment;
   int step = 0;

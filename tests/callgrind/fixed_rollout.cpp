@@ -25,7 +25,7 @@ int play(const BodyModel& body, std::string_view how, int rounds) {
   std::vector<float> inverse;
   for (int i = 0; i < kMotions; ++i) {
     motions.push_back(testing_support::random_parameters(body, random));
-    for (const double weight : inverse_weights(motions.back())) {
+    for (const double weight : inverse_weights(body, motions.back())) {
       inverse.push_back(static_cast<float>(weight));
     }
   }

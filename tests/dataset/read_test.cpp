@@ -6,6 +6,7 @@
 #include <shigusa/generate.hpp>
 
 #include "dataset/plans.hpp"
+#include "support/named_values.hpp"
 
 namespace shigusa {
 namespace {
@@ -93,12 +94,12 @@ TEST(NamedParameters, LeaveOutWhatTheTaskHasNot) {
   const std::vector<double> values{3.0, 2.0, 0.5, kNoNumber};
   const Parameters made = named_parameters(task, names, values).value();
   Parameters expected = uniform_parameters(task.body);
-  expected.posture.modes = made.posture.modes;
-  EXPECT_EQ(made.posture.modes[0], 0.5);
+  expected.posed = true;
+  testing_support::value_of(task.body, expected, "squat") = 0.5;
   const auto elbow = task.body.find_dof("right_elbow.flexion");
-  expected.joints[static_cast<std::size_t>(elbow.value())].weight = 3.0;
+  expected.values[static_cast<std::size_t>(elbow.value())] = 3.0;
   if (const auto hip = task.body.find_dof("left_hip.flexion")) {
-    expected.joints[static_cast<std::size_t>(*hip)].locked = true;
+    expected.locked[static_cast<std::size_t>(*hip)] = true;
   }
   EXPECT_EQ(made, expected);
 }

@@ -9,6 +9,7 @@
 #include "document/schema_check.hpp"
 #include "plan/assignment.hpp"
 #include "support/layered.hpp"
+#include "support/named_values.hpp"
 
 namespace shigusa {
 namespace {
@@ -145,49 +146,43 @@ TEST(LayeredResult, OtherPresetsHaveNoArms) {
 
 class AssignLayered : public testing::Test {
  protected:
-  // The freedoms of that name in the upper layer.
-  [[nodiscard]] std::vector<std::size_t> dofs(const std::string& part) const {
-    std::vector<std::size_t> found;
-    for (std::size_t d = 0; d < c_.layers[0].body.dofs.size(); ++d) {
-      if (c_.layers[0].body.dofs[d].name.find(part) == 0) found.push_back(d);
-    }
-    return found;
+  void expect(std::string_view name, double value, bool locked = false) {
+    value_of(c_.list, c_.expected, name) = value;
+    c_.expected.locked[number_of(c_.list, name)] = locked;
   }
 
-  BodyModel body_ = full_body();
-  LayeredChange c_{body_, {{"left_hand", {}}, {"right_hand", {}}}};
+  LayeredChange c_{full_body(), {{"left_hand", {}}, {"right_hand", {}}}};
 };
 
 TEST_F(AssignLayered, WeightAndLockOfTheUpperLayer) {
-  ASSERT_TRUE(assign_parameter(c_.layers, "right_hip.weight=3", c_.after));
-  ASSERT_EQ(dofs("right_hip.").size(), 3u);
-  for (const std::size_t d : dofs("right_hip.")) c_.expected.joints[d] = {3.0, false};
+  ASSERT_TRUE(assign_parameter(c_.list, "right_hip.weight=3", c_.after));
+  for (const char* hip : {"right_hip.flexion", "right_hip.abduction", "right_hip.rotation"}) {
+    expect(hip, 3.0);
+  }
   EXPECT_EQ(c_.after, c_.expected);
-  ASSERT_TRUE(assign_parameter(c_.layers, "right_shoulder.flexion.locked=true", c_.after));
-  c_.expected.joints[dofs("right_shoulder.flexion").at(0)].locked = true;
+  ASSERT_TRUE(assign_parameter(c_.list, "right_shoulder.flexion.locked=true", c_.after));
+  expect("right_shoulder.flexion.weight", 1.0, true);
   EXPECT_EQ(c_.after, c_.expected);
-  ASSERT_TRUE(assign_parameter(c_.layers, "right_shoulder.flexion.weight=2e2", c_.after));
-  c_.expected.joints[dofs("right_shoulder.flexion").at(0)] = {200.0, false};
+  ASSERT_TRUE(assign_parameter(c_.list, "right_shoulder.flexion.weight=2e2", c_.after));
+  expect("right_shoulder.flexion.weight", 200.0);
   EXPECT_EQ(c_.after, c_.expected);
 }
 
 TEST_F(AssignLayered, ContractionOfAllLimbsThatShareIt) {
-  ASSERT_TRUE(assign_parameter(c_.layers, "arms.contraction=7.5", c_.after));
-  for (std::size_t i = 0; i < c_.layers[0].body.limbs.size(); ++i) {
-    if (c_.layers[0].body.limbs[i].joints.kind == LimbKind::arm) {
-      c_.expected.contractions[i] = 7.5;
-    }
-  }
+  ASSERT_TRUE(assign_parameter(c_.list, "arms.contraction=7.5", c_.after));
+  expect("arms.contraction", 7.5);
   EXPECT_EQ(c_.after, c_.expected);
   EXPECT_NE(c_.after, c_.before);
 }
 
 TEST_F(AssignLayered, ArmsOwnLayerByItsName) {
-  ASSERT_TRUE(assign_parameter(c_.layers, "right_arm.right_elbow.flexion.weight=9", c_.after));
-  c_.expected.arms[1][3] = {9.0, false};  // the second goal's
+  ASSERT_TRUE(assign_parameter(c_.list, "right_arm.right_elbow.flexion.weight=9", c_.after));
+  expect("right_arm.right_elbow.flexion.weight", 9.0);
   EXPECT_EQ(c_.after, c_.expected);
-  ASSERT_TRUE(assign_parameter(c_.layers, "left_arm.left_shoulder.locked=true", c_.after));
-  for (std::size_t k = 0; k < 3; ++k) c_.expected.arms[0][k].locked = true;
+  ASSERT_TRUE(assign_parameter(c_.list, "left_arm.left_shoulder.locked=true", c_.after));
+  for (const std::string way : {"flexion", "abduction", "rotation"}) {
+    expect("left_arm.left_shoulder." + way + ".weight", 1.0, true);
+  }
   EXPECT_EQ(c_.after, c_.expected);
 }
 
@@ -196,27 +191,26 @@ TEST_F(AssignLayered, WrongOnesChangeNothing) {
        {"", "=", "legs=8", "legs.contraction", "legs.contraction=15.1", "legs.contraction=1e999",
         "right_hip.weight=0", "right_knee.weight=2", "right_elbow.weight=2",
         "right_arm.right_hip.weight=2", "right_hip.locked=1", "right_leg.contraction=3"}) {
-    EXPECT_FALSE(assign_parameter(c_.layers, wrong, c_.after)) << wrong;
+    EXPECT_FALSE(assign_parameter(c_.list, wrong, c_.after)) << wrong;
     EXPECT_EQ(c_.after, c_.before) << wrong;
   }
 }
 
 class AssignHuman : public testing::Test {
  protected:
-  BodyModel body_ = full_body();
-  LayeredChange c_{body_, {{"right_hand", {}}}, {LayerStack::human}};
+  LayeredChange c_{full_body(), {{"right_hand", {}}}, {LayerStack::human}};
 };
 
 TEST_F(AssignHuman, SwivelAndFinalAnglesInDegreesOrRadians) {
-  ASSERT_TRUE(assign_parameter(c_.layers, "right_arm.swivel_deg=20", c_.after));
-  ASSERT_TRUE(assign_parameter(c_.layers, "left_elbow.final_deg=40", c_.after));
-  ASSERT_TRUE(assign_parameter(c_.layers, "left_shoulder.abduction.final_rad=0.5", c_.after));
-  c_.expected.swivels[0] = 20.0 * radians(1.0);
-  c_.expected.finals[1] = 0.5;
-  c_.expected.finals[2] = 40.0 * radians(1.0);
+  ASSERT_TRUE(assign_parameter(c_.list, "right_arm.swivel_deg=20", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.list, "left_elbow.final_deg=40", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.list, "left_shoulder.abduction.final_rad=0.5", c_.after));
+  value_of(c_.list, c_.expected, "right_arm.swivel_rad") = 20.0 * radians(1.0);
+  value_of(c_.list, c_.expected, "left_shoulder.abduction.final_rad") = 0.5;
+  value_of(c_.list, c_.expected, "left_elbow.flexion.final_rad") = 40.0 * radians(1.0);
   EXPECT_EQ(c_.after, c_.expected);
-  ASSERT_TRUE(assign_parameter(c_.layers, "arms.contraction=2", c_.after));
-  ASSERT_TRUE(assign_parameter(c_.layers, "right_hip.flexion.weight=2", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.list, "arms.contraction=2", c_.after));
+  ASSERT_TRUE(assign_parameter(c_.list, "right_hip.flexion.weight=2", c_.after));
 }
 
 TEST_F(AssignHuman, WrongOnesChangeNothing) {
@@ -225,7 +219,7 @@ TEST_F(AssignHuman, WrongOnesChangeNothing) {
         "left_arm.swivel_deg=3", "right_arm.swivel=3", "right_elbow.final_deg=40",
         "left_elbow.final_deg=200", "left_elbow.final=40", "left_shoulder.rotation.final_deg=1",
         "right_arm.right_elbow.flexion.weight=2"}) {
-    EXPECT_FALSE(assign_parameter(c_.layers, wrong, c_.after)) << wrong;
+    EXPECT_FALSE(assign_parameter(c_.list, wrong, c_.after)) << wrong;
     EXPECT_EQ(c_.after, c_.before) << wrong;
   }
 }

@@ -9,6 +9,7 @@
 #include "document/result_sample.hpp"
 #include "document/task_samples.hpp"
 #include "plan/assignment.hpp"
+#include "support/named_values.hpp"
 #include "support/person_file.hpp"
 #include "support/work_folder.hpp"
 
@@ -160,7 +161,8 @@ struct Assignment {
   const char* text;
   const char* wrong;  // part of the message, or nullptr where it is right
   std::vector<int> changed{};
-  JointWeight now{};
+  double weight = 1.0;
+  bool locked = false;
 };
 
 TEST(AssignParameter, FollowsItsTable) {
@@ -170,14 +172,14 @@ TEST(AssignParameter, FollowsItsTable) {
   const std::vector<int> hip{dof("right_hip.rotation"), dof("right_hip.abduction"),
                              dof("right_hip.flexion")};
   const Assignment table[] = {
-      {"right_knee.flexion.weight=12", nullptr, {knee}, {12.0, false}},
-      {"right_knee.weight=0.5", nullptr, {knee}, {0.5, false}},
-      {"right_knee.weight=1e-3", nullptr, {knee}, {1e-3, false}},
-      {"right_knee.weight=1e3", nullptr, {knee}, {1e3, false}},
-      {"right_hip.weight=3", nullptr, hip, {3.0, false}},
-      {"right_hip.flexion.weight=3", nullptr, {hip[2]}, {3.0, false}},
-      {"right_hip.locked=true", nullptr, hip, {1.0, true}},
-      {"right_hip.rotation.locked=false", nullptr, {}, {}},
+      {"right_knee.flexion.weight=12", nullptr, {knee}, 12.0},
+      {"right_knee.weight=0.5", nullptr, {knee}, 0.5},
+      {"right_knee.weight=1e-3", nullptr, {knee}, 1e-3},
+      {"right_knee.weight=1e3", nullptr, {knee}, 1e3},
+      {"right_hip.weight=3", nullptr, hip, 3.0},
+      {"right_hip.flexion.weight=3", nullptr, {hip[2]}, 3.0},
+      {"right_hip.locked=true", nullptr, hip, 1.0, true},
+      {"right_hip.rotation.locked=false", nullptr},
       {"right_knee.weight", "is not NAME.weight=NUMBER"},
       {"weight=3", "is not NAME.weight=NUMBER"},
       {"", "is not NAME.weight=NUMBER"},
@@ -199,8 +201,11 @@ TEST(AssignParameter, FollowsItsTable) {
   for (const Assignment& row : table) {
     Parameters parameters = uniform_parameters(body);
     Parameters expected = parameters;
-    for (const int d : row.changed) expected.joints[static_cast<std::size_t>(d)] = row.now;
-    const Result<void> assigned = assign_parameter(whole_body_plan(body), row.text, parameters);
+    for (const int d : row.changed) {
+      expected.values[static_cast<std::size_t>(d)] = row.weight;
+      expected.locked[static_cast<std::size_t>(d)] = row.locked;
+    }
+    const Result<void> assigned = assign_parameter(list_of(body), row.text, parameters);
     EXPECT_EQ(assigned.has_value(), row.wrong == nullptr) << row.text;
     if (!assigned && row.wrong) {
       EXPECT_THAT(assigned.error().message, HasSubstr(row.wrong)) << row.text;
@@ -212,10 +217,11 @@ TEST(AssignParameter, FollowsItsTable) {
 TEST(AssignParameter, WeightFreesALockedFreedom) {
   const BodyModel body = half_body();
   Parameters parameters = uniform_parameters(body);
-  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "right_knee.locked=true", parameters));
-  ASSERT_TRUE(assign_parameter(whole_body_plan(body), "right_knee.weight=4", parameters));
-  const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
-  EXPECT_EQ(parameters.joints[knee], (JointWeight{4.0, false}));
+  ASSERT_TRUE(assign_parameter(list_of(body), "right_knee.locked=true", parameters));
+  ASSERT_TRUE(assign_parameter(list_of(body), "right_knee.weight=4", parameters));
+  const std::size_t knee = number_of(list_of(body), "right_knee.flexion");
+  EXPECT_EQ(parameters.values[knee], 4.0);
+  EXPECT_FALSE(parameters.locked[knee]);
 }
 
 }  // namespace

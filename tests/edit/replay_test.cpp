@@ -3,11 +3,14 @@
 
 #include <shigusa/edit.hpp>
 
+#include "support/named_values.hpp"
+
 namespace shigusa {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using namespace testing_support;
 
 // A result of three candidates.
 class Replay : public testing::Test {
@@ -18,7 +21,7 @@ class Replay : public testing::Test {
     const Task task = make_task(stored_.task, {}).value();
     player_.emplace(MotionPlayer::of(task).value());
     stored_.candidates.assign(3, uniform_parameters(task.body));
-    stored_.candidates[2].posture.timing.bow = 0.1;
+    value_of(task.body, stored_.candidates[2], "bow") = 0.1;
   }
 
   StoredResult stored_{};
@@ -47,7 +50,7 @@ TEST_F(Replay, OfAllPlaysThemInTheirOrderAndTellsHowFarItIs) {
 }
 
 TEST_F(Replay, MissesAGoalThatOneOfItsMotionsMisses) {
-  for (JointWeight& joint : stored_.candidates[1].joints) joint.locked = true;
+  lock_all(stored_.candidates[1]);
   EXPECT_TRUE(replay(*player_, stored_, 1)->meets_goals());
   EXPECT_FALSE(replay(*player_, stored_, 2)->meets_goals());
   EXPECT_FALSE(replay_all(*player_, stored_)->meets_goals());

@@ -20,11 +20,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!task) return 0;
   const auto plan = plan_of(*task);
   if (!plan) std::abort();
+  const ParameterList list = parameter_list(*plan);
   for (Parameters& parameters : result->candidates) {
-    if (!check_parameters(*plan, parameters)) std::abort();
-    const std::string first = plan->front().parameters.front().name;
-    if (!assign_parameter(*plan, first + ".weight=2", parameters)) std::abort();
-    if (assign_parameter(*plan, "later." + first + ".weight=2", parameters)) std::abort();
+    if (!list.check(parameters)) std::abort();
+    const std::string first = list.all.front().name;
+    if (!assign_parameter(list, first + ".weight=2", parameters)) std::abort();
+    if (assign_parameter(list, "later." + first + ".weight=2", parameters)) std::abort();
   }
   return 0;
 }

@@ -14,14 +14,17 @@
 namespace shigusa {
 namespace {
 
+using namespace testing_support;
+
 const Vec3d kAtTheFeet{-0.05, 0.1, 0.3};
 
 Task fixed_task(Preset preset, const std::vector<const char*>& assignments) {
   Task task = with_preset(Task(full_body(), {.goals = {{"right_hand", kAtTheFeet}}}), preset);
   task.evaluations = 600;
-  task.fixed = no_fixed_parameters(task.body);
+  const ParameterList list = list_of(task.body);
+  task.fixed = no_fixed_parameters(list);
   for (const char* assignment : assignments) {
-    EXPECT_TRUE(fix_parameter(whole_body_plan(task.body), assignment, *task.fixed)) << assignment;
+    EXPECT_TRUE(fix_parameter(list, assignment, *task.fixed)) << assignment;
   }
   return task;
 }
@@ -39,14 +42,12 @@ TEST_P(Fixed, ParametersAreThoseOfEveryCandidateAndOthersAreNot) {
   for (const Candidate& candidate : generation.candidates) {
     for (const char* name :
          {"right_shoulder.flexion", "right_shoulder.abduction", "right_shoulder.rotation"}) {
-      EXPECT_EQ(candidate.parameters.joints[dof(name)], (JointWeight{7.0, false})) << name;
+      EXPECT_EQ(candidate.parameters.values[dof(name)], 7.0) << name;
+      EXPECT_FALSE(candidate.parameters.locked[dof(name)]) << name;
     }
-    EXPECT_TRUE(candidate.parameters.joints[dof("left_knee.flexion")].locked);
-    EXPECT_EQ(
-        testing_support::named_value(whole_body_plan(task.body), candidate.parameters, "twist"),
-        radians(10.0));
-    EXPECT_EQ(testing_support::named_value(whole_body_plan(task.body), candidate.parameters, "bow"),
-              0.05);
+    EXPECT_TRUE(candidate.parameters.locked[dof("left_knee.flexion")]);
+    EXPECT_EQ(value_of(task.body, candidate.parameters, "twist"), radians(10.0));
+    EXPECT_EQ(value_of(task.body, candidate.parameters, "bow"), 0.05);
     // a locked joint keeps its start angle
     const Clip& clip = candidate.motion.clip;
     const std::size_t knee = dof("left_knee.flexion");
@@ -86,8 +87,9 @@ TEST(SquatTarget, IsTheKneesFlexionAtTheEnd) {
 TEST(FixedParameters, AreNoCoordinatesOfTheSearch) {
   const Task task = fixed_task(Preset::flat, {"squat_deg=60", "right_elbow.weight=3"});
   const ReachProblem problem = make_problem(task).value();
-  const ParameterSpace all(problem, GeneCode::natural);
-  const ParameterSpace rest(problem, GeneCode::natural, task.fixed);
+  const ParameterList list = list_of(task.body);
+  const ParameterSpace all(problem, list, GeneCode::natural);
+  const ParameterSpace rest(problem, list, GeneCode::natural, task.fixed);
   EXPECT_EQ(rest.genes(), all.genes() - 2);
   EXPECT_GE(all.find("squat"), 0);
   EXPECT_EQ(rest.find("squat"), -1);
@@ -104,9 +106,9 @@ TEST(FixedParameters, AllOfThemLeaveNothingToSearch) {
 
 TEST(FixedParameters, OfAnotherBodyAreRefused) {
   Task task = fixed_task(Preset::flat, {});
-  task.fixed = no_fixed_parameters(half_body());
+  task.fixed = no_fixed_parameters(list_of(half_body()));
   EXPECT_FALSE(generate(task));
-  task.fixed = no_fixed_parameters(task.body);
+  task.fixed = no_fixed_parameters(list_of(task.body));
   task.fixed->set.pop_back();
   EXPECT_FALSE(generate(task));
 }

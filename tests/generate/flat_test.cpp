@@ -10,6 +10,7 @@
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"
 #include "problem/make_problem.hpp"
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -28,21 +29,23 @@ Task flat_task(const BodyModel& body, const Vec3d& goal) {
 TEST(ParameterSpace, StartsAtThePlainMotion) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterSpace space(problem, GeneCode::natural);
+  const ParameterList list = list_of(task.body);
+  const ParameterSpace space(problem, list, GeneCode::natural);
   const Parameters start = space.decode(space.start());
-  for (const JointWeight& joint : start.joints) {
-    EXPECT_NEAR(joint.weight, 1.0, 1e-12);
-    EXPECT_FALSE(joint.locked);
+  const Parameters plain = list.start();
+  EXPECT_TRUE(start.posed);
+  EXPECT_EQ(start.locked, plain.locked);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    EXPECT_NEAR(start.values[i], plain.values[i], 1e-12) << list.all[i].name;
   }
-  for (const double value : start.posture.modes) EXPECT_NEAR(value, 0.0, 1e-12);
-  EXPECT_EQ(start.posture.timing.delay, 0.0);
-  EXPECT_NEAR(start.posture.timing.bow, 0.0, 1e-12);
+  EXPECT_EQ(value_of(list, start, "delay"), 0.0);
 }
 
 TEST(ParameterSpace, SearchesOnlyWhatMovesAGoalOrAFoot) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  const std::vector<std::string> names = ParameterSpace(problem, GeneCode::natural).names();
+  const ParameterList list = list_of(task.body);
+  const std::vector<std::string> names = ParameterSpace(problem, list, GeneCode::natural).names();
   for (const char* name : {"hip.flexion", "knee.flexion", "right_elbow.flexion", "squat", "lean",
                            "twist", "right_swivel", "bow", "sway"}) {
     EXPECT_THAT(names, Contains(name));
@@ -56,7 +59,8 @@ TEST(ParameterSpace, SearchesOnlyWhatMovesAGoalOrAFoot) {
 TEST(ParameterSpace, PaperCodesAreThePapersWeights) {
   const Task task = flat_task(half_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterSpace space(problem, GeneCode::paper);
+  const ParameterList list = list_of(task.body);
+  const ParameterSpace space(problem, list, GeneCode::paper);
   ASSERT_EQ(space.genes(), 9);
   std::vector<double> point;
   std::vector<std::uint16_t> codes;
@@ -64,14 +68,15 @@ TEST(ParameterSpace, PaperCodesAreThePapersWeights) {
     point.push_back((code + 0.5) / 16.0);
     codes.push_back(static_cast<std::uint16_t>(code));
   }
-  EXPECT_EQ(space.decode(point), decode_paper_genes(codes));
+  EXPECT_EQ(space.decode(point), decode_paper_genes(task.body, codes));
 }
 
 TEST(ParameterSpace, DelayAndSkewAreSearchedOnRequestOnly) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterSpace natural(problem, GeneCode::natural);
-  const ParameterSpace every(problem, GeneCode::every);
+  const ParameterList list = list_of(task.body);
+  const ParameterSpace natural(problem, list, GeneCode::natural);
+  const ParameterSpace every(problem, list, GeneCode::every);
   EXPECT_EQ(every.genes(), natural.genes() + 2);
   for (const char* name : {"delay", "skew"}) {
     EXPECT_LT(natural.find(name), 0) << name;
@@ -82,7 +87,8 @@ TEST(ParameterSpace, DelayAndSkewAreSearchedOnRequestOnly) {
 TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  ParameterSpace space(problem, GeneCode::every);
+  const ParameterList list = list_of(task.body);
+  ParameterSpace space(problem, list, GeneCode::every);
   Random random(2);
   std::vector<double> points;
   for (int k = 0; k < 3 * space.genes(); ++k) points.push_back(random.uniform());
@@ -92,16 +98,15 @@ TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
   const auto genes = static_cast<std::size_t>(space.genes());
   for (std::size_t i = 0; i < 3; ++i) {
     const Parameters p = space.decode(std::span(points).subspan(i * genes, genes));
-    const std::vector<double> change = posture_change(task.body, p.posture);
+    const std::vector<double> change = posture_change(task.body, modes_of(task.body, p));
     for (std::size_t d = 0; d < dofs; ++d) {
-      EXPECT_NEAR(static_cast<double>(rows.inverse_weights[i * dofs + d]) * p.joints[d].weight, 1.0,
-                  1e-6);
+      EXPECT_NEAR(static_cast<double>(rows.inverse_weights[i * dofs + d]) * p.values[d], 1.0, 1e-6);
       EXPECT_NEAR(static_cast<double>(rows.posture[i * dofs + d]), change[d], 1e-6);
     }
-    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i]), p.posture.timing.delay, 1e-7);
-    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 1]), p.posture.timing.bow, 1e-7);
-    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 2]), p.posture.timing.skew, 1e-7);
-    EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + 3]), p.posture.timing.sway, 1e-7);
+    const std::vector<double> timing = list.of_kind(ParameterKind::timing, p);
+    for (std::size_t k = 0; k < kTimings; ++k) {
+      EXPECT_NEAR(static_cast<double>(rows.timing[kTimings * i + k]), timing[k], 1e-7);
+    }
   }
 }
 
@@ -258,12 +263,12 @@ TEST(FlatSearch, EverySearchFindsCandidates) {
 TEST(FlatSearch, EditedPostureIsCheckedAndPlayed) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   Parameters parameters = uniform_parameters(task.body);
-  parameters.posture.modes.assign(posture_modes(task.body).size(), 0.0);
+  parameters.posed = true;
   EXPECT_TRUE(regenerate(task, parameters).has_value());
-  parameters.posture.timing.bow = 1.0;
+  value_of(task.body, parameters, "bow") = 1.0;
   EXPECT_FALSE(regenerate(task, parameters).has_value());
-  parameters.posture.timing.bow = 0.0;
-  parameters.posture.modes.pop_back();
+  value_of(task.body, parameters, "bow") = 0.0;
+  parameters.values.pop_back();
   EXPECT_FALSE(regenerate(task, parameters).has_value());
 }
 

@@ -97,7 +97,7 @@ TEST_P(FreeMotions, WouldWithoutTheirCapsules) {
   double deepest = 0.0;
   for (int k = 0; k < kPlainGoals; ++k) {
     const Task task(body, {.goals = {{"right_hand", awkward_goal(k, random) * body.stature()}}});
-    const Parameters plain = start_values(whole_body_plan(body));
+    const Parameters plain = uniform_parameters(body);
     const GenerateResult played = regenerate(task, plain).value();
     const ClipPlaces places(body, played.candidates[0].motion.clip);
     const auto depths = Flesh(places, body.stature()).deepest();

@@ -8,6 +8,7 @@
 #include <limits>
 #include <shigusa/generate.hpp>
 
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -56,8 +57,8 @@ std::vector<double> numbers(const Candidate& c) {
   for (const auto& path : c.motion.effectors) {
     for (const Vec3d& p : path) all.insert(all.end(), {p.x, p.y, p.z});
   }
-  for (const JointWeight& j : c.parameters.joints)
-    all.insert(all.end(), {j.weight, double(j.locked)});
+  all.insert(all.end(), c.parameters.values.begin(), c.parameters.values.end());
+  all.insert(all.end(), c.parameters.locked.begin(), c.parameters.locked.end());
   all.push_back(c.score.total);
   for (const ScoreTerm& t : c.score.terms) all.insert(all.end(), {t.weight, t.penalty});
   for (const GoalResult& g : c.goals) all.insert(all.end(), {g.reached.x, g.reached.y, g.error});
@@ -159,9 +160,10 @@ TEST(Generate, KeepsToTheNumberOfCandidates) {
 
 TEST(Generate, ParametersArePapersCode) {
   for (const Candidate& candidate : full_generation().candidates) {
-    for (const JointWeight& joint : candidate.parameters.joints) {
-      EXPECT_EQ(joint.weight, std::floor(joint.weight));
-      EXPECT_TRUE(joint.weight >= 1.0 && joint.weight <= 15.0);
+    for (std::size_t d = 0; d < full_body().dofs().size(); ++d) {
+      const double weight = candidate.parameters.values[d];
+      EXPECT_EQ(weight, std::floor(weight));
+      EXPECT_TRUE(weight >= 1.0 && weight <= 15.0);
     }
   }
 }
@@ -443,7 +445,7 @@ TEST(Regenerate, LargerWeightMovesTheJointLessAndTheHandArrivesAllTheSame) {
         continue;
       }
       Parameters heavier = uniform;
-      heavier.joints[static_cast<std::size_t>(d)].weight = 10.0;
+      heavier.values[static_cast<std::size_t>(d)] = 10.0;
       const GenerateResult after = regenerate(task, heavier).value();
       EXPECT_TRUE(after.meets_goals());
       EXPECT_LE(after.candidates[0].goals[0].error, kReachTolerance);
@@ -458,7 +460,7 @@ TEST(Regenerate, LockedJointStaysAndTheHandArrivesAllTheSame) {
   const BodyModel body = half_body();
   Parameters parameters = uniform_parameters(body);
   const int knee = body.find_dof("right_knee.flexion").value();
-  parameters.joints[static_cast<std::size_t>(knee)].locked = true;
+  parameters.locked[static_cast<std::size_t>(knee)] = true;
   const GenerateResult generation = regenerate(task_for(body, kFrontLow), parameters).value();
   EXPECT_TRUE(generation.meets_goals());
   EXPECT_EQ(travel(generation.candidates[0].motion.clip, knee), 0.0);
@@ -467,7 +469,7 @@ TEST(Regenerate, LockedJointStaysAndTheHandArrivesAllTheSame) {
 TEST(Regenerate, WithAllJointsLockedTellsHowFarTheGoalIs) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     Parameters parameters = uniform_parameters(body);
-    for (JointWeight& joint : parameters.joints) joint.locked = true;
+    testing_support::lock_all(parameters);
     const GenerateResult generation = regenerate(task_for(body, kFrontLow), parameters).value();
     EXPECT_EQ(generation.status, ReachStatus::unreachable);
     const Vec3d hand = effector_position(body, body.start(), "right_hand");
@@ -479,14 +481,14 @@ TEST(Regenerate, RefusesParametersOfAnotherBody) {
   const Result<GenerateResult> generation =
       regenerate(task_for(full_body(), kFrontLow), uniform_parameters(half_body()));
   ASSERT_FALSE(generation);
-  EXPECT_THAT(generation.error().to_string(), testing::HasSubstr("9 joint weights"));
+  EXPECT_THAT(generation.error().to_string(), testing::HasSubstr("values, for a plan of"));
 }
 
 TEST(Regenerate, RefusesWeightsOutsideOfTheirRange) {
   const BodyModel body = half_body();
   for (const double weight : {0.0, -1.0, 1e-7, 1e7, std::numeric_limits<double>::quiet_NaN()}) {
     Parameters parameters = uniform_parameters(body);
-    parameters.joints[1].weight = weight;
+    parameters.values[1] = weight;
     const Result<GenerateResult> generation = regenerate(task_for(body, kFrontLow), parameters);
     ASSERT_FALSE(generation);
     EXPECT_EQ(generation.error().place, "right_knee.flexion");
@@ -499,7 +501,7 @@ TEST(Regenerate, AnyOneWeightMayBeAnythingInItsRange) {
     for (std::size_t d = 0; d < body.dofs().size(); ++d) {
       for (const double weight : {kWeightMin, 0.1, 10.0, kWeightMax}) {
         Parameters parameters = uniform_parameters(body);
-        parameters.joints[d].weight = weight;
+        parameters.values[d] = weight;
         const GenerateResult generation = regenerate(task, parameters).value();
         EXPECT_TRUE(generation.meets_goals()) << body.dofs()[d].name << " " << weight;
       }

@@ -21,7 +21,7 @@ constexpr int kMotions = 1000;
 // The first motion of random parameters that jolts in the problem's time, as a search's result.
 std::optional<GenerateResult> jolting(const Problem& problem) {
   const std::unique_ptr<Planner> planner = make_planner(problem).value();
-  const ParameterSpace space(problem.reach, GeneCode::natural);
+  const ParameterSpace space(problem.reach, *problem.parameters, GeneCode::natural);
   Random random(1);
   for (int k = 0; k < kMotions; ++k) {
     std::vector<double> point;

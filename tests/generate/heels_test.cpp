@@ -78,14 +78,14 @@ TEST(Heels, LiftForWhatFlatFeetDoNotReach) {
 
 TEST(Heels, LiftInASquatThatTheAnklesEndBefore) {
   Task task = task_for({-0.1, 0.3, 0.4});
-  FixedParameters fixed = no_fixed_parameters(task.body);
-  const Plan plan = whole_body_plan(task.body);
+  const ParameterList list = testing_support::list_of(task.body);
+  FixedParameters fixed = no_fixed_parameters(list);
   // with the hips not put back
-  testing_support::fix_value(plan, "squat", radians(110.0), fixed);
-  testing_support::fix_value(plan, "lean", 0.0, fixed);
+  testing_support::fix_value(list, "squat", radians(110.0), fixed);
+  testing_support::fix_value(list, "lean", 0.0, fixed);
   for (const Dof& dof : task.body.dofs()) {
     if (!dof.joint.ends_with("toes")) continue;
-    testing_support::fix_value(plan, dof.name, 1.0, fixed);
+    testing_support::fix_value(list, dof.name, 1.0, fixed);
   }
   task.fixed = fixed;
   const Candidate lifts = generate(task).value().candidates[0];
@@ -97,9 +97,8 @@ TEST(Heels, LiftInASquatThatTheAnklesEndBefore) {
     EXPECT_GT(clip.frame(clip.frames - 1)[d], kAnkleFlexion.upper - kLimitMargin);
   }
   // toes that are locked stay
-  for (JointWeight& joint : task.fixed->values.joints) joint.locked = false;
   for (std::size_t d = 0; d < task.body.dofs().size(); ++d) {
-    task.fixed->values.joints[d].locked = task.body.dofs()[d].joint.ends_with("toes");
+    task.fixed->values.locked[d] = task.body.dofs()[d].joint.ends_with("toes");
   }
   EXPECT_EQ(most_lifted(generate(task).value().candidates[0]), 0.0);
 }
@@ -175,20 +174,20 @@ TEST(Heels, LanesScoreAsDoubleDoes) {
   std::vector<float> rows;
   std::vector<float> postures;
   std::vector<float> timing;
-  const std::vector<PostureMode> modes = posture_modes(task.body);
   for (int i = 0; i < 48; ++i) {
     Parameters parameters = random_parameters(task.body, random);
-    for (const PostureMode& mode : modes) {
-      const double squats = mode.name == "squat" ? 1.0 : 0.1;
-      parameters.posture.modes.push_back(squats * random.uniform(mode.lower, mode.upper));
-    }
+    testing_support::pose(task.body, parameters, [&](const PostureMode& mode) {
+      return (mode.name == "squat" ? 1.0 : 0.1) * random.uniform(mode.lower, mode.upper);
+    });
     // toes that give as readily as others
     for (std::size_t d = 0; d < task.body.dofs().size(); ++d) {
-      if (task.body.dofs()[d].give < 1.0) parameters.joints[d].weight = 1.0;
+      if (task.body.dofs()[d].give < 1.0) parameters.values[d] = 1.0;
     }
     played.add(problem, parameters, task_criteria(task));
-    for (const double w : inverse_weights(parameters)) rows.push_back(static_cast<float>(w));
-    for (const double q : posture_change(task.body, parameters.posture)) {
+    for (const double w : inverse_weights(task.body, parameters))
+      rows.push_back(static_cast<float>(w));
+    for (const double q :
+         posture_change(task.body, testing_support::modes_of(task.body, parameters))) {
       postures.push_back(static_cast<float>(q));
     }
     timing.insert(timing.end(), kTimings, 0.0F);

@@ -8,6 +8,7 @@
 #include "problem/make_problem.hpp"
 #include "problem/plan_of.hpp"
 #include "support/layered.hpp"
+#include "support/named_values.hpp"
 
 namespace shigusa {
 namespace {
@@ -61,8 +62,8 @@ TEST(GenerateHuman, EitherHandAndBothReachLowAndHigh) {
   task.goals.push_back({"right_hand", {-0.2, 1.1, 0.4}});
   const GenerateResult both = generated(task);
   expect_layers_kept(task, both);
-  EXPECT_EQ(both.candidates[0].parameters.swivels.size(), 2u);
-  EXPECT_TRUE(both.candidates[0].parameters.finals.empty());
+  EXPECT_EQ(layered_of(task, both.candidates[0].parameters).swivels.size(), 2u);
+  EXPECT_TRUE(layered_of(task, both.candidates[0].parameters).finals.empty());
 }
 
 // Its own torque draws it down as the trunk leans.
@@ -85,9 +86,9 @@ TEST(GenerateHuman, FreeArmIsACounterweightWhereBalanceCounts) {
   task.criteria.joint_range_weight = 0.5;
   double gained = 0.0;
   for (const Candidate& candidate : generated(task).candidates) {
-    Parameters stiff = candidate.parameters;
+    LayeredValues stiff = layered_of(task, candidate.parameters);
     stiff.finals = start_values(plan_of(task).value()).finals;
-    const GenerateResult without = regenerate(task, stiff).value();
+    const GenerateResult without = regenerate(task, parameters_of(task, stiff)).value();
     gained = max(gained, without.candidates[0].score.total - candidate.score.total);
   }
   EXPECT_GT(gained, 0.02);
@@ -96,7 +97,7 @@ TEST(GenerateHuman, FreeArmIsACounterweightWhereBalanceCounts) {
 TEST(GenerateHuman, FreeArmFollowsAMinimumJerkToItsFinalAngles) {
   const Task task = task_for(full_body(), kLowFront);
   const Candidate candidate = generated(task).candidates[0];
-  const std::vector<double>& finals = candidate.parameters.finals;
+  const std::vector<double> finals = layered_of(task, candidate.parameters).finals;
   const char* const dofs[] = {"left_shoulder.flexion", "left_shoulder.abduction",
                               "left_elbow.flexion"};
   const Clip& clip = candidate.motion.clip;
@@ -192,10 +193,11 @@ TEST(RegenerateHuman, GivesTheCandidateAgain) {
 
 TEST(RegenerateHuman, SwivelMovesTheElbowAndNotTheHand) {
   const Task task = task_for(full_body(), {-0.25, 1.2, 0.35});
+  const ParameterList list = parameter_list(plan_of(task).value());
   Parameters parameters = generated(task).candidates[0].parameters;
   double last = -10.0;
   for (const double degree : {-40.0, 0.0, 40.0}) {
-    parameters.swivels[0] = radians(degree);
+    value_of(list, parameters, "right_arm.swivel_rad") = radians(degree);
     const GenerateResult edited = regenerate(task, parameters).value();
     EXPECT_TRUE(edited.meets_goals());
     EXPECT_LT(edited.candidates[0].goals[0].error, 1e-8);
@@ -208,7 +210,7 @@ TEST(RegenerateHuman, SwivelMovesTheElbowAndNotTheHand) {
 TEST(RegenerateHuman, RefusesWhatIsOutOfRange) {
   const Task task = task_for(half_body(), kLowFront);
   Parameters bad = generated(task).candidates[0].parameters;
-  bad.swivels[0] = -2.0;
+  value_of(parameter_list(plan_of(task).value()), bad, "right_arm.swivel_rad") = -2.0;
   EXPECT_THAT(regenerate(task, bad).error().to_string(),
               testing::HasSubstr("right_arm: swivel is -2"));
 }

@@ -13,6 +13,7 @@
 #include "problem/make_problem.hpp"
 #include "problem/reachability.hpp"
 #include "support/layered.hpp"
+#include "support/named_values.hpp"
 
 namespace shigusa {
 namespace {
@@ -40,12 +41,8 @@ std::vector<double> numbers(const GenerateResult& g) {
     for (const auto* part : {&c.motion.clip.angles, &c.motion.torques}) {
       all.insert(all.end(), part->begin(), part->end());
     }
-    for (const JointWeight& joint : c.parameters.joints) all.push_back(joint.weight);
-    for (const double contraction : c.parameters.contractions) all.push_back(contraction);
-    for (const ArmWeights& arm : c.parameters.arms) {
-      for (const JointWeight& joint : arm)
-        all.insert(all.end(), {joint.weight, double(joint.locked)});
-    }
+    all.insert(all.end(), c.parameters.values.begin(), c.parameters.values.end());
+    all.insert(all.end(), c.parameters.locked.begin(), c.parameters.locked.end());
     all.insert(all.end(), {c.score.total, c.path_error, c.arm_collision->depth,
                            double(c.arm_collision->searches)});
   }
@@ -270,15 +267,13 @@ TEST(GenerateLayers, ArmsThatPassThroughTheTrunkAreSearchedAgain) {
     const GenerateResult without = generated(task);
     expect_layers_kept(task, with);
     for (const Candidate& candidate : without.candidates) {
+      const LayeredValues values = layered_of(task, candidate.parameters);
       EXPECT_EQ(candidate.arm_collision->left, candidate.arm_collision->depth > kCollisionDepth);
       EXPECT_EQ(candidate.arm_collision->searches, 0);
       for (const Candidate& again : with.candidates) {
-        if (again.parameters.joints != candidate.parameters.joints ||
-            again.parameters.contractions != candidate.parameters.contractions) {
-          continue;
-        }
-        EXPECT_EQ(again.arm_collision->searches > 0,
-                  again.parameters.arms != candidate.parameters.arms);
+        const LayeredValues others = layered_of(task, again.parameters);
+        if (others.joints != values.joints || others.contractions != values.contractions) continue;
+        EXPECT_EQ(again.arm_collision->searches > 0, others.arms != values.arms);
         EXPECT_LE(again.arm_collision->searches, kCollisionRounds);
         if (!candidate.arm_collision->left || again.arm_collision->left) continue;
         ++taken_back;
@@ -320,9 +315,7 @@ TEST(RegenerateLayers, MoreContractionOfTheLegsBendsTheKneesMore) {
     const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
     double last = 0.0;
     for (const double contraction : {1.5, 3.0, 5.25}) {
-      for (std::size_t i = 0; i < body.feet().size(); ++i) {
-        parameters.contractions[i] = contraction;
-      }
+      value_of(parameter_list(plan_of(task).value()), parameters, "legs") = contraction;
       const auto edited = regenerate(task, parameters).value();
       expect_layers_kept(task, edited);
       const Clip& clip = edited.candidates[0].motion.clip;
@@ -342,12 +335,13 @@ TEST(RegenerateLayers, RefusesParametersOfAnotherBodyOrOutOfRange) {
   };
   EXPECT_EQ(message(good, task), "");
   EXPECT_THAT(message(good, task_for(full_body(), kFront)),
-              testing::HasSubstr("joint weights, for a plan of"));
+              testing::HasSubstr("values, for a plan of"));
+  const ParameterList list = parameter_list(plan_of(task).value());
   Parameters bad = good;
-  bad.contractions[0] = 15.5;
+  value_of(list, bad, "legs") = 15.5;
   EXPECT_THAT(message(bad, task), testing::HasSubstr("contraction is 15.5"));
   bad = good;
-  bad.arms[0][1].weight = 0.0;
+  value_of(list, bad, "right_arm.right_shoulder.abduction.weight") = 0.0;
   EXPECT_THAT(message(bad, task), testing::HasSubstr("weight is 0"));
 }
 

@@ -40,7 +40,7 @@ struct Layered {
 
   Task task;
   LayeredProblem problem;
-  std::vector<Parameters> uppers;
+  std::vector<LayeredValues> uppers;
 };
 
 // A user's criterion that counts nothing has motions scored one by one, in double precision.

@@ -11,6 +11,7 @@
 #include "body/anthropometry.hpp"
 #include "problem/make_problem.hpp"
 #include "rollout/batch_rollout.hpp"
+#include "support/named_values.hpp"
 
 namespace shigusa {
 namespace {
@@ -25,12 +26,14 @@ constexpr int kMost = 16;
 struct Begun {
   Task task;
   ReachProblem problem;
+  ParameterList list;
   ParameterSpace space;
 
   Begun(const BodyModel& body, std::vector<Goal> goals)
       : task(with_preset(Task(body, {.goals = std::move(goals)}), Preset::flat)),
         problem(make_problem(task).value()),
-        space(problem, GeneCode::natural) {}
+        list(testing_support::list_of(task.body)),
+        space(problem, list, GeneCode::natural) {}
 
   [[nodiscard]] std::vector<double> starts() const { return nearest_starts(problem, space, kMost); }
   [[nodiscard]] double at(std::span<const double> points, const std::string& name,

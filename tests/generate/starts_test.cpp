@@ -10,6 +10,7 @@
 #include "generate/parameter_space.hpp"
 #include "generate/start_table.hpp"
 #include "problem/make_problem.hpp"
+#include "support/named_values.hpp"
 
 namespace shigusa {
 namespace {
@@ -36,8 +37,9 @@ std::vector<double> any_point(const ParameterSpace& space, std::uint64_t seed) {
 TEST(ParameterSpace, EncodesWhatItDecodes) {
   const Task task = asked({{"right_hand", kTable}}, 16);
   const ReachProblem problem = make_problem(task).value();
+  const ParameterList list = list_of(task.body);
   for (const GeneCode code : {GeneCode::natural, GeneCode::every}) {
-    const ParameterSpace space(problem, code);
+    const ParameterSpace space(problem, list, code);
     const std::vector<double> point = any_point(space, 3);
     const std::vector<double> again = space.encode(space.decode(point));
     ASSERT_EQ(again.size(), point.size());
@@ -49,10 +51,10 @@ TEST(ParameterSpace, EncodesWhatItDecodes) {
 TEST(ParameterSpace, EncodesALockedFreedomAsTheHeaviest) {
   const Task task = asked({{"right_hand", kTable}}, 16);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterSpace space(problem, GeneCode::natural);
+  const ParameterList list = list_of(task.body);
+  const ParameterSpace space(problem, list, GeneCode::natural);
   Parameters values = space.decode(space.start());
-  values.joints[static_cast<std::size_t>(*problem.body->find_dof("right_elbow.flexion"))].locked =
-      true;
+  values.locked[number_of(list, "right_elbow.flexion")] = true;
   const std::vector<double> point = space.encode(values);
   EXPECT_EQ(point[static_cast<std::size_t>(space.find("right_elbow.flexion"))], 1.0);
 }
@@ -60,7 +62,8 @@ TEST(ParameterSpace, EncodesALockedFreedomAsTheHeaviest) {
 TEST(KnownStarts, PutGivenMotionsBeforeTheNearestOfTheTable) {
   const Task task = asked({{"right_hand", kTable}}, 16);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterSpace space(problem, GeneCode::natural);
+  const ParameterList list = list_of(task.body);
+  const ParameterSpace space(problem, list, GeneCode::natural);
   const auto genes = static_cast<std::size_t>(space.genes());
   const std::vector<Parameters> given{space.decode(any_point(space, 1)),
                                       space.decode(any_point(space, 2))};
@@ -104,13 +107,9 @@ INSTANTIATE_TEST_SUITE_P(Of, Starts,
 
 TEST(Starts, AreReadWhereTheSquatIsFixed) {
   Task task = asked({{"right_hand", {-0.2, 0.4, 0.4}}}, 40);
-  task.fixed = no_fixed_parameters(task.body);
-  task.fixed->values.posture.modes[0] = radians(60.0);  // squat
-  const Plan plan = whole_body_plan(task.body);
-  const std::vector<Parameter> all = parameters_of(plan, task.fixed->values);
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].subject() == "squat") task.fixed->set[k] = true;
-  }
+  const ParameterList list = list_of(task.body);
+  task.fixed = no_fixed_parameters(list);
+  fix_value(list, "squat", radians(60.0), *task.fixed);
   Task longer = task;
   longer.evaluations = 1000;
   const GenerateResult good = generate(longer).value();
@@ -124,15 +123,14 @@ TEST(Starts, OfAnotherBodyAreRefused) {
   const Result<PreparedTask> checked = PreparedTask::of(task);
   ASSERT_FALSE(checked);
   EXPECT_EQ(checked.error().place, "starts[1]");
-  EXPECT_THAT(checked.error().message.text, HasSubstr("9 joint weights"));
+  EXPECT_THAT(checked.error().message.text, HasSubstr("values, for a plan of"));
   EXPECT_EQ(generate(task).error().to_string(), checked.error().to_string());
 }
 
 TEST(Starts, OutOfRangeAreRefusedByName) {
   Task task = asked({{"right_hand", kTable}}, 16);
   task.starts = {uniform_parameters(task.body)};
-  task.starts[0].posture.modes.assign(posture_modes(task.body).size(), 0.0);
-  task.starts[0].posture.timing.bow = 1.0;
+  value_of(task.body, task.starts[0], "bow") = 1.0;
   const Result<GenerateResult> refused = generate(task);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "starts[0]: bow");

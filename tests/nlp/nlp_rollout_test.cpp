@@ -12,6 +12,7 @@
 #include "body/posture_modes.hpp"
 #include "criteria/joint_range.hpp"
 #include "dynamics/centre_of_mass.hpp"
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -71,18 +72,15 @@ RC_GTEST_PROP(NlpRolloutProperty, DrawnToAPostureTheHandIsStillOnItsPath,
               (std::uint64_t seed, bool whole)) {
   RandomReach reach(whole ? full() : half(), seed);
   Random random(seed, 1);
-  PostureParameters& posture = reach.parameters.posture;
-  for (std::size_t m = 0; m < posture_modes(reach.body).size(); ++m) {
-    posture.modes.push_back(random.uniform(-0.5, 0.5));
-  }
-  posture.timing.delay = random.uniform(0.0, kDelayMax);
+  pose(reach.body, reach.parameters, [&](const PostureMode&) { return random.uniform(-0.5, 0.5); });
+  value_of(reach.body, reach.parameters, "delay") = random.uniform(0.0, kDelayMax);
   const Clip clip = roll_out_nlp(reach.problem, reach.parameters).motion.clip;
   const MeasuredMotion measured(reach.problem, clip);
   RC_ASSERT(measured.path_error <= kReachTolerance);
   RC_ASSERT(measured.contact_slide <= kReachTolerance);
   RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
   RC_ASSERT(most_excess(reach.body, clip) <= 0.0);
-  reach.parameters.posture = {};
+  reach.parameters.posed = false;
   RC_ASSERT(roll_out_nlp(reach.problem, reach.parameters).motion.clip.angles != clip.angles);
 }
 
@@ -102,7 +100,9 @@ RC_GTEST_PROP(NlpRolloutProperty, OutcomeIsWhatTheMotionDoes, (std::uint64_t see
 RC_GTEST_PROP(NlpRolloutProperty, LockedJointsKeepTheirStartAngles,
               (std::uint64_t seed, bool whole)) {
   RandomReach reach(whole ? full() : half(), seed);
-  for (JointWeight& joint : reach.parameters.joints) joint.locked = *rc::gen::inRange(0, 4) == 0;
+  for (std::size_t d = 0; d < reach.body.dofs().size(); ++d) {
+    reach.parameters.locked[d] = *rc::gen::inRange(0, 4) == 0;
+  }
   const Clip clip = roll_out_nlp(reach.problem, reach.parameters).motion.clip;
   RC_ASSERT(reach.keeps_locked(clip));
 }
@@ -112,7 +112,9 @@ RC_GTEST_PROP(NlpRolloutProperty, ScalingAllWeightsByAPowerOfTwoChangesNoByte,
   RandomReach reach(whole ? full() : half(), seed);
   const std::vector<double> before =
       roll_out_nlp(reach.problem, reach.parameters).motion.clip.angles;
-  for (JointWeight& joint : reach.parameters.joints) joint.weight *= 0x1p-7;
+  for (std::size_t d = 0; d < reach.body.dofs().size(); ++d) {
+    reach.parameters.values[d] *= 0x1p-7;
+  }
   RC_ASSERT(roll_out_nlp(reach.problem, reach.parameters).motion.clip.angles == before);
 }
 
@@ -151,8 +153,8 @@ RC_GTEST_PROP(NlpRolloutProperty, WithoutLimitsAndInShortStepsItIsTheMotionOfWei
 TEST(NlpRollout, UsedAgainGivesTheSameMotion) {
   const ReachProblem problem = reach_with(full(), "right_hand", {-0.6, 1.9, -0.4});
   Random random(82);
-  const std::vector<double> first = inverse_weights(random_parameters(full(), random));
-  const std::vector<double> second = inverse_weights(random_parameters(full(), random));
+  const std::vector<double> first = inverse_weights(full(), random_parameters(full(), random));
+  const std::vector<double> second = inverse_weights(full(), random_parameters(full(), random));
   NlpRollout rollout(problem);
   const std::vector<double> before = angles_of(rollout, first);
   (void)angles_of(rollout, second);

@@ -31,7 +31,7 @@ Task human_task(const BodyModel& body, const Vec3d& goal) {
 
 // A motion of the upper layer by random weights and lengths, with all that it leads.
 struct Played {
-  Parameters parameters;
+  LayeredValues parameters;
   ReducedClip<double> clip;
   RolledOut whole;
 };
@@ -42,7 +42,7 @@ Played play_random(const LayeredProblem& problem, LayeredPlayer& player, Random&
   for (std::size_t g = 0; g < problem.layers[0].parameters.size(); ++g) {
     point.push_back(random.uniform(0.2, 0.8));
   }
-  const Parameters upper = decode_layer_point(problem.layers[0], point);
+  const LayeredValues upper = decode_layer_point(problem.layers[0], point);
   played.parameters = start_values(problem.layers);
   played.parameters.joints = upper.joints;
   played.parameters.contractions = upper.contractions;

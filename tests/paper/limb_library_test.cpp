@@ -115,8 +115,12 @@ TEST(LimbLibrary, CellsAreScoredAsTheirMotionsAre) {
     problem.duration =
         reach_duration(norm(problem.goals[0].path.goal - problem.goals[0].path.start), false);
     const ArmWeights weights = arm_weights(cells.genes(cell));
-    const RolledOut rolled =
-        roll_out(problem, {std::vector<JointWeight>(weights.begin(), weights.end())});
+    Parameters parameters = uniform_parameters(arm);
+    for (std::size_t d = 0; d < weights.size(); ++d) {
+      parameters.values[d] = weights[d].weight;
+      parameters.locked[d] = weights[d].locked;
+    }
+    const RolledOut rolled = roll_out(problem, parameters);
     if (cells.score(cell) >= worst_score(lower)) continue;
     ++leads;
     EXPECT_TRUE(rolled.outcome.met());

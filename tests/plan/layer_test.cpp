@@ -112,7 +112,7 @@ TEST(DecodeLayerGenes, LocksAtZeroAndSharesContractions) {
   genes[0] = 0;
   genes[12] = 15;  // legs
   genes[13] = 5;   // arms
-  const Parameters parameters = decode_layer_genes(layer, genes);
+  const LayeredValues parameters = decode_layer_genes(layer, genes);
   EXPECT_TRUE(
       parameters.joints[static_cast<std::size_t>(layer.parameters[0].applies_to[0])].locked);
   EXPECT_EQ(parameters.joints[static_cast<std::size_t>(layer.parameters[1].applies_to[0])].weight,
@@ -122,7 +122,7 @@ TEST(DecodeLayerGenes, LocksAtZeroAndSharesContractions) {
 
 TEST(DecodeLayerGenes, WithoutAGeneAHipDoesNotRotate) {
   const Layer layer = upper_layer(full_body(), LayerReading::contraction_a_limb);
-  const Parameters parameters =
+  const LayeredValues parameters =
       decode_layer_genes(layer, std::vector<std::uint16_t>(layer.parameters.size(), 1));
   for (std::size_t d = 0; d < layer.body.dofs.size(); ++d) {
     const ReducedDof& dof = layer.body.dofs[d];
@@ -134,7 +134,7 @@ TEST(DecodeLayerGenes, WithoutAGeneAHipDoesNotRotate) {
 TEST(DecodeLayerPoint, IsEvenInLogarithmsAndInContraction) {
   const Layer layer = upper_layer(half_body());
   const std::vector<double> point{0.0, 0.5, 1.0, 0.75, 0.5, 0.5, 0.25, 1.0};
-  const Parameters parameters = decode_layer_point(layer, point);
+  const LayeredValues parameters = decode_layer_point(layer, point);
   const auto weight = [&](std::size_t gene) {
     return parameters.joints[static_cast<std::size_t>(layer.parameters[gene].applies_to[0])].weight;
   };
@@ -147,7 +147,7 @@ TEST(DecodeLayerPoint, IsEvenInLogarithmsAndInContraction) {
 
 // A motion of the upper layer.
 ReducedClip<double> moved_by(const Layer& layer, const ReachProblem& problem,
-                             const Parameters& parameters) {
+                             const LayeredValues& parameters) {
   const ReducedProblem reduced(layer.body, problem);
   ReducedClip<double> clip;
   ReducedRollout<double>(reduced).run({upper_weights(parameters), parameters.contractions}, clip);

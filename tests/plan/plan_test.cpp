@@ -6,7 +6,9 @@
 #include <set>
 #include <shigusa/generate.hpp>
 
+#include "paper/layered_values.hpp"
 #include "plan/layer.hpp"
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -32,60 +34,53 @@ TEST(LayersToGoals, AreTheUpperOneAndEachGoalsArm) {
 }
 
 // The paper's count: 14 parameters of the upper layer, and four for each arm.
-TEST(PlanOfLayers, HasANameOfItsOwnForEachParameter) {
+TEST(ParameterList, HasANameOfItsOwnForEachParameterOfLayers) {
   for (const auto& [reading, word] : kEnumWords<LayerReading>) {
     const Plan plan = layers_of(reading);
-    Parameters parameters = start_values(plan);
-    const auto members = parameters_of(plan, parameters);
-    EXPECT_EQ(members.size(), 14u + 8u) << word;
-    std::set<std::string> names;
-    std::set<const void*> places;
-    for (const Parameter& member : members) {
-      names.insert(member.spelled());
-      EXPECT_EQ(member.locked != nullptr, member.info->kind == ParameterKind::weight);
-      places.insert(member.values.begin(), member.values.end());
+    const ParameterList list = parameter_list(plan);
+    EXPECT_EQ(list.size(), 14u + 8u) << word;
+    const std::vector<std::string> names = list.names();
+    EXPECT_EQ(std::set(names.begin(), names.end()).size(), list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) EXPECT_EQ(list.find(names[i]), i) << names[i];
+    EXPECT_TRUE(list.check(list.start()));
+    // what layers compute with is all that their values are
+    Parameters values = list.start();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      values.values[i] = 1.0 + static_cast<double>(i);
+      values.locked[i] = list.all[i].kind == ParameterKind::weight && i % 2 == 0;
     }
-    EXPECT_EQ(names.size(), members.size());
-    EXPECT_EQ(places.size(), (reading == LayerReading::shared_contractions ? 12u : 10u) + 4u + 8u);
-    EXPECT_TRUE(check_parameters(plan, parameters));
+    EXPECT_EQ(parameters_of(plan, layered_values(plan, values)), values) << word;
   }
 }
 
-TEST(CheckLayered, RefusesWhatNoNameTells) {
-  const std::vector<Layer> layers = layers_of(LayerReading::contraction_a_limb);
-  Parameters good = start_values(layers);
-  const auto message = [&layers](const Parameters& parameters) {
-    const auto checked = check_parameters(layers, parameters);
+TEST(ParameterList, RefusesValuesOfAnotherPlanAndOutOfRange) {
+  const ParameterList list = parameter_list(layers_of(LayerReading::contraction_a_limb));
+  const auto message = [&list](const Parameters& parameters) {
+    const auto checked = list.check(parameters);
     return checked ? "" : checked.error().to_string();
   };
-  Parameters bad = good;
-  bad.arms.pop_back();
-  EXPECT_THAT(message(bad), HasSubstr("1 arms, for a plan of"));
-  bad = good;
-  bad.joints.back().weight = 2e3;
-  EXPECT_EQ(message(bad), "") << "a slide's weight means nothing";
-  bad = good;
-  bad.arms[1][2].weight = 2e3;
+  Parameters bad = list.start();
+  bad.values.pop_back();
+  EXPECT_THAT(message(bad), HasSubstr("21 values, for a plan of 22"));
+  bad = list.start();
+  bad.locked.pop_back();
+  EXPECT_THAT(message(bad), HasSubstr("values, for a plan of 22"));
+  bad = list.start();
+  value_of(list, bad, "left_arm.left_shoulder.rotation.weight") = 2e3;
   EXPECT_THAT(message(bad), HasSubstr("left_arm.left_shoulder.rotation: weight is 2000"));
-  bad = good;
-  bad.contractions[0] = -0.5;
+  bad = list.start();
+  value_of(list, bad, "right_leg.contraction") = -0.5;
   EXPECT_THAT(message(bad), HasSubstr("contraction is -0.5; allowed are 0 to 15"));
-  bad = good;
-  for (JointWeight& joint : bad.joints) joint.locked = false;
-  EXPECT_THAT(message(bad), HasSubstr("hip.rotation: is not locked"));
-  bad = good;
-  bad.contractions[0] = 3.0;
-  EXPECT_EQ(message(bad), "") << "each leg has its own in this reading";
-  EXPECT_THAT(
-      check_parameters(layers_of(LayerReading::shared_contractions), bad).error().to_string(),
-      HasSubstr("legs: contractions are 3 and 0 of limbs that share one"));
+  value_of(list, bad, "right_leg.contraction") = 3.0;
+  EXPECT_EQ(message(bad), "");
 }
 
 TEST(Regenerate, TakesTheParametersOfThePreset) {
   Task task = with_preset(Task(full_body(), {.goals = kGoals}), Preset::layers);
   EXPECT_EQ(regenerate(task, uniform_parameters(task.body)).error().code,
             ErrorCode::invalid_argument);
-  Parameters parameters = start_values(layers_of(LayerReading::shared_contractions));
+  const Parameters parameters =
+      parameter_list(layers_of(LayerReading::shared_contractions)).start();
   const GenerateResult generation = regenerate(task, parameters).value();
   ASSERT_EQ(generation.candidates.size(), 1u);
   EXPECT_EQ(generation.candidates[0].parameters, parameters);

@@ -70,7 +70,7 @@ TEST(Allocations, AreCounted) {
 TEST(Allocations, ARolloutMakesNone) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const ReachProblem problem = reach_with(body, "right_hand", kLowLeft);
-    const std::vector<double> inverse = inverse_weights(uniform_parameters(body));
+    const std::vector<double> inverse = inverse_weights(body, uniform_parameters(body));
     Rollout<double> rollout(problem);
     BuiltInCriteria<double> criteria(body, every_criterion());
     EXPECT_EQ(allocations_of([&] {
@@ -87,7 +87,7 @@ TEST(Allocations, AGuidedRolloutBeyondReachMakesNone) {
   ReachProblem problem = reach_with(body, "right_hand", {-3.0, 4.0, 5.0});
   problem.guide.assign(body.start().begin(), body.start().end());
   problem.corrections = 3;
-  const std::vector<double> inverse = inverse_weights(uniform_parameters(body));
+  const std::vector<double> inverse = inverse_weights(body, uniform_parameters(body));
   Rollout<double> rollout(problem);
   EXPECT_EQ(allocations_of([&] { rollout.run(inverse, [](const PlacedFrame<double>&) {}); }), 0);
 }

@@ -168,7 +168,8 @@ TEST_P(BatchRolloutOf, ScoresAreThoseOfDoubleToItsPrecision) {
     Parameters parameters = uniform_parameters(r.body);
     for (std::size_t d = 0; d < dofs; ++d) {
       const double inverse = static_cast<double>(r.inverse_weights[i * dofs + d]);
-      parameters.joints[d] = {inverse > 0.0 ? 1.0 / inverse : 1.0, inverse == 0.0};
+      parameters.values[d] = inverse > 0.0 ? 1.0 / inverse : 1.0;
+      parameters.locked[d] = inverse == 0.0;
     }
     const RolledOut rolled = roll_out(r.problem, parameters);
     const double score = rolled.outcome.met()

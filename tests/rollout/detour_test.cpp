@@ -26,7 +26,7 @@ ReachProblem problem_of(const BodyModel& body, const Vec3d& goal) {
 
 double deepest(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
-  const std::vector<double> uniform = inverse_weights(uniform_parameters(body));
+  const std::vector<double> uniform = inverse_weights(body, uniform_parameters(body));
   double depth = -1e9;
   Rollout<double> rollout(problem);
   rollout.run(uniform, [&](const PlacedFrame<double>& frame) {

@@ -6,6 +6,7 @@
 
 #include "body/posture_modes.hpp"
 #include "support/lanes.hpp"
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -17,9 +18,8 @@ constexpr Vec3d kLow{-0.2, 0.5, 0.5};
 
 Parameters drawn(const BodyModel& body, const std::string& mode, double value) {
   Parameters parameters = uniform_parameters(body);
-  for (const PostureMode& known : posture_modes(body)) {
-    parameters.posture.modes.push_back(known.name == mode ? value : 0.0);
-  }
+  pose(body, parameters,
+       [&](const PostureMode& known) { return known.name == mode ? value : 0.0; });
   return parameters;
 }
 
@@ -58,7 +58,7 @@ TEST(DrawnMotion, DelayKeepsThePostureBackAtFirst) {
   ReachProblem problem =
       reach_with(body, "left_hand", effector_position(body, body.start(), "left_hand"));
   Parameters parameters = drawn(body, "squat", radians(60.0));
-  parameters.posture.timing.delay = 0.5;
+  value_of(body, parameters, "delay") = 0.5;
   const Clip late = roll_out(problem, parameters).motion.clip;
   const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
   EXPECT_NEAR(late.frame(30)[knee], late.frame(0)[knee], 1e-9);
@@ -71,7 +71,7 @@ TEST(DrawnMotion, BowTakesTheHandOffItsLineByThatMuch) {
   const EffectorPath& path = problem.goals[0].path;
   problem.goals[0].bow = {0.0, 0.0, norm(path.goal - path.start)};
   Parameters parameters = drawn(body, "", 0.0);
-  parameters.posture.timing.bow = 0.1;
+  value_of(body, parameters, "bow") = 0.1;
   const RolledOut rolled = roll_out(problem, parameters);
   ASSERT_TRUE(rolled.outcome.met());
   double farthest = 0.0;
@@ -90,7 +90,7 @@ TEST(DrawnMotion, SwayTakesTheHandAsideByThatMuch) {
   ReachProblem problem = reach_with(body, "right_hand", {-0.25, 1.3, 0.3});
   problem.goals[0].sway = {-0.5, 0.0, 0.0};
   Parameters parameters = drawn(body, "", 0.0);
-  parameters.posture.timing.sway = 0.1;
+  value_of(body, parameters, "sway") = 0.1;
   const RolledOut rolled = roll_out(problem, parameters);
   ASSERT_TRUE(rolled.outcome.met());
   const EffectorPath& path = problem.goals[0].path;
@@ -125,19 +125,19 @@ TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
   PlayedMotions played;
   for (int i = 0; i < 37; ++i) {
     Parameters parameters = random_parameters(body, random);
-    for (const PostureMode& mode : posture_modes(body)) {
-      parameters.posture.modes.push_back(0.5 * random.uniform(mode.lower, mode.upper));
-    }
-    parameters.posture.timing.delay = random.uniform(0.0, 0.4);
-    parameters.posture.timing.bow = random.uniform(-0.1, 0.2);
-    parameters.posture.timing.skew = random.uniform(-1.0, 1.0);
-    parameters.posture.timing.sway = random.uniform(-0.2, 0.2);
-    for (const double w : inverse_weights(parameters)) weights.push_back(static_cast<float>(w));
-    for (const double c : posture_change(body, parameters.posture)) {
+    pose(body, parameters,
+         [&](const PostureMode& mode) { return 0.5 * random.uniform(mode.lower, mode.upper); });
+    value_of(body, parameters, "delay") = random.uniform(0.0, 0.4);
+    value_of(body, parameters, "bow") = random.uniform(-0.1, 0.2);
+    value_of(body, parameters, "skew") = random.uniform(-1.0, 1.0);
+    value_of(body, parameters, "sway") = random.uniform(-0.2, 0.2);
+    for (const double w : inverse_weights(body, parameters))
+      weights.push_back(static_cast<float>(w));
+    for (const double c : posture_change(body, modes_of(body, parameters))) {
       changes.push_back(static_cast<float>(c));
     }
-    for (const auto member : kTimingMembers<double>) {
-      timing.push_back(static_cast<float>(parameters.posture.timing.*member));
+    for (const double t : list_of(body).of_kind(ParameterKind::timing, parameters)) {
+      timing.push_back(static_cast<float>(t));
     }
     played.add(problem, parameters, criteria);
   }

@@ -9,6 +9,7 @@
 #include "problem/make_problem.hpp"
 #include "rollout/batch_rollout.hpp"
 #include "rollout/rollout.hpp"
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -29,13 +30,11 @@ class OnTheThigh : public testing::Test {
   // The lean and the knees of a person who picks something up.
   Parameters bent(double share) const {
     Parameters parameters = uniform_parameters(task.body);
-    const std::vector<PostureMode> modes = posture_modes(task.body);
-    parameters.posture.modes.resize(modes.size());
-    for (std::size_t m = 0; m < modes.size(); ++m) {
-      if (modes[m].name == "squat") parameters.posture.modes[m] = radians(60);
-      if (modes[m].name == "lean") parameters.posture.modes[m] = radians(50);
-    }
-    parameters.supports = {share};
+    pose(task.body, parameters, [](const PostureMode& mode) {
+      return mode.name == "squat" ? radians(60) : mode.name == "lean" ? radians(50) : 0.0;
+    });
+    parameters.values.push_back(share);
+    parameters.locked.push_back(false);
     return parameters;
   }
 
@@ -114,7 +113,7 @@ TEST_F(OnTheThigh, AFreeHandMovesAsWithoutSupport) {
   ReachProblem without = problem;
   without.supports.clear();
   Parameters plain = bent(0.0);
-  plain.supports.clear();
+  plain.values.pop_back();
   const Clip free = roll_out(problem, bent(-0.01)).motion.clip;
   const Clip alone = roll_out(without, plain).motion.clip;
   // rows of zeros are in the sums, and 0 is added to them
@@ -136,8 +135,9 @@ TEST_F(OnTheThigh, LanesScoreAsDoubleDoesWithHandsFreeInSome) {
   std::vector<double> expected;
   for (const double share : shares) {
     const Parameters parameters = bent(share);
-    for (const double w : inverse_weights(parameters)) weights.push_back(static_cast<float>(w));
-    for (const double c : posture_change(task.body, parameters.posture)) {
+    for (const double w : inverse_weights(task.body, parameters))
+      weights.push_back(static_cast<float>(w));
+    for (const double c : posture_change(task.body, modes_of(task.body, parameters))) {
       postures.push_back(static_cast<float>(c));
     }
     timing.insert(timing.end(), kTimings, 0.0F);

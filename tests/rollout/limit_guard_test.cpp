@@ -8,6 +8,7 @@
 #include "body/anthropometry.hpp"
 #include "body/posture_modes.hpp"
 #include "criteria/joint_range.hpp"
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -37,10 +38,9 @@ ReachProblem held(ReachProblem problem) {
 
 Parameters random_posture(const BodyModel& body, Random& random) {
   Parameters parameters = random_parameters(body, random);
-  for (const PostureMode& mode : posture_modes(body)) {
-    parameters.posture.modes.push_back(random.uniform(mode.lower, mode.upper));
-  }
-  parameters.posture.timing.delay = random.uniform(0.0, kDelayMax);
+  pose(body, parameters,
+       [&](const PostureMode& mode) { return random.uniform(mode.lower, mode.upper); });
+  value_of(body, parameters, "delay") = random.uniform(0.0, kDelayMax);
   return parameters;
 }
 

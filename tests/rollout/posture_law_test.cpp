@@ -269,7 +269,7 @@ void expect_same_in_lanes(const Vec3d& goal) {
   using Lanes = Pack<float, 4>;
   const BodyModel body = human_body();
   const ReachProblem problem = lawful_reach(body, goal);
-  const std::vector<double> weights = inverse_weights(uniform_parameters(body));
+  const std::vector<double> weights = inverse_weights(body, uniform_parameters(body));
   std::vector<Lanes> in_lanes;
   for (const double weight : weights) in_lanes.emplace_back(static_cast<float>(weight));
   Rollout<double> alone(problem);

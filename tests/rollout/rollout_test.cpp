@@ -144,7 +144,7 @@ TEST(Rollout, UsedAgainGivesTheSameMotion) {
   Rollout<double> rollout(problem);
   const auto angles_of = [&](const Parameters& parameters) {
     std::vector<double> angles;
-    rollout.run(inverse_weights(parameters), [&](const PlacedFrame<double>& frame) {
+    rollout.run(inverse_weights(body, parameters), [&](const PlacedFrame<double>& frame) {
       angles.insert(angles.end(), frame.angles.begin(), frame.angles.end());
     });
     return angles;
@@ -245,7 +245,9 @@ TEST(RollOut, HandIsOnItsPathButForFoldedElbows) {
 
 RC_GTEST_PROP(RollOutProperty, LockedJointsKeepTheirStartAngles, (std::uint64_t seed, bool whole)) {
   RandomReach reach(whole ? full() : half(), seed);
-  for (JointWeight& joint : reach.parameters.joints) joint.locked = *rc::gen::inRange(0, 4) == 0;
+  for (std::size_t d = 0; d < reach.body.dofs().size(); ++d) {
+    reach.parameters.locked[d] = *rc::gen::inRange(0, 4) == 0;
+  }
   const Clip clip = roll_out(reach.problem, reach.parameters).motion.clip;
   RC_ASSERT(reach.keeps_locked(clip));
 }
@@ -254,7 +256,7 @@ RC_GTEST_PROP(RollOutProperty, ScalingAllWeightsChangesNothing, (std::uint64_t s
   RandomReach reach(whole ? full() : half(), seed);
   const double factor = std::pow(10.0, *rc::gen::inRange(-40, 41) / 10.0);
   const std::vector<double> before = roll_out(reach.problem, reach.parameters).motion.clip.angles;
-  for (JointWeight& joint : reach.parameters.joints) joint.weight *= factor;
+  for (std::size_t d = 0; d < reach.body.dofs().size(); ++d) reach.parameters.values[d] *= factor;
   const std::vector<double> after = roll_out(reach.problem, reach.parameters).motion.clip.angles;
   for (std::size_t i = 0; i < before.size(); ++i) {
     RC_ASSERT(std::fabs(before[i] - after[i]) <= 1e-9);

@@ -29,7 +29,7 @@ TEST(ScoredFrames, OfARolloutAndOfItsStoredMotionAgree) {
       for (int trial = 0; trial < 20; ++trial) {
         const Parameters parameters = random_parameters(body, random);
         criteria.reset();
-        rollout.run(inverse_weights(parameters),
+        rollout.run(inverse_weights(body, parameters),
                     [&](const PlacedFrame<double>& frame) { criteria.add(frame); });
         const Score stored = score_motion(body, roll_out(problem, parameters).motion, settings);
         std::size_t term = 0;
@@ -50,7 +50,7 @@ TEST(ScoredFrames, OfARolloutAndOfItsStoredMotionAgree) {
 TEST(ScoredFrames, HaveThePlacementOfTheirAngles) {
   const BodyModel body = full_body();
   const ReachProblem problem = reach_with(body, "right_hand", {0.25, 0.55, 0.5});
-  const std::vector<double> inverse = inverse_weights(uniform_parameters(body));
+  const std::vector<double> inverse = inverse_weights(body, uniform_parameters(body));
   Rollout<double> rollout(problem);
   rollout.run(inverse, [&](const PlacedFrame<double>& frame) {
     const Kinematics<double> again = placed(body, frame.angles);
@@ -68,18 +68,19 @@ TEST(ScoredFrames, HaveTheSpeedsOfTheirAngles) {
   const Clip clip = roll_out(problem, uniform_parameters(body)).motion.clip;
   Rollout<double> rollout(problem);
   int f = 0;
-  rollout.run(inverse_weights(uniform_parameters(body)), [&](const PlacedFrame<double>& frame) {
-    const int last = clip.frames - 1;
-    for (std::size_t d = 0; d < frame.angles.size(); ++d) {
-      const double before = clip.frame(f > 0 ? f - 1 : 0)[d];
-      const double after = clip.frame(f < last ? f + 1 : last)[d];
-      const double now = clip.frame(f)[d];
-      const double rate = last / 0.8;
-      EXPECT_NEAR(frame.speeds[d], (after - before) * rate / 2, 1e-11);
-      EXPECT_NEAR(frame.accelerations[d], (after - 2 * now + before) * rate * rate, 1e-9);
-    }
-    ++f;
-  });
+  rollout.run(
+      inverse_weights(body, uniform_parameters(body)), [&](const PlacedFrame<double>& frame) {
+        const int last = clip.frames - 1;
+        for (std::size_t d = 0; d < frame.angles.size(); ++d) {
+          const double before = clip.frame(f > 0 ? f - 1 : 0)[d];
+          const double after = clip.frame(f < last ? f + 1 : last)[d];
+          const double now = clip.frame(f)[d];
+          const double rate = last / 0.8;
+          EXPECT_NEAR(frame.speeds[d], (after - before) * rate / 2, 1e-11);
+          EXPECT_NEAR(frame.accelerations[d], (after - 2 * now + before) * rate * rate, 1e-9);
+        }
+        ++f;
+      });
   EXPECT_EQ(f, clip.frames);
 }
 

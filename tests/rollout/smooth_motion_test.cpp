@@ -11,6 +11,7 @@
 #include "core/index.hpp"
 #include "motion/minimum_jerk.hpp"
 #include "problem/make_problem.hpp"
+#include "support/named_values.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {
@@ -71,9 +72,8 @@ TEST(SmoothedMotion, KeepsItsPathAndItsFeetAndIsLessSudden) {
   const ReachProblem problem = make_problem(task).value();
   for (const double squat : {20.0, 100.0}) {
     Parameters parameters = uniform_parameters(body);
-    for (const PostureMode& mode : posture_modes(body)) {
-      parameters.posture.modes.push_back(mode.name == "squat" ? radians(squat) : 0.0);
-    }
+    pose(body, parameters,
+         [&](const PostureMode& mode) { return mode.name == "squat" ? radians(squat) : 0.0; });
     const RolledOut rough = roll_out(problem, parameters);
     ASSERT_TRUE(rough.outcome.met(problem.tolerance)) << squat;
     const RolledOut smooth = smoothed(problem, parameters, rough);

@@ -56,7 +56,7 @@ TEST(TurningRollout, LanesEndAsDoubleDoes) {
     std::vector<float> inverse;
     for (std::size_t i = 0; i < kMotions; ++i) {
       all.push_back(random_parameters(body, random));
-      for (const double weight : inverse_weights(all.back())) {
+      for (const double weight : inverse_weights(body, all.back())) {
         inverse.push_back(static_cast<float>(weight));
       }
     }

@@ -18,14 +18,22 @@ inline LayeredProblem make_layered_problem(const Task& task) {
   return in_layers(make_problem(task).value(), plan_of(task).value());
 }
 
+// A candidate's values as its task's layers compute with them, and the reverse.
+inline LayeredValues layered_of(const Task& task, const Parameters& parameters) {
+  return layered_values(plan_of(task).value(), parameters);
+}
+inline Parameters parameters_of(const Task& task, const LayeredValues& values) {
+  return parameters_of(plan_of(task).value(), values);
+}
+
 // Layers with parameters of theirs, before and after what a test does to them.
 struct LayeredChange {
   LayeredChange(const BodyModel& body, const std::vector<Goal>& goals, LayerChoice choice = {})
-      : layers(layers_to_goals(body, goals, choice).value()) {
-    after = expected = before = start_values(layers);
+      : list(parameter_list(layers_to_goals(body, goals, choice).value())) {
+    after = expected = before = list.start();
   }
 
-  std::vector<Layer> layers;
+  ParameterList list;
   Parameters before{};
   Parameters after{};
   Parameters expected{};

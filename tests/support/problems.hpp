@@ -45,7 +45,9 @@ inline Vec3d near_goal(const BodyModel& body, Random& random) {
 // (dofs) weights of the paper's code 1..15
 inline Parameters random_parameters(const BodyModel& body, Random& random) {
   Parameters parameters = uniform_parameters(body);
-  for (JointWeight& joint : parameters.joints) joint.weight = 1.0 + random.below(15);
+  for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+    parameters.values[d] = 1.0 + random.below(15);
+  }
   return parameters;
 }
 
@@ -64,8 +66,8 @@ struct RandomReach {
   // Every locked joint has its start angle in every frame.
   [[nodiscard]] bool keeps_locked(const Clip& clip) const {
     for (std::size_t i = 0; i < clip.angles.size(); ++i) {
-      const std::size_t d = i % parameters.joints.size();
-      if (parameters.joints[d].locked && clip.angles[i] != body.start()[d]) return false;
+      const std::size_t d = i % body.dofs().size();
+      if (parameters.locked[d] && clip.angles[i] != body.start()[d]) return false;
     }
     return true;
   }
@@ -84,8 +86,9 @@ struct WildReach {
     problem = reach_with(full(), "right_hand", {x, y, random.uniform(-1.5, 1.5)});
     const double locked = random.uniform(0.0, 0.9);
     const double spread = random.uniform(0.0, 3.0);
-    for (JointWeight& joint : parameters.joints) {
-      joint = {std::pow(10.0, random.uniform(-spread, spread)), random.chance(locked)};
+    for (std::size_t d = 0; d < full().dofs().size(); ++d) {
+      parameters.values[d] = std::pow(10.0, random.uniform(-spread, spread));
+      parameters.locked[d] = random.chance(locked);
     }
   }
 };

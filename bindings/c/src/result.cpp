@@ -155,11 +155,10 @@ shigusa_status shigusa_result_parameters(const shigusa_result* result, int32_t c
   return guarded([&]() -> Result<void> {
     SHG_TRY(need("result", result, "json", json));
     SHG_TRY(check_candidate(*result, candidate));
-    SHG_TRY_ASSIGN(
-        const auto list,
-        editable_parameters(result->task,
-                            result->generation.candidates[static_cast<size_t>(candidate - 1)]));
-    return give(format_parameters(list), json);
+    const GenerateResult& generation = result->generation;
+    const Candidate& of = generation.candidates[static_cast<size_t>(candidate - 1)];
+    return give(format_parameters(editable_parameters(*generation.parameters, of.parameters)),
+                json);
   });
 }
 

@@ -114,10 +114,8 @@ inline constexpr std::array kTasks{
     MessageText{"layers_bodies",
                 "layers are for bodies that stand, with arms of 3 + 1 or 3 + 2 + 2 and legs of 1 + "
                 "1 + 3 or 2 + 1 + 3 freedoms; {}"},
-    MessageText{"plan_counts", "{} {}, for a plan of {}"},
+    MessageText{"plan_counts", "{} values, for a plan of {}"},
     MessageText{"parameter_range", "{} is {}; allowed are {:.4g} to {:.4g}"},
-    MessageText{"shared_values", "{}s are {} and {} of limbs that share one"},
-    MessageText{"not_locked", "is not locked, and has no weight in this plan"},
     MessageText{"arm_has_goal",
                 "its arm has a goal, that of {}: only a free hand rests on something"},
     MessageText{"hand_does_not_reach",

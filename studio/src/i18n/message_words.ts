@@ -7,8 +7,7 @@ const kWords: Readonly<Record<string, string>> = {
   effector: '動かす部位', key: 'キー', word: '語', bone: 'ボーン', format: '形式', axis: '軸', direction: '向き', contact: '立つ足', hand: '手', place: '場所',
   parameter: '値', 'posture parameter': '姿勢の値', value: '値', weight: '重み', task: 'タスク', missing: 'なし', nothing: '何もありません',
   'a comment': 'コメント', 'a CDATA section': 'CDATA 区間', 'the name of a file beside this one': 'このファイルと同じ場所にあるファイルの名前',
-  '64 hexadecimal digits, of a file': 'ファイルの 16 進数 64 桁', 'joint weights': '関節の重み',
-  'posture values': '姿勢の値', contractions: '縮み', arms: '腕の値', swivels: '肘の回転', 'final angles': '最後の角度', supports: '手の支え',
+  '64 hexadecimal digits, of a file': 'ファイルの 16 進数 64 桁',
   stature: '身長', mass: '体重', seat: '座面の高さ', character: 'キャラクター', goal: '目標', 'joint names': '関節の名前', "the clip's name": 'アニメーション名',
 };
 
