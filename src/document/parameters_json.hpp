@@ -8,11 +8,12 @@
 
 namespace shigusa {
 
-// A candidate's values as results hold them: each stands under what it is of, "weights" and
-// "locked", "contractions" or "posture", those of an arm's own layer below "arms" and its name.
+// A candidate's values as results hold them: each by its name, "squat_rad", those of a posture only
+// where there is one; then the names of those that are "locked", and whether the motion is
+// "reflected".
 [[nodiscard]] Json parameters_to_json(const ParameterList& list, const Parameters& values);
 
-// The values of one stored candidate; every number of the plan must be there, but for a posture,
+// The values of one stored candidate; every number of the list must be there, but for a posture,
 // of which what is missing is 0.
 [[nodiscard]] Result<Parameters> read_parameters(const ParameterList& list, const Json& candidate,
                                                  const std::string& place);

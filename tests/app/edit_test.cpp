@@ -45,7 +45,7 @@ TEST_F(Edit, KeepsTheHandOnItsGoalWithoutASearch) {
   const StoredRun stored(work_, "result/edit-1");
   EXPECT_EQ(stored.summary().at("evaluations"), 0);
   EXPECT_EQ(stored.summary().at("search"), "edit");
-  EXPECT_EQ(stored.candidate(1).at("parameters").at("weights").at("right_shoulder.flexion"), 12.0);
+  EXPECT_EQ(stored.candidate(1).at("parameters").at("right_shoulder.flexion.weight"), 12.0);
   expect_promises_kept(stored);
 }
 
@@ -95,9 +95,9 @@ TEST_F(Edit, OfAnEditGoesOnFromThere) {
   ASSERT_THAT(edit("result", {"--set", "right_hip.weight=5"}).exit_code, delivered());
   ASSERT_THAT(edit("result/edit-1", {"--set", "right_elbow.weight=7"}).exit_code, delivered());
   const StoredRun stored(work_, "result/edit-1/edit-1");
-  const Json& weights = stored.candidate(1).at("parameters").at("weights");
-  EXPECT_EQ(weights.at("right_hip.rotation"), 5.0);
-  EXPECT_EQ(weights.at("right_elbow.flexion"), 7.0);
+  const Json& parameters = stored.candidate(1).at("parameters");
+  EXPECT_EQ(parameters.at("right_hip.rotation.weight"), 5.0);
+  EXPECT_EQ(parameters.at("right_elbow.flexion.weight"), 7.0);
   expect_promises_kept(stored);
 }
 

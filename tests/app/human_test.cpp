@@ -43,8 +43,9 @@ TEST_F(Human, HandArrivesAndFeetStay) {
     EXPECT_EQ(stored.summary().at("preset"), "human");
     EXPECT_EQ(stored.summary().at("search"), "cma_es");
     EXPECT_TRUE(stored.candidate(1).at("over_limit").empty());
-    EXPECT_TRUE(parameters("out").at("arms").at("right_arm").contains("swivel_rad"));
-    EXPECT_EQ(parameters("out").contains("rest"), std::string(body) != "half_body");
+    EXPECT_TRUE(parameters("out").contains("right_arm.swivel_rad"));
+    EXPECT_EQ(parameters("out").contains("left_elbow.flexion.final_rad"),
+              std::string(body) != "half_body");
   }
 }
 

@@ -83,8 +83,9 @@ TEST_F(Layers, BothHandsHaveTheirGoals) {
   EXPECT_THAT(run.exit_code, delivered()) << run.err;
   const StoredRun stored(work_, "out");
   expect_promises_kept(stored);
-  EXPECT_THAT(keys(stored.candidate(1).at("parameters").at("arms")),
-              ElementsAre("right_arm", "left_arm"));
+  for (const char* elbow : {"right_arm.right_elbow.flexion", "left_arm.left_elbow.flexion"}) {
+    EXPECT_TRUE(stored.candidate(1).at("parameters").contains(std::string(elbow) + ".weight"));
+  }
 }
 
 TEST_F(Layers, ParametersAreThoseOfTheReading) {
@@ -106,11 +107,11 @@ TEST_F(Layers, ParametersAreThoseOfTheReading) {
     const StoredRun stored(work_, "out");
     for (const Json& candidate : stored.summary().at("candidates")) {
       const Json& parameters = candidate.at("parameters");
-      EXPECT_THAT(keys(parameters.at("contractions")),
-                  testing::UnorderedElementsAreArray(reading.contractions));
-      EXPECT_EQ(parameters.at("weights").size(), reading.weights);
-      for (const Json& contraction : parameters.at("contractions")) {
-        EXPECT_EQ(contraction.get<double>(), static_cast<int>(contraction.get<double>()));
+      // the goal's arm has four, and what is locked stands beside
+      EXPECT_EQ(parameters.size(), reading.weights + reading.contractions.size() + 4 + 1);
+      for (const std::string& limb : reading.contractions) {
+        const auto contraction = parameters.at(limb + ".contraction").get<double>();
+        EXPECT_EQ(contraction, static_cast<int>(contraction));
       }
     }
     expect_promises_kept(stored);
@@ -209,8 +210,8 @@ TEST_F(Layers, EditOfTheArmLeavesTheTrunkWhereItWas) {
   ASSERT_THAT(run.exit_code, delivered()) << run.err;
   const StoredRun edited(work_, "out/edit-1");
   expect_promises_kept(edited);
-  EXPECT_THAT(edited.candidate(1).at("parameters").at("arms").at("right_arm").at("locked"),
-              ElementsAre("right_shoulder.rotation"));
+  EXPECT_THAT(edited.candidate(1).at("parameters").at("locked"),
+              ElementsAre("right_arm.right_shoulder.rotation.weight"));
   const std::string csv = edited.get("candidate-1.csv");
   EXPECT_THAT(csv_column(csv, "right_shoulder.rotation [rad]"),
               testing::Each(csv_column(csv, "right_shoulder.rotation [rad]").front()));
@@ -241,9 +242,9 @@ TEST_F(Layers, EditOfAnEditGoesOnFromThere) {
   ASSERT_THAT(edit("out/edit-1", {"--set", "left_arm.contraction=2"}).exit_code, delivered());
   const StoredRun stored(work_, "out/edit-1/edit-1");
   const Json& parameters = stored.candidate(1).at("parameters");
-  EXPECT_EQ(parameters.at("weights").at("right_hip.flexion"), 5.0);
-  EXPECT_EQ(parameters.at("weights").at("right_hip.abduction"), 5.0);
-  EXPECT_EQ(parameters.at("contractions").at("left_arm"), 2.0);
+  EXPECT_EQ(parameters.at("right_hip.flexion.weight"), 5.0);
+  EXPECT_EQ(parameters.at("right_hip.abduction.weight"), 5.0);
+  EXPECT_EQ(parameters.at("left_arm.contraction"), 2.0);
   EXPECT_EQ(stored.summary().at("task").at("layer_reading"), "contraction_a_limb");
   expect_promises_kept(stored);
 }

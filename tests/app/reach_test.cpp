@@ -64,7 +64,7 @@ TEST_P(ExampleTask, SummaryHasTheFieldsOfTheContract) {
     EXPECT_THAT(keys(candidate.at("criteria")),
                 AllOf(Contains("joint_range"), Contains("balance"), Contains("torque")));
     EXPECT_THAT(keys(candidate.at("parameters")),
-                AllOf(Contains("weights"), Contains("contractions"), Contains("posture")));
+                AllOf(Contains("right_shoulder.flexion.weight"), Contains("locked")));
     EXPECT_THAT(keys(candidate.at("reached").at(0)),
                 testing::ElementsAre("effector", "joint", "goal_m", "reached_m", "error_mm",
                                      "start_rotation_xyzw", "rotation_xyzw"));

@@ -70,7 +70,7 @@ TEST_F(Supports, AHandOnTheThighUnloadsTheLowBack) {
   EXPECT_EQ(resting.at("effector"), "left_hand");
   EXPECT_EQ(resting.at("on"), "thigh");
   EXPECT_LE(resting.at("max_slide_mm").get<double>(), 1.0);
-  EXPECT_GT(best.at("parameters").at("supports").at("left_hand").get<double>(), 0.0);
+  EXPECT_GT(best.at("parameters").at("left_hand.support").get<double>(), 0.0);
   const double less = 1.0 - low_back("resting") / low_back("free");
   RecordProperty("low_back_percent", static_cast<int>(100 * less));
   EXPECT_GT(less, 0.08);
@@ -86,7 +86,7 @@ TEST_F(Supports, AHandStaysFreeWhereRestingDoesNotPay) {
       0);
   const Json best = first("out");
   EXPECT_FALSE(best.contains("resting"));
-  EXPECT_LT(best.at("parameters").at("supports").at("left_hand").get<double>(), 0.0);
+  EXPECT_LT(best.at("parameters").at("left_hand.support").get<double>(), 0.0);
 }
 
 TEST_F(Supports, AnEditPressesMoreAndFreesTheHand) {

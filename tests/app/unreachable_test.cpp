@@ -30,8 +30,11 @@ class Unreachable : public testing::TestWithParam<FarGoal> {
   void for_each_freedom(const Visit& visit) const {
     for (const Json& candidate : stored_.summary().at("candidates")) {
       const std::string csv = stored_.get(candidate.at("files").at("csv"));
-      for (const auto& weight : candidate.at("parameters").at("weights").items()) {
-        visit(weight.key(), csv_column(csv, weight.key() + " [rad]"));
+      for (const auto& parameter : candidate.at("parameters").items()) {
+        const std::size_t end = parameter.key().rfind(".weight");
+        if (end == std::string::npos) continue;
+        const std::string freedom = parameter.key().substr(0, end);
+        visit(freedom, csv_column(csv, freedom + " [rad]"));
       }
     }
   }

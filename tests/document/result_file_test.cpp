@@ -148,12 +148,14 @@ TEST(ResultFile, WrongParametersAreNamedByTheirPlace) {
   };
   const Json::json_pointer parameters("/candidates/0/parameters");
   EXPECT_THAT(with(Json::json_pointer("/candidates/0"), 1), HasSubstr("candidates[0].parameters"));
-  EXPECT_THAT(with(parameters, Json::object()), HasSubstr("parameters.weights: is missing"));
-  EXPECT_THAT(with(parameters / "weights" / "right_knee.flexion", 0),
-              HasSubstr("right_knee.flexion: is 0; allowed are numbers from 0.001 to 1000"));
-  EXPECT_THAT(with(parameters / "weights" / "tail.flexion", 1), HasSubstr("'tail.flexion'"));
+  EXPECT_THAT(with(parameters, Json::object()),
+              HasSubstr("right_ankle.flexion.weight: is missing"));
+  EXPECT_THAT(with(parameters / "right_knee.flexion.weight", 0),
+              HasSubstr("right_knee.flexion.weight: is 0; allowed are numbers from 0.001 to 1000"));
+  EXPECT_THAT(with(parameters / "tail.flexion.weight", 1), HasSubstr("'tail.flexion.weight'"));
   EXPECT_THAT(with(parameters / "locked", {"tail"}), HasSubstr("parameters.locked"));
-  EXPECT_THAT(with(parameters / "locked", "right_knee.flexion"), HasSubstr("must be a list"));
+  EXPECT_THAT(with(parameters / "locked", "right_knee.flexion.weight"),
+              HasSubstr("must be a list"));
   EXPECT_THAT(with(parameters / "lokced", 1), HasSubstr("did you mean 'locked'?"));
 }
 
