@@ -150,6 +150,16 @@ std::string Row::text(std::string_view column) const {
   return std::string(padded.substr(0, padded.find('\0')));
 }
 
+FinalPosture DataMotion::ends() const {
+  const double index = motion.number("stoop_squat_index");
+  return {.sits = is_finite(task.number("seat_m")),
+          .knee_flexion = motion.number("knee_flexion_rad"),
+          .stoop_squat_index = is_finite(index) ? std::optional(index) : std::nullopt,
+          .trunk_lean = motion.number("trunk_lean_rad"),
+          .trunk_turn = motion.number("trunk_turn_rad"),
+          .elbow_swivel = motion.number("elbow_swivel_rad")};
+}
+
 std::string DataMotion::id() const { return fmt::format("{:06}-{}", number(), rank()); }
 
 Result<DataFolder> DataFolder::open(const std::filesystem::path& folder) {

@@ -44,6 +44,8 @@ struct DataMotion {
 
   [[nodiscard]] std::uint64_t number() const { return task.whole("task"); }
   [[nodiscard]] std::uint64_t rank() const { return motion.whole("rank"); }
+  // The posture at the end.
+  [[nodiscard]] FinalPosture ends() const;
   // "000012-1": its task's number and its rank; names sort as tasks do.
   [[nodiscard]] std::string id() const;
 };

@@ -70,30 +70,27 @@ constexpr std::array kTokens{
     Token{"holding", "hold/VERB"},
 };
 
-bool has(const std::string& words, std::string_view part) {
-  return words.find(part) != std::string::npos;
-}
-
 // "bends down with straight knees", "turns left": how the body goes there.
 std::vector<std::string> posture_verbs(const DataMotion& motion) {
-  const std::string words = motion.motion.text("words");
-  const bool seated = is_finite(motion.task.number("seat_m"));
+  const std::vector<PostureWord> words = words_for(motion.ends());
+  const auto has = [&words](PostureWord word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  const bool seated = has(PostureWord::sitting);
   std::vector<std::string> verbs;
-  if (seated && has(words, "leaning")) {
-    verbs.emplace_back("bends forward");
-  } else if (words.starts_with("half squat")) {
-    verbs.emplace_back("squats halfway down");
-  } else if (words.starts_with("squat")) {
-    verbs.emplace_back("squats");
-  } else if (words.starts_with("stoop")) {
-    verbs.emplace_back(has(words, "straight knees") ? "bends down with straight knees"
-                                                    : "bends down");
-  }
-  if (!seated && has(words, "leaning")) verbs.emplace_back("leans");
-  if (!seated && has(words, "knees bent")) verbs.emplace_back("bends the knees");
-  if (has(words, "turned left")) verbs.emplace_back("turns left");
-  if (has(words, "turned right")) verbs.emplace_back("turns right");
-  if (verbs.empty() && !seated) verbs.emplace_back("stands upright");
+  const auto add = [&verbs](bool said, const char* verb) {
+    if (said) verbs.emplace_back(verb);
+  };
+  const bool straight = has(PostureWord::straight_knees);
+  add(seated && has(PostureWord::leaning), "bends forward");
+  add(has(PostureWord::half_squat), "squats halfway down");
+  add(has(PostureWord::squat), "squats");
+  add(has(PostureWord::stoop), straight ? "bends down with straight knees" : "bends down");
+  add(!seated && has(PostureWord::leaning), "leans");
+  add(!seated && has(PostureWord::knees_bent), "bends the knees");
+  add(has(PostureWord::turned_left), "turns left");
+  add(has(PostureWord::turned_right), "turns right");
+  add(verbs.empty() && !seated, "stands upright");
   return verbs;
 }
 

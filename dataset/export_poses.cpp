@@ -8,8 +8,6 @@
 #include <shigusa/limb_cache.hpp>
 
 #include "motion_table.hpp"
-#include "plan/plan.hpp"
-#include "problem/plan_of.hpp"
 
 namespace shigusa {
 namespace {
@@ -278,10 +276,9 @@ Result<DrawnAgain> drawn_again(const DatasetPlan& plan, const DataMotion& motion
   SHG_TRY_ASSIGN(Task task, make_task(file, {}));
   task.batch.threads = 1;
   task.layers.store = limb_store();
-  SHG_TRY_ASSIGN(const Plan layers, plan_of(task));
-  const ParameterList list = parameter_list(layers);
+  SHG_TRY_ASSIGN(const ParameterList list, parameter_list(task.body, task));
   Parameters values = list.start();
-  values.posed = moves_whole_body(layers);
+  values.posed = list.has_posture();
   DrawnAgain again{std::move(file), std::move(task), std::move(values)};
   const std::string unknown = set_parameters(motion.motion, list, again.parameters);
   if (!unknown.empty()) {

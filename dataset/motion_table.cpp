@@ -11,7 +11,6 @@
 #include "criteria/replay.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "motion_columns.hpp"
-#include "problem/plan_of.hpp"
 #include "rollout/reach_problem.hpp"
 #include "task_rows.hpp"
 
@@ -91,8 +90,8 @@ class PressureMeter {
 MotionTable::MotionTable(const TaskFile& file, const Task& task,
                          std::span<const DatasetSeries> series)
     : file_(file), task_(task), series_(series), dofs_(data_dofs(file, task.body)) {
-  const Result<Plan> plan = plan_of(task);
-  list_ = parameter_list(plan ? *plan : whole_body_plan(task.body, task.supports));
+  const Result<ParameterList> list = parameter_list(task.body, task);
+  list_ = list ? *list : parameter_list(task.body, Request{}).value();
   parameters_ = list_.names();
   std::sort(parameters_.begin(), parameters_.end());
   for (const std::string& name : parameters_) order_.push_back(list_.find(name).value());

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "plan/plan.hpp"
 #include "table.hpp"
 
 namespace shigusa {

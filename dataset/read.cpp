@@ -3,8 +3,6 @@
 #include <shigusa/dataset_read.hpp>
 
 #include "data_rows.hpp"
-#include "plan/plan.hpp"
-#include "problem/plan_of.hpp"
 
 namespace shigusa {
 namespace {
@@ -55,10 +53,9 @@ Result<void> read_motions(const std::filesystem::path& folder,
 
 Result<Parameters> named_parameters(const Task& task, std::span<const std::string> names,
                                     std::span<const double> values) {
-  SHG_TRY_ASSIGN(const Plan plan, plan_of(task));
-  const ParameterList list = parameter_list(plan);
+  SHG_TRY_ASSIGN(const ParameterList list, parameter_list(task.body, task));
   Parameters parameters = list.start();
-  parameters.posed = moves_whole_body(plan);
+  parameters.posed = list.has_posture();
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto name = std::find(names.begin(), names.end(), list.all[i].spelled("_rad"));
     const auto k = static_cast<std::size_t>(name - names.begin());

@@ -61,7 +61,7 @@ void add_style(const DataMotion& motion, ShowFacts& facts) {
   const double away = sqrt(place.x * place.x + place.z * place.z);
   const std::pair cell{static_cast<int>(std::floor(place.y / kCellHeight)),
                        static_cast<int>(std::floor(away / kCellAway))};
-  ++facts.styles[cell][style_of(motion.motion.text("words"))];
+  ++facts.styles[cell][words_for(motion.ends()).front()];
 }
 
 void add_motions(const DataFolder& data, const ShardRows& rows, std::size_t most,
@@ -97,8 +97,6 @@ std::uint64_t ShowFacts::task_count() const {
 std::uint64_t ShowFacts::motion_count() const {
   return std::accumulate(motions.begin(), motions.end(), std::uint64_t{0});
 }
-
-std::string style_of(const std::string& words) { return words.substr(0, words.find(',')); }
 
 Result<ShowFacts> gather_facts(const DataFolder& data, const ShowSettings& settings) {
   ShowFacts facts{.goals = Lottery<GoalMark>(kMarks), .people = Lottery<PersonMark>(kMarks)};

@@ -85,7 +85,7 @@ struct ScoreCounts {
 // The styles of the best motions to goals in one cell of height and distance.
 inline constexpr double kCellHeight = 0.25;  // m
 inline constexpr double kCellAway = 0.1;     // m
-using StyleCells = std::map<std::pair<int, int>, std::map<std::string, std::uint64_t>>;
+using StyleCells = std::map<std::pair<int, int>, std::map<PostureWord, std::uint64_t>>;
 
 // Bodies that differ are counted up to this.
 inline constexpr std::size_t kDifferentMost = 100'000;
@@ -109,9 +109,6 @@ struct ShowFacts {
   [[nodiscard]] std::uint64_t task_count() const;
   [[nodiscard]] std::uint64_t motion_count() const;
 };
-
-// "upright" of "upright, turned left".
-[[nodiscard]] std::string style_of(const std::string& words);
 
 // Reads all shards, one after the other.
 [[nodiscard]] Result<ShowFacts> gather_facts(const DataFolder& data, const ShowSettings& settings);

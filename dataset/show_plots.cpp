@@ -223,15 +223,15 @@ StyleGrid grid_of(const StyleCells& fine) {
 }
 
 // A style's class: those that are known have their own.
-std::string_view style_class(std::string_view style) {
-  if (style == "upright") return "s1";
-  if (style == "half squat") return "s2";
-  if (style == "squat") return "s3";
-  return style == "stoop" ? "s4" : "s5";
+std::string_view style_class(PostureWord style) {
+  if (style == PostureWord::upright) return "s1";
+  if (style == PostureWord::half_squat) return "s2";
+  if (style == PostureWord::squat) return "s3";
+  return style == PostureWord::stoop ? "s4" : "s5";
 }
 
 // A cell: its most frequent style with its count, and a bar of all styles' shares.
-std::string style_cell(const std::map<std::string, std::uint64_t>& styles, double x, double y,
+std::string style_cell(const std::map<PostureWord, std::uint64_t>& styles, double x, double y,
                        double width, double height) {
   std::uint64_t all = 0;
   const auto most =
@@ -243,7 +243,7 @@ std::string style_cell(const std::map<std::string, std::uint64_t>& styles, doubl
                   style_class(most->first), x + 1.0, y + 1.0, width - 2.0, height - 2.0);
   svg += fmt::format(
       R"(<text x="{0:.1f}" y="{1:.1f}" class="mid style">{2}</text><text x="{0:.1f}" y="{3:.1f}" class="mid count">{4}</text>)",
-      x + width / 2.0, y + height / 2.0 - 4.0, xml_escaped(most->first), y + height / 2.0 + 8.0,
+      x + width / 2.0, y + height / 2.0 - 4.0, word_of(most->first), y + height / 2.0 + 8.0,
       styles.size() > 1 ? fmt::format("{} of {}", grouped(most->second), grouped(all))
                         : grouped(all));
   double at = x + 1.0;
@@ -320,7 +320,7 @@ std::string styles_html(const ShowFacts& facts) {
   const double left = 46.0;
   const double bottom = 6.0 + high * grid.rows;
   std::string body;
-  std::set<std::string> known;
+  std::set<PostureWord> known;
   for (const auto& [cell, styles] : grid.cells) {
     const double y = bottom - high * static_cast<double>(cell.first - grid.low + 1);
     body += style_cell(styles, left + wide * cell.second, y, wide, high);
@@ -341,9 +341,9 @@ std::string styles_html(const ShowFacts& facts) {
       R"svg(<text transform="translate(10 {:.1f}) rotate(-90)" class="mid name">height of the goal (m)</text>)svg",
       bottom / 2.0 + 3.0);
   std::string legend;
-  for (const std::string& style : known) {
+  for (const PostureWord style : known) {
     legend += fmt::format("<span><b class=\"{}\">\u25A0</b> {}</span> ", style_class(style),
-                          xml_escaped(style));
+                          word_of(style));
   }
   return figure(
       {.title = "Styles by height and distance",

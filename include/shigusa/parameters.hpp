@@ -154,6 +154,8 @@ struct ParameterList {
   [[nodiscard]] std::vector<std::string> names() const;
   /// Index of the parameter that is spelled so, its angle in degrees or radians.
   [[nodiscard]] std::optional<std::size_t> find(std::string_view spelled) const;
+  /// Whether motions may have a posture: those that move the whole body at once.
+  [[nodiscard]] bool has_posture() const;
   /// The values of one kind.
   [[nodiscard]] std::vector<double> of_kind(ParameterKind kind, const Parameters& values) const;
   /// The values that a plan begins with: weights of 1, no contraction, no posture, no swivel, and

@@ -53,6 +53,10 @@ struct Task : Request {
 /// first goal of a limb, or between those of two hands, where nothing else is said.
 [[nodiscard]] CriteriaSettings task_criteria(const Task& task);
 
+/// The parameters of the motions that a request's preset makes for its goals on a body. Fails where
+/// a preset of several layers does not know the body, a goal or supports.
+[[nodiscard]] Result<ParameterList> parameter_list(const BodyModel& body, const Request& request);
+
 /// Notes on goals of hands that may be an oversight: in the body's own head or a foot, where these
 /// are at the start, below the floor (y < 0), or nearer to it than the hand is thick. They refuse
 /// nothing.

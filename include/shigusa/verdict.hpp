@@ -31,8 +31,41 @@ inline constexpr double kSquatIndex = 40.0;
 /// A stoop-squat index above this is called a stoop.
 inline constexpr double kStoopIndex = 80.0;
 
-/// "stoop, straight knees", "squat, turned left", "upright, elbow out", "sitting, leaning": what
-/// tells it from others in a few words.
+/// A word for a posture: of the style, or of what comes beside it.
+enum class PostureWord {
+  half_squat,      ///< between squat and stoop
+  sitting,         ///< on a seat
+  squat,           ///< the hips come down
+  stoop,           ///< the trunk comes down
+  upright,         ///< none of these
+  leaning,         ///< the trunk leans forwards
+  knees_bent,      ///< they give way
+  straight_knees,  ///< of a stoop
+  turned_left,     ///< of the shoulders' line
+  turned_right,    ///< of the shoulders' line
+  elbow_out,       ///< away from the body
+};
+/// The words of PostureWord.
+template <>
+inline constexpr std::array kEnumWords<PostureWord>{
+    EnumWord{PostureWord::half_squat, "half squat"},
+    EnumWord{PostureWord::sitting, "sitting"},
+    EnumWord{PostureWord::squat, "squat"},
+    EnumWord{PostureWord::stoop, "stoop"},
+    EnumWord{PostureWord::upright, "upright"},
+    EnumWord{PostureWord::leaning, "leaning"},
+    EnumWord{PostureWord::knees_bent, "knees bent"},
+    EnumWord{PostureWord::straight_knees, "straight knees"},
+    EnumWord{PostureWord::turned_left, "turned left"},
+    EnumWord{PostureWord::turned_right, "turned right"},
+    EnumWord{PostureWord::elbow_out, "elbow out"},
+};
+
+/// The words for a posture: its style comes first.
+[[nodiscard]] std::vector<PostureWord> words_for(const FinalPosture& posture);
+
+/// "stoop, straight knees", "squat, turned left", "upright, elbow out", "sitting, leaning": the
+/// words for a posture as people read them.
 [[nodiscard]] std::string posture_words(const FinalPosture& posture);
 
 /// Whether the body could make a motion.

@@ -5,7 +5,6 @@
 #include <shigusa/random.hpp>
 
 #include "problem/make_problem.hpp"
-#include "problem/plan_of.hpp"
 #include "problem/reachability.hpp"
 #include "rollout/detour.hpp"
 #include "rollout/rollout.hpp"
@@ -29,7 +28,7 @@ GoalSearch::GoalSearch(const BodyModel& body, const Vec3d& goal, const GoalSearc
     : task_(goal_task(body, goal, Preset::flat, settings.criteria)),
       reach_(make_problem(task_).value()),
       criteria_(task_criteria(task_)),
-      list_(parameter_list(plan_of(task_).value())) {
+      list_(parameter_list(task_.body, task_).value()) {
   const ClosestReach closest = closest_reach(reach_);
   add_detours(reach_);
   reach_.steps = settings.steps;

@@ -1,54 +1,49 @@
 // SPDX-License-Identifier: MIT
 #include "old_parameters.hpp"
 
-#include <array>
+#include <map>
 #include <string>
 #include <string_view>
 
 namespace shigusa {
 namespace {
 
-constexpr const char* kOldLocked = "locked";
-
 // The objects whose keys are names of parameters, and what a parameter's name has after them.
-struct OldGroup {
-  std::string_view key;
-  std::string_view word;
-};
-constexpr std::array<OldGroup, 5> kOldGroups{{{"weights", ".weight"},
-                                              {"contractions", ".contraction"},
-                                              {"posture", ""},
-                                              {"supports", ".support"},
-                                              {"rest", ".final_rad"}}};
+const std::map<std::string_view, std::string_view> kWords{{"weights", ".weight"},
+                                                          {"contractions", ".contraction"},
+                                                          {"posture", ""},
+                                                          {"supports", ".support"},
+                                                          {"rest", ".final_rad"}};
 
-std::string_view suffix_of(std::string_view group) {
-  for (const OldGroup& known : kOldGroups) {
-    if (known.key == group) return known.word;
-  }
-  return {};
+// The name of a parameter that stands as `key` in the object `group`.
+std::string name_of(std::string_view group, std::string key) {
+  constexpr std::string_view kUnit = "_rad";
+  if (group == "rest" && key.ends_with(kUnit)) key.resize(key.size() - kUnit.size());
+  return key.append(kWords.at(group));
 }
 
-// Adds what stands in one object, with the names of its layer's parameters after `layer`.
+// Adds what stands in one object; names of a layer's parameters begin with `layer`.
 void add_old(const Json& old, const std::string& layer, Json& parameters) {
-  constexpr std::string_view kUnit = "_rad";
-  for (const auto& [key, value] : old.items()) {
-    if (key == kOldLocked && value.is_array()) {
-      for (const Json& name : value) {
-        parameters[kOldLocked].push_back(
-            name.is_string() ? layer + name.get<std::string>() + ".weight" : name);
+  for (const auto& [group, members] : old.items()) {
+    if (group == "locked" && members.is_array()) {
+      for (const Json& key : members) {
+        const bool text = key.is_string();
+        parameters[group].push_back(text ? Json(layer + name_of("weights", key.get<std::string>()))
+                                         : key);
       }
-    } else if (key == "arms" && value.is_object()) {
-      for (const auto& [arm, own] : value.items()) {
-        own.is_object() ? add_old(own, arm + ".", parameters) : void(parameters[arm] = own);
+    } else if (group == "arms" && members.is_object()) {
+      for (const auto& [arm, own] : members.items()) {
+        if (own.is_object())
+          add_old(own, arm + ".", parameters);
+        else
+          parameters[arm] = own;
       }
-    } else if (value.is_object()) {
-      for (const auto& [name, number] : value.items()) {
-        const bool final = key == "rest" && name.ends_with(kUnit);
-        const std::string bare = final ? name.substr(0, name.size() - kUnit.size()) : name;
-        parameters[layer + bare + std::string(suffix_of(key))] = number;
+    } else if (kWords.contains(group) && members.is_object()) {
+      for (const auto& [key, value] : members.items()) {
+        parameters[layer + name_of(group, key)] = value;
       }
     } else {
-      parameters[layer + key] = value;
+      parameters[layer + group] = members;
     }
   }
 }
@@ -57,7 +52,7 @@ void add_old(const Json& old, const std::string& layer, Json& parameters) {
 
 Json from_old_parameters(const Json& parameters) {
   if (!parameters.is_object() || !parameters.contains("weights")) return parameters;
-  Json flat{{kOldLocked, Json::array()}};
+  Json flat{{"locked", Json::array()}};
   add_old(parameters, "", flat);
   return flat;
 }

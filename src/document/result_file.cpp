@@ -11,7 +11,6 @@
 #include "formats/message_json.hpp"
 #include "measures_json.hpp"
 #include "parameters_json.hpp"
-#include "problem/plan_of.hpp"
 #include "task_json.hpp"
 
 namespace shigusa {
@@ -309,14 +308,13 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   const Json& candidates = json["candidates"];
   SHG_TRY(check_count(candidates, place));
   SHG_TRY_ASSIGN(const BodyModel body, build_body(result.task));
-  const Result<Plan> plan = plan_of(body, result.task);
-  if (!plan) return fail(ErrorCode::parse, plan.error().to_message(), place + ": task");
-  const ParameterList list = parameter_list(*plan);
+  const Result<ParameterList> list = parameter_list(body, result.task);
+  if (!list) return fail(ErrorCode::parse, list.error().to_message(), place + ": task");
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);
     SHG_TRY_ASSIGN(result.files.emplace_back(), read_files(candidates[i], at));
     SHG_TRY(read_rate(candidates[i], at + ".fps", result.rate));
-    SHG_TRY_ASSIGN(result.candidates.emplace_back(), read_parameters(list, candidates[i], at));
+    SHG_TRY_ASSIGN(result.candidates.emplace_back(), read_parameters(*list, candidates[i], at));
   }
   return result;
 }

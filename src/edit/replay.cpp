@@ -8,7 +8,6 @@
 #include "core/say.hpp"
 #include "formats/json_text.hpp"
 #include "plan/assignment.hpp"
-#include "problem/plan_of.hpp"
 
 namespace shigusa {
 namespace {
@@ -66,10 +65,8 @@ Result<void> mirror_result(StoredResult& stored) {
   SHG_TRY_ASSIGN(const BodyModel body, build_body(stored.task));
   SHG_TRY_ASSIGN(TaskFile image, mirrored(stored.task));
   SHG_TRY_ASSIGN(const Task task, make_task(image, {}));
-  SHG_TRY_ASSIGN(const Plan from, plan_of(body, stored.task));
-  SHG_TRY_ASSIGN(const Plan to, plan_of(task));
-  const ParameterList own = parameter_list(from);
-  const ParameterList other = parameter_list(to);
+  SHG_TRY_ASSIGN(const ParameterList own, parameter_list(body, stored.task));
+  SHG_TRY_ASSIGN(const ParameterList other, parameter_list(task.body, task));
   stored.task = std::move(image);
   for (Parameters& values : stored.candidates) {
     const bool reflected = !values.reflected;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/check.hpp"
+#include "plan/held_input.hpp"
 #include "search/genetic.hpp"
 #include "search/genetic_operators.hpp"
 
@@ -39,12 +40,10 @@ std::string shared_name(const Dof& dof) {
   return part.limb == LimbKind::leg ? part.joint + "." + part.freedom : dof.name;
 }
 
-// Repeats the values for each motion, in single precision.
-void repeat(std::span<const double> values, std::size_t motions, std::vector<float>& rows) {
+// Repeats the values for each motion.
+void repeat(std::span<const float> values, std::size_t motions, std::vector<float>& rows) {
   rows.clear();
-  for (std::size_t i = 0; i < motions; ++i) {
-    for (const double value : values) rows.push_back(static_cast<float>(value));
-  }
+  for (std::size_t i = 0; i < motions; ++i) rows.insert(rows.end(), values.begin(), values.end());
 }
 
 // The number of the freedom, the posture mode, the timing or the support that a parameter is of.
@@ -75,6 +74,41 @@ ParameterSpace::ParameterSpace(const ReachProblem& problem, const ParameterList&
     // a genome of the paper's has a gene for each freedom
     if (!set_[i] || (code_ == GeneCode::paper && weight)) add(i, useful);
   }
+  start_rows();
+}
+
+// The cells of each gene, and all others as the fixed parameters have it.
+void ParameterSpace::start_rows() {
+  const HeldInput held(*body_, base_);
+  const MotionInput<double> input = held.input();
+  base_rows_[kWeights].assign(input.inverse_weights.begin(), input.inverse_weights.end());
+  if (base_.posed) {
+    base_rows_[kPosture].assign(input.posture.begin(), input.posture.end());
+    for (const auto member : kTimingMembers<double>) {
+      base_rows_[kTiming].push_back(static_cast<float>(input.timing.*member));
+    }
+    base_rows_[kSupports].assign(input.supports.begin(), input.supports.end());
+  }
+  for (Gene& gene : genes_) {
+    for (const std::size_t p : gene.parameters) add_cells(list_->all[p], gene.cells);
+    if (gene.kind != ParameterKind::weight) continue;  // the others begin at 0
+    for (const Cell& cell : gene.cells) base_rows_[cell.row][cell.column] = 0.0F;
+  }
+}
+
+void ParameterSpace::add_cells(const ParameterInfo& info, std::vector<Cell>& cells) const {
+  const std::size_t number = number_of(info);
+  if (info.kind == ParameterKind::mode) {
+    const std::vector<double>& direction = modes_[number].direction;
+    for (std::size_t d = 0; d < direction.size(); ++d) {
+      if (direction[d] != 0.0) cells.push_back({kPosture, d, direction[d]});
+    }
+    return;
+  }
+  const Row row = info.kind == ParameterKind::weight   ? kWeights
+                  : info.kind == ParameterKind::timing ? kTiming
+                                                       : kSupports;
+  cells.push_back({row, number, 1.0});
 }
 
 void ParameterSpace::add(std::size_t parameter, const std::vector<bool>& useful) {
@@ -185,47 +219,24 @@ double ParameterSpace::value_of(const Gene& gene, const Parameters& values) cons
 
 MotionInputs ParameterSpace::rows(std::span<const double> points) {
   const std::size_t motions = points.size() / genes_.size();
-  start_rows(motions);
+  for (std::size_t k = 0; k < kRows; ++k) repeat(base_rows_[k], motions, rows_[k]);
   for (std::size_t i = 0; i < motions; ++i) {
-    fill_row(i, points.subspan(i * genes_.size(), genes_.size()));
+    add_to_rows(i, points.subspan(i * genes_.size(), genes_.size()));
   }
-  if (!base_.posed) return weights_;
-  MotionInputs inputs{weights_, postures_, timing_};
-  inputs.supports = supports_;
+  MotionInputs inputs{rows_[kWeights], rows_[kPosture], rows_[kTiming]};
+  inputs.supports = rows_[kSupports];
   return inputs;
 }
 
-// All as the fixed parameters have it.
-void ParameterSpace::start_rows(std::size_t motions) {
-  repeat(inverse_weights(*body_, base_), motions, weights_);
-  if (!base_.posed) return;
-  repeat(posture_change(*body_, list_->of_kind(ParameterKind::mode, base_)), motions, postures_);
-  repeat(list_->of_kind(ParameterKind::timing, base_), motions, timing_);
-  repeat(list_->of_kind(ParameterKind::support, base_), motions, supports_);
-}
-
-void ParameterSpace::fill_row(std::size_t row, std::span<const double> point) {
-  const std::size_t dofs = body_->dofs().size();
-  const std::size_t supports = supports_.size() * dofs / weights_.size();
+void ParameterSpace::add_to_rows(std::size_t motion, std::span<const double> point) {
   const std::vector<float> genome = inverse_weights_of_genes(genome_of(point));
   for (std::size_t g = 0; g < genes_.size(); ++g) {
-    const Gene& gene = genes_[g];
-    const double value = gene.at(point[g]);
-    const bool weight = gene.kind == ParameterKind::weight;
-    for (const std::size_t p : gene.parameters) {
-      const std::size_t number = number_of(list_->all[p]);
-      if (weight) {
-        weights_[row * dofs + number] =
-            genome.empty() ? static_cast<float>(exponential(-value)) : genome[g];
-      } else if (gene.kind == ParameterKind::mode) {
-        for (std::size_t d = 0; d < dofs; ++d) {
-          postures_[row * dofs + d] += static_cast<float>(value * modes_[number].direction[d]);
-        }
-      } else if (gene.kind == ParameterKind::timing) {
-        timing_[row * kTimings + number] = static_cast<float>(value);
-      } else {
-        supports_[row * supports + number] = static_cast<float>(value);
-      }
+    const bool weight = genes_[g].kind == ParameterKind::weight;
+    double value = genes_[g].at(point[g]);
+    if (weight) value = genome.empty() ? exponential(-value) : genome[g];
+    for (const Cell& cell : genes_[g].cells) {
+      rows_[cell.row][motion * base_rows_[cell.row].size() + cell.column] +=
+          static_cast<float>(value * cell.factor);
     }
   }
 }

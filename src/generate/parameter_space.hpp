@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <shigusa/parameters.hpp>
@@ -57,11 +58,22 @@ class ParameterSpace {
   [[nodiscard]] MotionInputs rows(std::span<const double> points);
 
  private:
+  // The rows of MotionInputs.
+  enum Row : std::uint8_t { kWeights, kPosture, kTiming, kSupports };
+  static constexpr std::size_t kRows = 4;
+  // One number of a motion's rows, which has `factor` times a coordinate's value.
+  struct Cell {
+    Row row;
+    std::size_t column;
+    double factor;
+  };
+
   // One coordinate.
   struct Gene {
     ParameterKind kind = ParameterKind::weight;
     std::string name;
     std::vector<std::size_t> parameters{};  // that it sets, all to the same
+    std::vector<Cell> cells{};              // where these stand in the rows
     double lower = 0.0;                     // of what x = 0 stands for; the logarithm of a weight
     double upper = 1.0;
     double start = 0.0;  // what the search starts from
@@ -74,8 +86,9 @@ class ParameterSpace {
   void add(std::size_t parameter, const std::vector<bool>& useful);
   void add_weight(std::size_t parameter, const std::vector<bool>& useful, Gene gene);
   [[nodiscard]] std::vector<std::uint16_t> genome_of(std::span<const double> point) const;
-  void start_rows(std::size_t motions);
-  void fill_row(std::size_t row, std::span<const double> point);
+  void start_rows();
+  void add_cells(const ParameterInfo& info, std::vector<Cell>& cells) const;
+  void add_to_rows(std::size_t motion, std::span<const double> point);
   [[nodiscard]] double value_of(const Gene& gene, const Parameters& values) const;
 
   const BodyModel* body_;
@@ -86,10 +99,8 @@ class ParameterSpace {
   std::vector<bool> set_;
   std::vector<PostureMode> modes_;
   std::vector<Gene> genes_;
-  std::vector<float> weights_;
-  std::vector<float> postures_;
-  std::vector<float> timing_;
-  std::vector<float> supports_;
+  std::array<std::vector<float>, kRows> base_rows_;  // of one motion, without the genes' cells
+  std::array<std::vector<float>, kRows> rows_;       // of all motions
 };
 
 }  // namespace shigusa

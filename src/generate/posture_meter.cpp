@@ -130,20 +130,32 @@ bool is_strange(const FinalPosture& posture) {
   return folded || crouches || posture.elbow_swivel < kElbowIn;
 }
 
-std::string posture_words(const FinalPosture& posture) {
-  std::string words = posture.sits ? "sitting" : "upright";
+std::vector<PostureWord> words_for(const FinalPosture& posture) {
+  using enum PostureWord;
+  std::vector<PostureWord> words{posture.sits ? sitting : upright};
   const bool bends = !posture.sits && posture.stoop_squat_index.has_value();
   if (bends) {
     const double index = *posture.stoop_squat_index;
-    words = index < kSquatIndex ? "squat" : index > kStoopIndex ? "stoop" : "half squat";
+    words[0] = index < kSquatIndex ? squat : index > kStoopIndex ? stoop : half_squat;
   }
-  if (!bends && posture.trunk_lean > kLeaning) words += ", leaning";
-  if (!bends && posture.knee_flexion > kKneesGive) words += ", knees bent";
-  if (words == "stoop" && posture.knee_flexion < kBentKnees) words += ", straight knees";
-  if (posture.trunk_turn > kTurned) words += ", turned left";
-  if (posture.trunk_turn < -kTurned) words += ", turned right";
-  if (posture.elbow_swivel > kElbowOut) words += ", elbow out";
+  const auto add = [&words](bool said, PostureWord word) {
+    if (said) words.push_back(word);
+  };
+  add(!bends && posture.trunk_lean > kLeaning, leaning);
+  add(!bends && posture.knee_flexion > kKneesGive, knees_bent);
+  add(words[0] == stoop && posture.knee_flexion < kBentKnees, straight_knees);
+  add(posture.trunk_turn > kTurned, turned_left);
+  add(posture.trunk_turn < -kTurned, turned_right);
+  add(posture.elbow_swivel > kElbowOut, elbow_out);
   return words;
+}
+
+std::string posture_words(const FinalPosture& posture) {
+  std::string text;
+  for (const PostureWord word : words_for(posture)) {
+    text.append(text.empty() ? "" : ", ").append(word_of(word));
+  }
+  return text;
 }
 
 }  // namespace shigusa

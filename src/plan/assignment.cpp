@@ -48,15 +48,14 @@ std::vector<std::string> members_of(ParameterKind kind) {
   return {word};
 }
 
-Result<Assignment> split(std::span<const ParameterInfo> all, std::string_view text) {
+Result<Assignment> split(const ParameterList& list, std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string_view whole = text.substr(0, equals);
   const std::size_t dot = whole.rfind('.');
-  const bool posture = std::any_of(all.begin(), all.end(),
-                                   [](const ParameterInfo& info) { return info.of_posture(); });
+  const bool posture = list.has_posture();
   if (equals == text.npos || (dot == text.npos && !posture)) {
     std::vector<std::string> members;
-    for (const ParameterInfo& info : all) {
+    for (const ParameterInfo& info : list.all) {
       if (info.of_posture()) continue;
       const std::string member = members_of(info.kind)[0];
       note(members, fmt::format("NAME.{}=NUMBER", member));
@@ -141,7 +140,7 @@ bool is_meant(const Assignment& asked, const ParameterInfo& info) {
 
 Result<void> fix_parameter(const ParameterList& list, std::string_view assignment,
                            FixedParameters& fixed) {
-  SHG_TRY_ASSIGN(const Assignment asked, split(list.all, assignment));
+  SHG_TRY_ASSIGN(const Assignment asked, split(list, assignment));
   FixedParameters changed = fixed;
   changed.set.resize(list.size());
   bool known = false;

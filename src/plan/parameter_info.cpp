@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plan/parameter_info.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "body/joint_name.hpp"
@@ -64,6 +65,11 @@ std::optional<std::size_t> ParameterList::find(std::string_view spelled) const {
     if (all[i].spelled("_rad") == spelled || all[i].spelled("_deg") == spelled) return i;
   }
   return std::nullopt;
+}
+
+bool ParameterList::has_posture() const {
+  return std::any_of(all.begin(), all.end(),
+                     [](const ParameterInfo& info) { return info.of_posture(); });
 }
 
 std::vector<double> ParameterList::of_kind(ParameterKind kind, const Parameters& values) const {

@@ -120,8 +120,6 @@ Plan whole_body_plan(const BodyModel& body, std::span<const Support> supports) {
   return {std::move(layer)};
 }
 
-bool moves_whole_body(std::span<const Layer> plan) { return plan.front().body.dofs.empty(); }
-
 ParameterList parameter_list(std::span<const Layer> plan) {
   ParameterList list;
   for (const Layer& layer : plan) {

@@ -18,8 +18,6 @@ using Plan = std::vector<Layer>;
 // The plan of one layer. Its parameters are the weights of all freedoms, the posture modes, the
 // timing and what resting hands press with.
 [[nodiscard]] Plan whole_body_plan(const BodyModel& body, std::span<const Support> supports = {});
-// Whether a plan has that one layer.
-[[nodiscard]] bool moves_whole_body(std::span<const Layer> plan);
 
 // The upper layer of a body, below it the layer of each goal's arm, then the layers of limbs that
 // no goal moves, with the parameters of those limbs alone. Fails on a body that is not a person's

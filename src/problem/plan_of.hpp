@@ -13,6 +13,5 @@ namespace shigusa {
 // supports.
 [[nodiscard]] Result<Plan> plan_of(const BodyModel& body, const Request& request,
                                    const CriteriaSettings& criteria = {});
-[[nodiscard]] Result<Plan> plan_of(const Task& task);
 
 }  // namespace shigusa

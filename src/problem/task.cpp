@@ -257,6 +257,9 @@ Result<Plan> plan_of(const BodyModel& body, const Request& request,
   return layers_to_goals(body, request.goals, {*stack, request.layer_reading}, criteria);
 }
 
-Result<Plan> plan_of(const Task& task) { return plan_of(task.body, task, task_criteria(task)); }
+Result<ParameterList> parameter_list(const BodyModel& body, const Request& request) {
+  SHG_TRY_ASSIGN(const Plan plan, plan_of(body, request));
+  return parameter_list(plan);
+}
 
 }  // namespace shigusa

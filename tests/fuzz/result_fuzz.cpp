@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "plan/assignment.hpp"
-#include "problem/plan_of.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;
@@ -18,14 +17,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!result) return 0;
   const auto task = make_task(result->task, {});
   if (!task) return 0;
-  const auto plan = plan_of(*task);
-  if (!plan) std::abort();
-  const ParameterList list = parameter_list(*plan);
+  const auto list = parameter_list(task->body, *task);
+  if (!list) std::abort();
   for (Parameters& parameters : result->candidates) {
-    if (!list.check(parameters)) std::abort();
-    const std::string first = list.all.front().name;
-    if (!assign_parameter(list, first + ".weight=2", parameters)) std::abort();
-    if (assign_parameter(list, "later." + first + ".weight=2", parameters)) std::abort();
+    if (!list->check(parameters)) std::abort();
+    const std::string first = list->all.front().name;
+    if (!assign_parameter(*list, first + ".weight=2", parameters)) std::abort();
+    if (assign_parameter(*list, "later." + first + ".weight=2", parameters)) std::abort();
   }
   return 0;
 }

@@ -15,6 +15,7 @@
 namespace shigusa {
 namespace {
 
+using namespace testing_support;
 using testing::HasSubstr;
 using testing::SizeIs;
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "plan/plan.hpp"
+#include "paper/layered_values.hpp"
 #include "support/named_values.hpp"
 #include "support/problems.hpp"
 

@@ -144,7 +144,7 @@ TEST(Rollout, UsedAgainGivesTheSameMotion) {
   Rollout<double> rollout(problem);
   const auto angles_of = [&](const Parameters& parameters) {
     std::vector<double> angles;
-    rollout.run(inverse_weights(body, parameters), [&](const PlacedFrame<double>& frame) {
+    rollout.run(inverse_weights(full(), parameters), [&](const PlacedFrame<double>& frame) {
       angles.insert(angles.end(), frame.angles.begin(), frame.angles.end());
     });
     return angles;

@@ -15,15 +15,16 @@ namespace shigusa::testing_support {
 
 // Points to the task's body.
 inline LayeredProblem make_layered_problem(const Task& task) {
-  return in_layers(make_problem(task).value(), plan_of(task).value());
+  return in_layers(make_problem(task).value(),
+                   plan_of(task.body, task, task_criteria(task)).value());
 }
 
 // A candidate's values as its task's layers compute with them, and the reverse.
 inline LayeredValues layered_of(const Task& task, const Parameters& parameters) {
-  return layered_values(plan_of(task).value(), parameters);
+  return layered_values(plan_of(task.body, task, task_criteria(task)).value(), parameters);
 }
 inline Parameters parameters_of(const Task& task, const LayeredValues& values) {
-  return parameters_of(plan_of(task).value(), values);
+  return parameters_of(plan_of(task.body, task, task_criteria(task)).value(), values);
 }
 
 // Layers with parameters of theirs, before and after what a test does to them.
