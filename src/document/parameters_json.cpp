@@ -46,7 +46,7 @@ Result<Parameters> read_parameters(const ParameterList& list, const Json& candid
   }
   const Json json = from_old_parameters(candidate["parameters"]);
   JsonReader reader(json, place + ".parameters");
-  if (reader.has("later")) reader.wrong("later", say("one_phase"));
+  if (json.contains("later")) reader.wrong("later", say("one_phase"));
   Parameters values = list.start();
   for (std::size_t i = 0; i < list.size(); ++i) {
     const ParameterInfo& info = list.all[i];

@@ -110,9 +110,9 @@ TEST_F(Human, MirrorPlaysItWithTheOtherHand) {
   const ProgramRun done = run({"mirror", "out", "--formats", "bvh,csv"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   const Json image = parameters("out/mirror-1");
-  EXPECT_EQ(image.at("arms").at("left_arm"), parameters("out").at("arms").at("right_arm"));
-  EXPECT_EQ(image.at("rest").at("right_elbow.flexion_rad"),
-            parameters("out").at("rest").at("left_elbow.flexion_rad"));
+  EXPECT_EQ(image.at("left_arm.swivel_rad"), parameters("out").at("right_arm.swivel_rad"));
+  EXPECT_EQ(image.at("right_elbow.flexion.final_rad"),
+            parameters("out").at("left_elbow.flexion.final_rad"));
 }
 
 TEST_F(Human, WrongValuesAreRefusedInWords) {

@@ -284,8 +284,8 @@ std::string caption_for(const std::vector<Aim>& aims, double error = 0.0) {
   const auto text = [](const char* name) {
     return Column{.name = name, .type = ElementType::text, .text_size = 16};
   };
-  Table motions{"/motions", {text("words"), {"error_m"}}};
-  motions["words"].push(std::string_view("squat"));
+  Table motions{"/motions", {{"stoop_squat_index"}, {"error_m"}}};
+  motions["stoop_squat_index"].push(10.0);
   motions["error_m"].push(error);
   Table tasks{"/tasks", {{"stature_m"}}};
   tasks["stature_m"].push(1.7);

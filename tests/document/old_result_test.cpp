@@ -72,7 +72,7 @@ TEST_P(OldResult, HasEachValueUnderItsName) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stored, OldResult,
-                         testing::Values("half_body.json", "human.json", "layers.json",
+                         testing::Values("half_body.json", "swivels.json", "layers.json",
                                          "person.json", "posture_and_support.json"),
                          [](const auto& file) {
                            const std::string name = file.param;

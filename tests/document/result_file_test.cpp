@@ -149,7 +149,7 @@ TEST(ResultFile, WrongParametersAreNamedByTheirPlace) {
   const Json::json_pointer parameters("/candidates/0/parameters");
   EXPECT_THAT(with(Json::json_pointer("/candidates/0"), 1), HasSubstr("candidates[0].parameters"));
   EXPECT_THAT(with(parameters, Json::object()),
-              HasSubstr("right_ankle.flexion.weight: is missing"));
+              HasSubstr("right_ankle.inversion.weight: is missing"));
   EXPECT_THAT(with(parameters / "right_knee.flexion.weight", 0),
               HasSubstr("right_knee.flexion.weight: is 0; allowed are numbers from 0.001 to 1000"));
   EXPECT_THAT(with(parameters / "tail.flexion.weight", 1), HasSubstr("'tail.flexion.weight'"));
