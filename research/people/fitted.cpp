@@ -50,7 +50,7 @@ FittedReach fitted_reach(const Recorded& reach, const FitKind& kind, int evaluat
   Clip clip{task.body.dof_count(), problem.steps + 1, problem.duration / problem.steps, {}};
   const auto play = [&](std::span<const double> point) {
     clip.angles.clear();
-    const HeldInput held(task.body, space.decode(point));
+    const HeldInput held(task.body, space.decode(point), task.supports.size());
     return rollout.run(held.input(), [&](const PlacedFrame<double>& frame) {
       clip.angles.insert(clip.angles.end(), frame.angles.begin(), frame.angles.end());
     });

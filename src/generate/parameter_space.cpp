@@ -61,7 +61,8 @@ ParameterSpace::ParameterSpace(const ReachProblem& problem, const ParameterList&
       named_(code == GeneCode::natural || code == GeneCode::every),
       base_(list.start()),
       set_(fixed ? fixed->set : std::vector<bool>(list.size())),
-      modes_(posture_modes(*body_)) {
+      modes_(posture_modes(*body_)),
+      supports_(problem.supports.size()) {
   base_.posed = named_;
   const std::vector<bool> useful = useful_dofs(problem);
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -79,7 +80,7 @@ ParameterSpace::ParameterSpace(const ReachProblem& problem, const ParameterList&
 
 // The cells of each gene, and all others as the fixed parameters have it.
 void ParameterSpace::start_rows() {
-  const HeldInput held(*body_, base_);
+  const HeldInput held(*body_, base_, supports_);
   const MotionInput<double> input = held.input();
   base_rows_[kWeights].assign(input.inverse_weights.begin(), input.inverse_weights.end());
   if (base_.posed) {

@@ -98,6 +98,7 @@ class ParameterSpace {
   Parameters base_;  // what is fixed, and the start values of the rest
   std::vector<bool> set_;
   std::vector<PostureMode> modes_;
+  std::size_t supports_;
   std::vector<Gene> genes_;
   std::array<std::vector<float>, kRows> base_rows_;  // of one motion, without the genes' cells
   std::array<std::vector<float>, kRows> rows_;       // of all motions

@@ -12,7 +12,8 @@ namespace shigusa {
 // supports one after the other, with the memory that a MotionInput looks into.
 class HeldInput {
  public:
-  HeldInput(const BodyModel& body, const Parameters& parameters);
+  // `supports`: how many there are.
+  HeldInput(const BodyModel& body, const Parameters& parameters, std::size_t supports);
 
   [[nodiscard]] MotionInput<double> input() const;
 

@@ -54,12 +54,13 @@ std::vector<double> posture_change(const BodyModel& body, std::span<const double
   return change;
 }
 
-HeldInput::HeldInput(const BodyModel& body, const Parameters& parameters)
+HeldInput::HeldInput(const BodyModel& body, const Parameters& parameters, std::size_t supports)
     : weights_(inverse_weights(body, parameters)) {
   const std::span<const double> values(parameters.values);
-  const std::size_t timings = weights_.size() + posture_modes(body).size();
-  SHG_CHECK(values.size() >= timings + kTimings, "values of the whole body's plan");
-  supports_.assign(values.begin() + static_cast<std::ptrdiff_t>(timings + kTimings), values.end());
+  const std::size_t after = kTimings + supports;
+  SHG_CHECK(values.size() >= weights_.size() + after, "values of the whole body's plan");
+  const std::size_t timings = values.size() - after;
+  supports_.assign(values.end() - static_cast<std::ptrdiff_t>(supports), values.end());
   if (!parameters.posed) return;
   change_ = posture_change(body, values.subspan(weights_.size(), timings - weights_.size()));
   for (std::size_t k = 0; k < kTimings; ++k) {

@@ -46,7 +46,7 @@ template <class Player>
 [[nodiscard]] RolledOut record_motion(const ReachProblem& problem, const Parameters& parameters,
                                       Player&& player) {
   MotionRecorder recorder(problem);
-  const HeldInput held(*problem.body, parameters);
+  const HeldInput held(*problem.body, parameters, problem.supports.size());
   const ReachOutcome outcome = player.run(held.input(), recorder);
   return {std::move(recorder.motion), outcome};
 }

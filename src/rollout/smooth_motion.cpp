@@ -99,7 +99,7 @@ RolledOut smoothed(const ReachProblem& problem, const Parameters& parameters, Ro
   std::vector<double> angles = rolled.motion.clip.angles;
   smooth_frames(problem.body->dofs().size(), angles);
   MotionRecorder recorder(problem);
-  const HeldInput held(*problem.body, parameters);
+  const HeldInput held(*problem.body, parameters, problem.supports.size());
   const ReachOutcome outcome = Rollout<double>(problem).retrace(held.input(), angles, recorder);
   if (!outcome.met(problem.tolerance)) return rolled;
   return {std::move(recorder.motion), outcome};
