@@ -4,7 +4,6 @@
 #include <shigusa/dataset.hpp>
 #include <span>
 
-#include "rollout/reach_problem.hpp"
 #include "table.hpp"
 
 namespace shigusa {

@@ -7,11 +7,7 @@
 
 #include "core/hash.hpp"
 #include "core/index.hpp"
-#include "criteria/built_in_criteria.hpp"
-#include "criteria/replay.hpp"
-#include "kinematics/forward_kinematics.hpp"
 #include "motion_columns.hpp"
-#include "rollout/reach_problem.hpp"
 #include "task_rows.hpp"
 
 namespace shigusa {
@@ -32,12 +28,6 @@ std::vector<DataDof> data_dofs(const TaskFile& file, const BodyModel& body) {
     if (const auto own = body.find_dof(dof.name)) dofs.push_back({dof.name, *own, 1.0});
   }
   return dofs;
-}
-
-std::vector<std::string> criterion_names() {
-  std::vector<std::string> names;
-  for_each_criterion([&](const auto& criterion) { names.emplace_back(criterion.name); });
-  return names;
 }
 
 std::vector<std::string> node_names(const BodyModel& body) {
@@ -70,20 +60,6 @@ std::string stem_of(const std::string& source) {
   }
   return stem;
 }
-
-// Collects the centre of pressure of the frames that it is shown.
-class PressureMeter {
- public:
-  explicit PressureMeter(Column& into) : into_(&into) {}
-  void add(const PlacedFrame<double>& frame) {
-    const double up = max(frame.pressure.y, 1.0);
-    into_->push(frame.pressure.x / up);
-    into_->push(frame.pressure.z / up);
-  }
-
- private:
-  Column* into_;
-};
 
 }  // namespace
 
@@ -206,32 +182,28 @@ void MotionTable::add_series(DatasetSeries series, const Candidate& candidate) {
 
 // `turns`: how nodes are turned in their parents; else where they are.
 void MotionTable::add_nodes(const Candidate& candidate, bool turns) {
-  const BodyModel& body = task_.body;
+  const std::span<const BodyNode> nodes = task_.body.nodes();
   const Clip& clip = candidate.motion.clip;
-  Kinematics<double> kinematics(body);
-  std::vector<Quatd> before(body.nodes().size());
+  std::vector<Quatd> before(nodes.size());
   for (int f = 0; f < clip.frames; ++f) {
-    forward_kinematics<double>(body, clip.frame(f), kinematics);
-    for (std::size_t n = 0; n < body.nodes().size(); ++n) {
-      const BodyNode& node = body.nodes()[n];
-      const Vec3d place = kinematics.point(node.link, node.point);
+    const std::vector<Transformd> places = node_places(task_.body, clip.frame(f));
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const auto& [turn, place] = places[n];
       if (!turns) {
         table_["positions"].push(place);
         continue;
       }
-      const Mat3d turn = kinematics.link_rotation(node.link);
-      if (node.parent < 0) {
+      if (nodes[n].parent < 0) {
         table_["nodes"].push(before[n] = nearer(to_quat(turn), before[n]));
         table_["root_m"].push(place);
         if (f == 0) table_["offsets_m"].push(Vec3d{});
         continue;
       }
-      const BodyNode& parent = body.nodes()[index(node.parent)];
-      const Mat3d from = kinematics.link_rotation(parent.link);
-      table_["nodes"].push(before[n] = nearer(to_quat(transpose(from) * turn), before[n]));
+      const Transformd& parent = places[index(nodes[n].parent)];
+      table_["nodes"].push(before[n] =
+                               nearer(to_quat(transpose(parent.rotation) * turn), before[n]));
       if (f > 0) continue;
-      const Vec3d offset = place - kinematics.point(parent.link, parent.point);
-      table_["offsets_m"].push(transpose_times(from, offset));
+      table_["offsets_m"].push(transpose_times(parent.rotation, place - parent.translation));
     }
   }
 }
@@ -244,8 +216,11 @@ void MotionTable::add_pressure(const Candidate& candidate) {
   }
   // with the loads in its hands, and on the feet that stand
   const Result<PreparedTask> standing = PreparedTask::of(task_);
-  PressureMeter meter(into);
-  show_motion(standing ? standing->task().body : task_.body, candidate.motion, meter);
+  const BodyModel& body = standing ? standing->task().body : task_.body;
+  for (const Vec3d& centre : centres_of_pressure(body, candidate.motion)) {
+    into.push(centre.x);
+    into.push(centre.z);
+  }
 }
 
 void MotionTable::add_contacts(const Candidate& candidate) {

@@ -8,7 +8,6 @@
 
 #include "cast.hpp"
 #include "core/hash.hpp"
-#include "document/task_json.hpp"
 #include "draws.hpp"
 #include "files/sha256.hpp"
 #include "formats/json_reader.hpp"
@@ -50,7 +49,7 @@ Result<Task> task_of(Cast& cast, const Json& character, const Json& goal) {
   Json json = Json::object();
   if (!character.is_null()) json["character"] = character;
   if (!goal.is_null()) json["goals"] = Json::array({goal});
-  SHG_TRY_ASSIGN(TaskFile file, task_from_json(json, "character"));
+  SHG_TRY_ASSIGN(TaskFile file, parse_task(json.dump(), "character"));
   SHG_TRY_ASSIGN(file.character, cast.measured(file.character));
   return make_task(file, cast.folder());
 }
@@ -69,7 +68,7 @@ Result<std::vector<TaskFile>> ends_of(const Json& task, Cast& cast, const std::s
   for (std::size_t k = 0; k < alternatives; ++k) {
     for (const DrawMode mode : {DrawMode::lowest, DrawMode::highest}) {
       SHG_TRY_ASSIGN(const Json json, drawn_of(task, cast, {.mode = mode, .alternative = k}));
-      SHG_TRY_ASSIGN(TaskFile file, task_from_json(json, place));
+      SHG_TRY_ASSIGN(TaskFile file, parse_task(json.dump(), place));
       ends.push_back(std::move(file));
     }
   }
@@ -258,7 +257,7 @@ Result<DrawnTask> DatasetPlan::task(std::uint64_t index) const {
     // 53 bits, which every reader of JSON keeps
     json["seed"] = Random(seed(), stream_of("seed", index)).next() >> 11;
   }
-  SHG_TRY_ASSIGN(task.file, task_from_json(json, fmt::format("task {}", index)));
+  SHG_TRY_ASSIGN(task.file, parse_task(json.dump(), fmt::format("task {}", index)));
   SHG_TRY_ASSIGN(task.file.character, made_->cast.measured(task.file.character));
   return task;
 }

@@ -93,7 +93,7 @@ BEGIN {
   face("shigusa", "shigusa")
 
   # a component of its own has public headers, and of these rooms what lies within
-  inside["dataset"] = " dataset core files formats body kinematics criteria rollout problem document "
+  inside["dataset"] = " dataset core files formats "
 }
 
 FNR == 1 {

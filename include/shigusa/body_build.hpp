@@ -28,6 +28,9 @@ struct BodyBuild {
   bool heels = false;       ///< they may lift; of human_body
 };
 
+/// Standing height (m) of the group's mean.
+[[nodiscard]] double mean_stature(Sex sex);
+
 /// Mass in kg of a person of that stature with the body-mass index of the group's mean.
 [[nodiscard]] double default_mass(double stature, Sex sex);
 

@@ -103,6 +103,8 @@ struct Capsule {
   bool grown_on = false;  ///< of an arm: it begins within the trunk, which it cannot collide with
 };
 
+/// A heel bears nothing once its toes are bent by this (rad); before, the less the more they are.
+inline constexpr double kHeelLifts = radians(3.0);
 /// A heel that lifts. The link that stands is then the forefoot, and the rest of the foot turns
 /// about the toes' joint; points in the frame of the foot's link.
 struct Heel {

@@ -247,6 +247,9 @@ struct CriteriaPreset {
 /// "paper", "default" and "pareto".
 [[nodiscard]] std::span<const CriteriaPreset> criteria_presets();
 
+/// The names of the built-in criteria, in the table's order.
+[[nodiscard]] std::vector<std::string> criterion_names();
+
 /// One line of a score's breakdown.
 struct ScoreTerm {
   std::string name;      ///< of the criterion

@@ -10,6 +10,9 @@
 
 namespace shigusa {
 
+/// Steps of a motion that is generated (rule R6); it has a frame more.
+inline constexpr int kMotionSteps = 60;
+
 /// A body's motion: joint angles at equally spaced times.
 struct Clip {
   int dofs = 0;                    ///< freedoms of the body

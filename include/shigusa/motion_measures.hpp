@@ -5,6 +5,8 @@
 #include <shigusa/body_model.hpp>
 #include <shigusa/criteria.hpp>
 #include <shigusa/motion.hpp>
+#include <shigusa/transform.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,14 @@ struct LimitExcess {
 };
 /// The joints that pass their limits by more than anyone sees, the worst first.
 [[nodiscard]] std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip);
+
+/// (nodes) X_WN, the place of each node of the body in the world, by its angles: (dofs) rad.
+[[nodiscard]] std::vector<Transformd> node_places(const BodyModel& body,
+                                                  std::span<const double> angles);
+
+/// (frames) m, on the floor: the centre of pressure of a whole motion that is at rest before and
+/// after, of a body on the feet that stand. Where nothing presses, it is that of a force of 1 N.
+[[nodiscard]] std::vector<Vec3d> centres_of_pressure(const BodyModel& body, const Motion& motion);
 
 /// How far (m) inside the support polygon something stays at least, less than 0 outside it, and
 /// when (s, from the motion's beginning).

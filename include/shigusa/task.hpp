@@ -57,6 +57,10 @@ struct Task : Request {
 /// a preset of several layers does not know the body, a goal or supports.
 [[nodiscard]] Result<ParameterList> parameter_list(const BodyModel& body, const Request& request);
 
+/// Whether some posture of the task's body on its feet meets the goals: a quick look that may miss
+/// one. Fails where a foot or a goal is not one that motions can have.
+[[nodiscard]] Result<bool> seems_in_reach(const Task& task);
+
 /// Notes on goals of hands that may be an oversight: in the body's own head or a foot, where these
 /// are at the start, below the floor (y < 0), or nearer to it than the hand is thick. They refuse
 /// nothing.

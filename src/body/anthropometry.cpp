@@ -40,6 +40,8 @@ constexpr SegmentTable kFemale{
 
 const SegmentTable& segment_table(Sex sex) { return sex == Sex::male ? kMale : kFemale; }
 
+double mean_stature(Sex sex) { return segment_table(sex).mean_stature; }
+
 double default_mass(double stature, Sex sex) {
   const SegmentTable& table = segment_table(sex);
   const double ratio = stature / table.mean_stature;

@@ -6,7 +6,6 @@
 #include <shigusa/character.hpp>
 #include <shigusa/words.hpp>
 
-#include "body/anthropometry.hpp"
 #include "character_file.hpp"
 #include "character_heels.hpp"
 #include "character_places.hpp"
@@ -224,7 +223,7 @@ Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_
   SHG_TRY(check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"));
   SHG_TRY(check_range("mass", spec.mass, kMassMin, kMassMax, "kg"));
   SHG_TRY(check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"));
-  const double stature = spec.stature.value_or(segment_table(spec.sex).mean_stature);
+  const double stature = spec.stature.value_or(mean_stature(spec.sex));
   const double of_limbs = spec.landmarks ? stature_of_limbs(*spec.landmarks, stature) : stature;
   const double mass = spec.mass.value_or(default_mass(of_limbs, spec.sex));
   BodyExtent extent = spec.extent.value_or(BodyExtent::human);

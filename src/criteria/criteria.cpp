@@ -76,4 +76,10 @@ Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSe
   return score;
 }
 
+std::vector<std::string> criterion_names() {
+  std::vector<std::string> names;
+  for_each_criterion([&](const auto& criterion) { names.emplace_back(criterion.name); });
+  return names;
+}
+
 }  // namespace shigusa

@@ -4,8 +4,40 @@
 
 #include "criteria/collision.hpp"
 #include "criteria/limit_excess.hpp"
+#include "criteria/replay.hpp"
+#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
+namespace {
+
+// Collects the centre of pressure of the frames that it is shown.
+struct PressureMeter {
+  std::vector<Vec3d> centres{};
+
+  void add(const PlacedFrame<double>& frame) {
+    const double up = max(frame.pressure.y, 1.0);
+    centres.push_back({frame.pressure.x / up, 0.0, frame.pressure.z / up});
+  }
+};
+
+}  // namespace
+
+std::vector<Transformd> node_places(const BodyModel& body, std::span<const double> angles) {
+  Kinematics<double> kinematics(body);
+  forward_kinematics<double>(body, angles, kinematics);
+  std::vector<Transformd> places;
+  for (const BodyNode& node : body.nodes()) {
+    places.push_back(
+        {kinematics.link_rotation(node.link), kinematics.point(node.link, node.point)});
+  }
+  return places;
+}
+
+std::vector<Vec3d> centres_of_pressure(const BodyModel& body, const Motion& motion) {
+  PressureMeter meter;
+  show_motion(body, motion, meter);
+  return std::move(meter.centres);
+}
 
 std::vector<JointLoad> joint_loads(const BodyModel& body, const Motion& motion) {
   std::vector<JointLoad> loads;

@@ -27,9 +27,6 @@ template <class S>
 // Height (m) of the floor that bears the body: of the base's sole, or of the base without one.
 [[nodiscard]] double floor_height(const BodyModel& body);
 
-// A heel bears nothing once its toes are bent by this (rad); before, the less the more they are.
-inline constexpr double kHeelLifts = radians(3.0);
-
 // How far a heel is lifted, from 0 (down) to 1, by the body's angles (dofs, rad), of which `toes`
 // is its Heel::toes.
 template <class S>

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <shigusa/body_model.hpp>
+#include <shigusa/motion.hpp>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,6 @@
 
 namespace shigusa {
 
-inline constexpr int kMotionSteps = 60;          // IK steps per motion (rule R6)
 inline constexpr double kReachTolerance = 1e-3;  // m: what counts as met, of goals and planted feet
 inline constexpr double kTiltTolerance = radians(0.1);  // rad: what a planted foot may turn
 inline constexpr double kTurnTolerance = radians(0.5);  // rad: what counts as met, of goals' turns
