@@ -75,21 +75,8 @@ TEST_F(ScoreCommand, AnAnimatedCharacterScoresAsItsSummaryHasIt) {
     // a GLB's numbers are single precision
     EXPECT_LT(json.at("follows").at("worst_mm").get<double>(), 0.1) << clip.front();
   }
-  EXPECT_THAT(score({"person.gltf"}).err, HasSubstr("holds no animation"));
   EXPECT_THAT(score({"out/candidate-1.glb", "--animation", "jump"}).err,
               HasSubstr("no animation 'jump'; it has 'shigusa candidate 1'"));
-  EXPECT_THAT(score({"person.bvh", "--animation", "jump"}).err,
-              HasSubstr("one motion without a name"));
-}
-
-TEST_F(ScoreCommand, WhatIsWrongIsTold) {
-  EXPECT_THAT(score({"person.bvh", "--frames", "2"}).err, HasSubstr("is not FIRST:LAST"));
-  EXPECT_THAT(score({"person.bvh", "--frames", "1:9"}).err, HasSubstr("the file has 0 to 2"));
-  EXPECT_THAT(score({"person.bvh", "--frames", "9:9"}).err, HasSubstr("frame 9 does not exist"));
-  EXPECT_THAT(score({"person.bvh", "--criteria", "papre"}).err, HasSubstr("paper"));
-  EXPECT_THAT(score({"person.bvh", "--smooth", "-1"}).err, HasSubstr("-1 Hz"));
-  EXPECT_THAT(score({"person.bvh", "--character", "robot.urdf"}).err, HasSubstr("is a robot"));
-  EXPECT_EQ(score({"none.bvh"}).exit_code, 2);
 }
 
 }  // namespace
