@@ -55,7 +55,7 @@ TEST_F(Stances, RecordedFeetThatStayFlatAreSeenSo) {
   EXPECT_TRUE(score.at("over_limit").empty());
 }
 
-// What lies on the seat and below it stays where it is while the trunk goes to the goal.
+// Thighs, shanks and feet stay where they are while the trunk goes to the goal.
 TEST_F(Stances, OfWhoSitsHandsReachAndThighsAndFeetStay) {
   work_.put("person.bvh", person_bvh());
   for (const auto& [who, seat, goal] : {std::tuple{"human", "0.45", "right_hand=-0.3,0.9,0.6"},

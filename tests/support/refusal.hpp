@@ -7,7 +7,7 @@
 
 namespace shigusa::testing_support {
 
-// What a call is told whose precondition is broken, or "accepted".
+// The sentence that a call with a broken precondition is refused by, or "accepted".
 template <class Call>
 std::string refusal(const Call& call) {
   try {
