@@ -48,6 +48,18 @@ TEST_F(Human, HandArrivesAndFeetStay) {
   }
 }
 
+TEST_F(Human, MirrorsAndEditsAWholeHuman) {
+  ASSERT_EQ(reach({"--character", "human"}).exit_code, 0);
+  ASSERT_EQ(run({"mirror", "out", "--formats", "csv"}).exit_code, 0);
+  const Json score = StoredRun(work_, "out").candidate(1).at("score");
+  const Json image = StoredRun(work_, "out/mirror-1").candidate(1).at("score");
+  // the body stands on the same foot, and only rounding tells its two legs apart
+  EXPECT_NEAR(image.get<double>(), score.get<double>(), 1e-3);
+  const ProgramRun edited =
+      run({"edit", "out", "--formats", "csv", "--set", "hip.flexion.weight=3"});
+  EXPECT_EQ(edited.exit_code, 0) << edited.err;
+}
+
 TEST_F(Human, EditSwivelsTheElbowAndBendsTheFreeArm) {
   ASSERT_EQ(reach({}).exit_code, 0);
   const ProgramRun done = run({"edit", "out", "--formats", "bvh,csv", "--set",
