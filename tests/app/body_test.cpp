@@ -52,12 +52,6 @@ TEST_F(Body, JsonHasTheFieldsOfTheContract) {
   }
 }
 
-TEST_F(Body, HalfHasNineFreedomsAndFullEighteen) {
-  EXPECT_EQ(json({"half_body"}).at("dof"), 9);
-  EXPECT_EQ(json({"full_body"}).at("dof"), 18);
-  EXPECT_EQ(json({"person.bvh", "--extent", "half"}).at("dof"), 9);
-}
-
 TEST_F(Body, TwistBonesAreListedWithTheirShares) {
   nlohmann::json file = person_gltf();
   nlohmann::json& nodes = file["nodes"];
@@ -81,29 +75,8 @@ TEST_F(Body, TwistBonesAreListedWithTheirShares) {
   EXPECT_TRUE(json({"person.bvh"}).at("twist_bones").empty());
 }
 
-TEST_F(Body, HumanoidMapNamesTheFilesNodes) {
-  const Json humanoid = json({"person.bvh"}).at("humanoid");
-  EXPECT_EQ(humanoid.at("right_hand"), "right_hand");
-  EXPECT_EQ(humanoid.at("hips"), "hips");
-}
-
 TEST_F(Body, MapOfTheCallerGoesBeforeNames) {
-  work_.put("map.json", R"({"head": "neck", "neck": "chest"})");
   EXPECT_EQ(json({"person.bvh", "--map", "neck=head"}).at("humanoid").at("neck"), "head");
-  const ProgramRun unknown = body({"person.bvh", "--map", "right_hnad=right_hand"});
-  EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("did you mean 'right_hand'?"));
-  const ProgramRun no_node = body({"person.bvh", "--map", "right_hand=right_hnad"});
-  EXPECT_EQ(no_node.exit_code, 2);
-  EXPECT_THAT(no_node.err, HasSubstr("person.bvh has no 'right_hnad' for right_hand; did you mean "
-                                     "'right_hand'?"));
-  EXPECT_EQ(body({"person.bvh", "--map", "map.json"}).exit_code, 2);  // the neck's arms are above
-  work_.put("map.json", R"({"neck": "head"})");
-  EXPECT_EQ(json({"person.bvh", "--map", "map.json"}).at("humanoid").at("neck"), "head");
-  work_.put("map.json", R"({"neck": 3})");
-  EXPECT_THAT(body({"person.bvh", "--map", "map.json"}).err, HasSubstr("an object of bones"));
-  EXPECT_THAT(body({"human", "--map", "neck=head"}).err, HasSubstr("is built in"));
-  EXPECT_EQ(body({"person.bvh", "--map", "neck=head", "--map", "neck=neck"}).exit_code, 2);
 }
 
 // Names with spaces, beyond ASCII and twice the same come back as they were printed.
@@ -125,8 +98,6 @@ TEST_F(Body, MapTakesWhatBodyPrinted) {
     work_.put("map.txt", printed.out);
     EXPECT_EQ(json({"odd.glb", "--map", "map.txt"}).at("humanoid"), humanoid) << as_json;
   }
-  work_.put("map.txt", "nothing of the kind");
-  EXPECT_THAT(body({"odd.glb", "--map", "map.txt"}).err, HasSubstr("map.txt: names no bones"));
 }
 
 TEST_F(Body, MapTakesANodesPlaceInTheFile) {
@@ -136,15 +107,12 @@ TEST_F(Body, MapTakesANodesPlaceInTheFile) {
   while (file["nodes"][head].value("name", "") != "head") ++head;
   const std::string place = "neck=#" + std::to_string(head);
   EXPECT_EQ(json({"person.glb", "--map", place}).at("humanoid").at("neck"), "head");
-  EXPECT_THAT(body({"person.glb", "--map", "neck=#999"}).err,
-              HasSubstr("has no '#999' for neck; its nodes are "));
 }
 
 TEST_F(Body, StatureMayBeAPercentile) {
   EXPECT_EQ(json({"human", "--stature", "p5", "--sex", "female"}).at("stature_m"), 1.528);
   EXPECT_EQ(json({"human", "--stature", "p95"}).at("stature_m"), 1.867);
   EXPECT_EQ(json({"human", "--stature", "1.6"}).at("stature_m"), 1.6);
-  EXPECT_EQ(body({"human", "--stature", "p42"}).exit_code, 2);
   EXPECT_EQ(body({"human", "--stature", "1.6m"}).exit_code, 2);
 }
 
@@ -168,17 +136,6 @@ TEST_F(Body, PlacementTellsWhereGoalsAreInTheFile) {
   EXPECT_NEAR(placement.at("ahead").at(2).get<double>(), 1.0, 1e-6);
   EXPECT_NEAR(placement.at("origin").at(0).get<double>(), 0.0, 1e-4);
   EXPECT_FALSE(json({"half_body"}).contains("placement"));
-}
-
-TEST_F(Body, FrameIsTheStartPosture) {
-  // the file's person bends the elbow by 0.2 rad from frame to frame
-  const auto elbow = [](const Json& object) {
-    for (const Json& joint : object.at("joints")) {
-      if (joint.at("name") == "right_elbow.flexion") return joint.at("start_rad").get<double>();
-    }
-    return std::nan("");
-  };
-  EXPECT_NEAR(elbow(json({"person.bvh", "--frame", "2"})) - elbow(json({"person.bvh"})), 0.4, 1e-4);
 }
 
 TEST_F(Body, StatureMassAndSexAreTaken) {

@@ -195,17 +195,6 @@ TEST_F(CharacterFiles, OneFileHoldsAllCandidates) {
   EXPECT_EQ(stored.files(), (std::set<std::string>{"candidates.glb", "summary.json"}));
 }
 
-TEST_F(CharacterFiles, FormatsThatACharacterHasNotAreRefusedBeforeTheSearch) {
-  for (const auto& [character, format] :
-       {std::pair{"full_body", "vrma"}, {"person.glb", "vrma"}, {"person.bvh", "glb"}}) {
-    work_.put("person.bvh", person_bvh());
-    const ProgramRun run = reach({"--formats", format}, character);
-    EXPECT_EQ(run.exit_code, 2);
-    EXPECT_THAT(run.err, HasSubstr(std::string("the format ") + format));
-    EXPECT_FALSE(std::filesystem::exists(work_ / "out"));
-  }
-}
-
 TEST_F(CharacterFiles, AFileThatRefersToOthersLeavesAsTheRest) {
   nlohmann::json file = person_gltf();
   file["images"] = {{{"uri", "skin.png"}}};

@@ -18,7 +18,6 @@ namespace shigusa {
 namespace {
 
 using namespace testing_support;
-using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -94,19 +93,6 @@ TEST_F(DatasetCommand, OneTaskIsAnOrdinaryResult) {
   const ProgramRun edited =
       run_shigusa({"edit", "one", "--set", "lean_deg=5"}, {.folder = work_.path()});
   EXPECT_EQ(edited.exit_code, 0) << edited.err;
-}
-
-TEST_F(DatasetCommand, WrongCallsAreTold) {
-  EXPECT_THAT(run({}).err, HasSubstr("give a plan"));
-  EXPECT_THAT(run({"plan.json"}).err, HasSubstr("--out"));
-  EXPECT_THAT(run({"nothing.json", "--out", "data"}).err, HasSubstr("nothing.json"));
-  EXPECT_THAT(run({"plan.json", "--out", "data", "--shards", "3:2"}).err,
-              AllOf(HasSubstr("--shards"), HasSubstr("0:4")));
-  EXPECT_THAT(run({"plan.json", "--out", "data", "--shards", "0:9"}).err, HasSubstr("4 shards"));
-  EXPECT_THAT(run({"plan.json", "--out", "data", "--task", "12"}).err, HasSubstr("tasks 0 to 11"));
-  EXPECT_THAT(run({"plan.json", "--out", "data", "--simd", "mmx"}).err, HasSubstr("mmx"));
-  EXPECT_EQ(run({"plan.json", "--out", "data", "--shards", "x"}).exit_code, 2);
-  EXPECT_THAT(run({"plan.json", "--out", "data", "--part", "3/3"}).err, HasSubstr("K/N"));
 }
 
 TEST_F(DatasetCommand, InterruptedItEndsOnAWholeShard) {

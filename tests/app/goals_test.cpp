@@ -61,12 +61,6 @@ class Goals : public testing::Test {
     return run.motion(run.candidate(1));
   }
 
-  void expect_refused(const Words& more, const std::string& message) {
-    const ProgramRun refused = reach(more);
-    EXPECT_EQ(refused.exit_code, 2) << refused.err;
-    EXPECT_THAT(refused.err, HasSubstr(message));
-  }
-
   WorkFolder work_;
 };
 
@@ -102,18 +96,6 @@ TEST_F(Goals, KneesGoAheadAsFarAsTheirFeetLetThem) {
     const std::string node = knee.substr(0, knee.find('_')) + "_lower_leg";
     EXPECT_NEAR(motion.at_end(node).z, goal.z, kMillimetre);
     expect_feet_stand(motion, stored().candidate(1));
-  }
-}
-
-TEST_F(Goals, PelvisAndNodesOfTheFileAreNamesToo) {
-  for (const auto& [name, same, way] : {std::tuple{"pelvis", "hips", Vec3d{0, -0.1, 0.0}},
-                                        {"right_lower_arm", "right_elbow", Vec3d{0, 0.1, 0.1}},
-                                        {"left_ankle", "left_foot", Vec3d{0, 0, 0.2}}}) {
-    const std::string at = "=" + text(start(same) + way);
-    ASSERT_THAT(reach({"--goal", name + at}).exit_code, delivered()) << name;
-    const std::string bytes = stored().get("candidate-1.bvh");
-    ASSERT_THAT(reach({"--goal", same + at}).exit_code, delivered());
-    EXPECT_EQ(stored().get("candidate-1.bvh"), bytes) << name;
   }
 }
 
@@ -164,15 +146,6 @@ TEST_F(Goals, PalmFacesDownAndTheHandIsFreeToTurnAboutIt) {
   const Mat3d turned = best().rotation_at_end("right_hand");
   EXPECT_LE(angle_deg(turned.cx, {0, -1, 0}), kTurn);
   EXPECT_LE(angle_deg(-turned.cy, {0.3, 0, 1}), kTurn);
-}
-
-TEST_F(Goals, GripIsAlongABarOverhead) {
-  const ProgramRun done = reach({"--goal", "right_hand=-0.2,2.0,0.15", "--thumb", "right_hand=left",
-                                 "--goal", "left_hand=0.2,2.0,0.15", "--thumb", "left_hand=right"});
-  EXPECT_EQ(done.exit_code, 0) << done.err;
-  expect_promises_kept(stored());
-  EXPECT_LE(angle_deg(best().rotation_at_end("right_hand").cz, {1, 0, 0}), kTurn);
-  EXPECT_LE(angle_deg(best().rotation_at_end("left_hand").cz, {-1, 0, 0}), kTurn);
 }
 
 TEST_F(Goals, WhatCannotTurnSoFarEndsAsNearAsItGets) {
@@ -311,51 +284,6 @@ TEST_F(Goals, NlpIkTurnsHandsToo) {
                                  "right_hand=-0.25,1.0,0.4", "--palm", "right_hand=down"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_LE(angle_deg(best().rotation_at_end("right_hand").cx, {0, -1, 0}), kTurn);
-}
-
-TEST_F(Goals, WhatIsWrongIsToldApart) {
-  const Words hand{"--goal", "right_hand=-0.25,1.0,0.4"};
-  const auto with = [&](const Words& more) {
-    Words all = hand;
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  };
-  expect_refused(with({"--rotation", "right_hand=0,0,0,0"}), "unit quaternion");
-  expect_refused(with({"--rotation", "right_hand=nan,0,0,1"}), "unit quaternion");
-  expect_refused(with({"--rotation", "right_hand=0,0,1"}), "EFFECTOR=X,Y,Z,W");
-  expect_refused(with({"--rotation", "left_hand=0,0,0,1"}), "left_hand has none");
-  expect_refused(with({"--palm", "right_hand=dwon"}), "'down'");
-  expect_refused(with({"--palm", "right_hand=0,0,0"}), "not 0");
-  expect_refused(with({"--palm", "right_hand=down", "--thumb", "right_hand=up"}), "one line");
-  expect_refused({"--goal", "head=0,1.5,0.1", "--palm", "head=down"}, "left_hand and right_hand");
-  expect_refused(with({"--tolerance", "right_hand=0.1,-0.1,0"}), "y tolerance is -0.1");
-  expect_refused(with({"--tolerance", "right_hand=nan,0,0"}), "x tolerance is nan");
-  expect_refused(with({"--look-at", "1,2"}), "X,Y,Z");
-  expect_refused(with({"--look-at", "nan,0,0"}), "look_at");
-  expect_refused(with({"--contacts", "left_fot"}), "'left_foot'");
-  expect_refused(with({"--contacts", ""}), "contact");
-  expect_refused({"--goal", "left_foot=0.1,0.07,0.3", "--contacts", "left_foot,right_foot"},
-                 "is to stand and has a goal");
-  expect_refused({"--goal", "left_foot=0.1,0.07,0.3", "--goal", "right_foot=-0.1,0.07,0.3"},
-                 "cannot move");
-  expect_refused({"--goal", "right_elbwo=0,1,0"}, "'right_elbow'");
-  expect_refused({"--goal", "right_elbow=-0.3,1,0.2", "--goal", "right_lower_arm=-0.3,1,0.2"},
-                 "two goals");
-  Words many;
-  for (const char* name :
-       {"right_hand", "left_hand", "head", "hips", "chest", "right_elbow", "left_elbow"}) {
-    many.insert(many.end(), {"--goal", std::string(name) + "=0,1,0"});
-  }
-  expect_refused(many, "rows");
-  const ProgramRun layered =
-      run({"reach", "--character", "full_body", "--preset", "human", "--goal",
-           "right_hand=-0.25,1.0,0.4", "--palm", "right_hand=down"});
-  EXPECT_EQ(layered.exit_code, 2);
-  EXPECT_THAT(layered.err, HasSubstr("flat takes rotations"));
-  const ProgramRun stepping =
-      run({"reach", "--preset", "layers", "--goal", "left_foot=0.1,0.067,0.3"});
-  EXPECT_EQ(stepping.exit_code, 2);
-  EXPECT_THAT(stepping.err, HasSubstr("flat takes other joints too"));
 }
 
 // parts of the figure in the accent colour

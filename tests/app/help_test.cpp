@@ -93,6 +93,7 @@ TEST(Help, HasEveryCommandInItsGroupWithAnExample) {
     EXPECT_THAT(help, HasSubstr("  shigusa " + command[0]));
   }
   EXPECT_THAT(help, HasSubstr("shigusa manual COMMAND"));
+  EXPECT_NE(told({}, "--version"), "");
 }
 
 TEST(Help, FitsTheScreen) {

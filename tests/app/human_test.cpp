@@ -49,16 +49,6 @@ TEST_F(Human, HandArrivesAndFeetStay) {
   }
 }
 
-TEST_F(Human, TurnsTheHandOfABodyWithWrists) {
-  const ProgramRun done = reach({"--character", "human", "--palm", "right_hand=up"});
-  EXPECT_EQ(done.exit_code, 0) << done.err;
-  const Json goal = StoredRun(work_, "out").candidate(1).at("reached").at(0);
-  EXPECT_LE(goal.at("rotation_error_deg").get<double>(), 0.5);
-  const ProgramRun refused = reach({"--character", "full_body", "--palm", "right_hand=up"});
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("layers bring hands to positions"));
-}
-
 TEST_F(Human, MirrorsAndEditsAWholeHuman) {
   ASSERT_EQ(reach({"--character", "human"}).exit_code, 0);
   ASSERT_EQ(run({"mirror", "out", "--formats", "csv"}).exit_code, 0);
@@ -69,21 +59,6 @@ TEST_F(Human, MirrorsAndEditsAWholeHuman) {
   const ProgramRun edited =
       run({"edit", "out", "--formats", "csv", "--set", "hip.flexion.weight=3"});
   EXPECT_EQ(edited.exit_code, 0) << edited.err;
-}
-
-TEST_F(Human, TaskFileNamesThePreset) {
-  work_.put("task.json", R"({"preset": "human", "evaluations": 160,
-    "goals": [{"effector": "right_hand", "position_m": [-0.25, 1.2, 0.35]}]})");
-  ASSERT_EQ(run({"reach", "task.json", "--formats", "bvh,csv", "--out", "file"}).exit_code, 0);
-  ASSERT_EQ(reach({}).exit_code, 0);
-  EXPECT_EQ(motion("file"), motion("out"));
-}
-
-TEST_F(Human, EditWithoutChangesGivesTheSameBytes) {
-  ASSERT_EQ(reach({}).exit_code, 0);
-  ASSERT_EQ(run({"edit", "out", "--formats", "bvh,csv"}).exit_code, 0);
-  EXPECT_EQ(motion("out/edit-1"), motion("out"));
-  EXPECT_EQ(parameters("out/edit-1"), parameters("out"));
 }
 
 TEST_F(Human, EditSwivelsTheElbowAndBendsTheFreeArm) {
@@ -103,16 +78,6 @@ TEST_F(Human, EditSwivelsTheElbowAndBendsTheFreeArm) {
         .get<double>();
   };
   EXPECT_GT(swivel("out/edit-1"), swivel("out") + 10.0);
-}
-
-TEST_F(Human, MirrorPlaysItWithTheOtherHand) {
-  ASSERT_EQ(reach({}).exit_code, 0);
-  const ProgramRun done = run({"mirror", "out", "--formats", "bvh,csv"});
-  EXPECT_EQ(done.exit_code, 0) << done.err;
-  const Json image = parameters("out/mirror-1");
-  EXPECT_EQ(image.at("left_arm.swivel_rad"), parameters("out").at("right_arm.swivel_rad"));
-  EXPECT_EQ(image.at("right_elbow.flexion.final_rad"),
-            parameters("out").at("left_elbow.flexion.final_rad"));
 }
 
 TEST_F(Human, WrongValuesAreRefusedInWords) {

@@ -12,7 +12,6 @@ using testing::HasSubstr;
 using Words = std::vector<std::string>;
 
 const char* const kGoal = "right_hand=-0.3,0.9,0.45";
-const char* const kLow = "right_hand=-0.1,0.35,0.4";
 
 std::vector<std::string> keys(const Json& object) {
   std::vector<std::string> names;
@@ -77,62 +76,6 @@ TEST_F(Layers, HandArrivesAndFeetStay) {
   }
 }
 
-TEST_F(Layers, BothHandsHaveTheirGoals) {
-  const ProgramRun run = reach({"--character", "full_body", "--goal", "right_hand=-0.3,1.2,0.35",
-                                "--goal", "left_hand=0.3,1.1,0.4"});
-  EXPECT_THAT(run.exit_code, delivered()) << run.err;
-  const StoredRun stored(work_, "out");
-  expect_promises_kept(stored);
-  for (const char* elbow : {"right_arm.right_elbow.flexion", "left_arm.left_elbow.flexion"}) {
-    EXPECT_TRUE(stored.candidate(1).at("parameters").contains(std::string(elbow) + ".weight"));
-  }
-}
-
-TEST_F(Layers, ParametersAreThoseOfTheReading) {
-  const struct {
-    Words options;
-    std::vector<std::string> contractions;
-    std::size_t weights;
-  } readings[] = {
-      {{}, {"legs", "arms"}, 12},
-      {{"--layer-reading", "shared_contractions"}, {"legs", "arms"}, 12},
-      {{"--layer-reading", "contraction_a_limb"},
-       {"right_leg", "left_leg", "right_arm", "left_arm"},
-       10},
-  };
-  for (const auto& reading : readings) {
-    Words options{"--character", "full_body", "--goal", kGoal};
-    options.insert(options.end(), reading.options.begin(), reading.options.end());
-    ASSERT_THAT(reach(options).exit_code, delivered());
-    const StoredRun stored(work_, "out");
-    for (const Json& candidate : stored.summary().at("candidates")) {
-      const Json& parameters = candidate.at("parameters");
-      // the goal's arm has four, and what is locked stands beside
-      EXPECT_EQ(parameters.size(), reading.weights + reading.contractions.size() + 4 + 1);
-      for (const std::string& limb : reading.contractions) {
-        const auto contraction = parameters.at(limb + ".contraction").get<double>();
-        EXPECT_EQ(contraction, static_cast<int>(contraction));
-      }
-    }
-    expect_promises_kept(stored);
-  }
-}
-
-TEST_F(Layers, TaskFileNamesPresetAndReading) {
-  work_.put("task.json", R"({"character": "full_body", "preset": "layers",
-    "layer_reading": "contraction_a_limb",
-    "goals": [{"effector": "right_hand", "position_m": [-0.3, 0.9, 0.45]}]})");
-  ASSERT_THAT(run({"reach", "task.json", "--formats", "bvh,csv", "--out", "file"}).exit_code,
-              delivered());
-  ASSERT_THAT(
-      reach({"--character", "full_body", "--goal", kGoal, "--layer-reading", "contraction_a_limb"})
-          .exit_code,
-      delivered());
-  EXPECT_EQ(bytes("file"), bytes("out"));
-  ASSERT_THAT(reach({"--character", "full_body", "--goal", kGoal}, "other").exit_code, delivered());
-  EXPECT_NE(bytes("other"), bytes("out"));
-}
-
 TEST_F(Layers, ColdWarmAndWithoutCacheGiveTheSameBytes) {
   const Words call{"--character", "full_body", "--goal", kGoal, "--seed", "4"};
   ASSERT_THAT(reach(call, "cold").exit_code, delivered());
@@ -148,59 +91,6 @@ TEST_F(Layers, ColdWarmAndWithoutCacheGiveTheSameBytes) {
   EXPECT_EQ(cells("without"), cells("cold"));
   EXPECT_EQ(bytes("warm"), bytes("cold"));
   EXPECT_EQ(bytes("without"), bytes("cold"));
-}
-
-TEST_F(Layers, DamagedCacheIsMadeAnew) {
-  ASSERT_THAT(reach({"--goal", kGoal}, "cold").exit_code, delivered());
-  for (const auto& entry : std::filesystem::directory_iterator(work_ / "cache")) {
-    work_.put("cache/" + entry.path().filename().string(), "no library");
-  }
-  ASSERT_THAT(reach({"--goal", kGoal}, "damaged").exit_code, delivered());
-  EXPECT_EQ(bytes("damaged"), bytes("cold"));
-  ASSERT_THAT(reach({"--goal", kGoal}, "warm").exit_code, delivered());
-  EXPECT_EQ(StoredRun(work_, "warm").summary().at("cells_searched"), 0);
-}
-
-TEST_F(Layers, EditWithoutChangesGivesTheSameBytes) {
-  for (const Words& how : {Words{"--goal", kGoal}, Words{"--goal", kGoal, "--search", "cma_es"},
-                           Words{"--goal", "right_hand=0,3,0"}}) {
-    Words call{"--character", "full_body", "--evaluations", "200"};
-    call.insert(call.end(), how.begin(), how.end());
-    ASSERT_THAT(reach(call).exit_code, delivered());
-    const StoredRun stored(work_, "out");
-    for (std::size_t rank = 1; rank <= stored.summary().at("candidates").size(); ++rank) {
-      const ProgramRun run = edit("out", {"--candidate", std::to_string(rank), "--out", "same"});
-      // an edit tells of its one motion
-      const bool met = stored.summary().at("status") != "unreachable";
-      const bool possible = stored.candidate(rank).at("verdict") != "impossible";
-      EXPECT_EQ(run.exit_code, met && possible ? 0 : 3) << run.err;
-      const StoredRun same(work_, "same");
-      for (const std::string ending : {".bvh", ".csv"}) {
-        EXPECT_EQ(same.get("candidate-1" + ending),
-                  stored.get("candidate-" + std::to_string(rank) + ending));
-      }
-      EXPECT_EQ(same.candidate(1).at("score"), stored.candidate(rank).at("score"));
-      EXPECT_EQ(same.candidate(1).at("parameters"), stored.candidate(rank).at("parameters"));
-    }
-  }
-}
-
-// The paper's figure 7.
-TEST_F(Layers, MoreContractionOfTheLegsBendsTheKneesMore) {
-  for (const char* body : {"half_body", "full_body"}) {
-    ASSERT_THAT(reach({"--character", body, "--goal", kLow}, body).exit_code, delivered());
-    double last = 0.0;
-    for (const char* contraction : {"1.5", "3", "5.25"}) {
-      const ProgramRun run =
-          edit(body, {"--set", std::string("legs.contraction=") + contraction, "--out", "edited"});
-      EXPECT_THAT(run.exit_code, delivered()) << run.err;
-      const StoredRun stored(work_, "edited");
-      expect_promises_kept(stored);
-      const double knee = last_angle(stored.get("candidate-1.csv"), "right_knee.flexion");
-      EXPECT_GT(knee, last + 0.1) << body << ' ' << contraction;
-      last = knee;
-    }
-  }
 }
 
 TEST_F(Layers, EditOfTheArmLeavesTheTrunkWhereItWas) {
@@ -231,36 +121,6 @@ TEST_F(Layers, ArmThatIsLockedStaysAsItIs) {
     EXPECT_THAT(angles, testing::Each(angles.front()));
   }
   expect_ends_as_told(stored.motion(stored.candidate(1)), stored.candidate(1));
-}
-
-TEST_F(Layers, EditOfAnEditGoesOnFromThere) {
-  ASSERT_THAT(
-      reach({"--character", "full_body", "--goal", kGoal, "--layer-reading", "contraction_a_limb"})
-          .exit_code,
-      delivered());
-  ASSERT_THAT(edit("out", {"--set", "right_hip.weight=5"}).exit_code, delivered());
-  ASSERT_THAT(edit("out/edit-1", {"--set", "left_arm.contraction=2"}).exit_code, delivered());
-  const StoredRun stored(work_, "out/edit-1/edit-1");
-  const Json& parameters = stored.candidate(1).at("parameters");
-  EXPECT_EQ(parameters.at("right_hip.flexion.weight"), 5.0);
-  EXPECT_EQ(parameters.at("right_hip.abduction.weight"), 5.0);
-  EXPECT_EQ(parameters.at("left_arm.contraction"), 2.0);
-  EXPECT_EQ(stored.summary().at("task").at("layer_reading"), "contraction_a_limb");
-  expect_promises_kept(stored);
-}
-
-TEST_F(Layers, LocksThatKeepTheHandFromItsGoalAreToldAsOutOfReach) {
-  ASSERT_THAT(reach({"--goal", kLow}).exit_code, delivered());
-  const ProgramRun run =
-      edit("out", {"--set", "right_ankle.locked=true", "--set", "right_hip.locked=true", "--set",
-                   "right_arm.right_shoulder.locked=true"});
-  EXPECT_EQ(run.exit_code, 3) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("out of reach: the closest motion ends "));
-  const StoredRun stored(work_, "out/edit-1");
-  EXPECT_GT(stored.summary().at("remaining_mm").get<double>(), 10.0);
-  const ExportedMotion motion = stored.motion(stored.candidate(1));
-  expect_ends_as_told(motion, stored.candidate(1));
-  expect_feet_stand(motion, stored.candidate(1));
 }
 
 TEST_F(Layers, WrongValuesAreRefusedInWords) {

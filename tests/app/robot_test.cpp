@@ -49,24 +49,5 @@ TEST_F(RobotCommands, ResultIsEditedWithoutTheFile) {
   EXPECT_NE(work_.get("a/candidate-1.csv"), work_.get("c/candidate-1.csv"));
 }
 
-TEST_F(RobotCommands, OutOfReachIsToldWithTheClosestMotion) {
-  const ProgramRun reach = run({"reach", "--character", "small.urdf", "--goal",
-                                "right_hand=-0.2,0.4,2.5", "--evaluations", "300", "--out", "a"});
-  EXPECT_EQ(reach.exit_code, 3);
-  const Json json = Json::parse(work_.get("a/summary.json"));
-  EXPECT_EQ(json.at("status"), "unreachable");
-  EXPECT_GT(json.at("remaining_mm").get<double>(), 500.0);
-}
-
-TEST_F(RobotCommands, HugeFileIsRefusedAtOnce) {
-  work_.put("huge.urdf", "<robot>");
-  std::filesystem::resize_file(work_ / "huge.urdf", std::uintmax_t{2} << 30);
-  const auto begin = std::chrono::steady_clock::now();
-  const ProgramRun body = run({"body", "huge.urdf"});
-  EXPECT_EQ(body.exit_code, 2);
-  EXPECT_THAT(body.err, HasSubstr("huge.urdf"));
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
-}
-
 }  // namespace
 }  // namespace shigusa

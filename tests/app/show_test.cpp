@@ -12,7 +12,6 @@ using namespace testing_support;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-using testing::StartsWith;
 using Words = std::vector<std::string>;
 
 // The text between two others, the first after `from`.
@@ -51,13 +50,6 @@ class Show : public testing::Test {
     const ProgramRun done = run(arguments);
     EXPECT_EQ(done.exit_code, 0) << done.err;
     return done.out;
-  }
-  std::string refused(Words arguments) {
-    arguments.insert(arguments.begin(), "show");
-    const ProgramRun done = run(arguments);
-    EXPECT_EQ(done.exit_code, 2);
-    EXPECT_EQ(done.out, "");
-    return done.err;
   }
 
   WorkFolder work_;
@@ -140,18 +132,6 @@ TEST_F(Show, DrawsTheFirstCandidatesUnderEachOther) {
   EXPECT_EQ(show({"one", "two", "--picture", "both.svg", "--title", "First title"}),
             "index.html\nboth.svg\n");
   EXPECT_THAT(work_.get("both.svg"), HasSubstr("<svg"));
-}
-
-TEST_F(Show, WhatIsWrongIsToldAndNothingIsWritten) {
-  reach("one");
-  work_.put("broken/summary.json", "{}");
-  const auto before = work_.contents();
-  EXPECT_THAT(refused({"none"}), AllOf(HasSubstr("none"), HasSubstr("No such file")));
-  EXPECT_THAT(refused({"broken"}), HasSubstr("not a result of shigusa"));
-  EXPECT_THAT(refused({"one", "--title", "a", "--title", "b"}), HasSubstr("--title"));
-  EXPECT_THAT(refused({"one", "--picture", "a.gif"}), HasSubstr(".svg, .png or .pdf"));
-  EXPECT_THAT(refused({}), HasSubstr("results"));
-  EXPECT_EQ(work_.contents(), before);
 }
 
 }  // namespace

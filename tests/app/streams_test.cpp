@@ -45,12 +45,6 @@ TEST_F(Streams, SameSeedSameBytes) {
   EXPECT_GE(bytes("one").size(), 6u);
 }
 
-TEST_F(Streams, AnotherSeedOtherMotions) {
-  ASSERT_EQ(reach("one", {"--seed", "7"}).exit_code, 0);
-  ASSERT_EQ(reach("two", {"--seed", "8"}).exit_code, 0);
-  EXPECT_NE(bytes("one")["candidate-1.bvh"], bytes("two")["candidate-1.bvh"]);
-}
-
 TEST_F(Streams, LargestSeedIsKeptExactly) {
   ASSERT_EQ(reach("one", {"--seed", "18446744073709551615"}).exit_code, 0);
   EXPECT_EQ(StoredRun(work_, "one").summary().at("seed"), UINT64_MAX);
@@ -115,20 +109,6 @@ TEST_F(Streams, InterruptedSearchGivesTheBestSoFar) {
   EXPECT_EQ(stored.summary().at("search_detail").at("end"), "cancelled");
   EXPECT_GE(stored.summary().at("evaluations").get<int>(), 8);
   expect_promises_kept(stored);
-}
-
-TEST_F(Streams, HelpAndVersionAreResults) {
-  for (const Words& call : std::vector<Words>{{"--help"},
-                                              {"reach", "--help"},
-                                              {"edit", "--help"},
-                                              {"render", "--help"},
-                                              {"body", "--help"},
-                                              {"--version"}}) {
-    const ProgramRun run = run_shigusa(call);
-    EXPECT_EQ(run.exit_code, 0);
-    EXPECT_NE(run.out, "");
-    EXPECT_EQ(run.err, "");
-  }
 }
 
 // Commands that print, each as a shell calls it.

@@ -8,7 +8,6 @@ namespace shigusa {
 namespace {
 
 using namespace testing_support;
-using testing::HasSubstr;
 using Words = std::vector<std::string>;
 
 class Supports : public testing::Test {
@@ -49,12 +48,6 @@ class Supports : public testing::Test {
     double most = 0.0;
     while (std::getline(lines, line)) most = std::max(most, -std::stod(cells(line).at(column)));
     return most;
-  }
-
-  void expect_refused(const Words& more, const std::string& message) {
-    const ProgramRun refused = reach("refused", more);
-    EXPECT_EQ(refused.exit_code, 2) << refused.err;
-    EXPECT_THAT(refused.err, HasSubstr(message));
   }
 
   WorkFolder work_;
@@ -112,17 +105,6 @@ TEST_F(Supports, AMirrorImageRestsTheOtherHand) {
               first("out").at("resting").at(0).at("force_N").get<double>(), 1e-6);
 }
 
-TEST_F(Supports, ThreadsChangeNoByte) {
-  std::string one;
-  for (const char* threads : {"1", "4"}) {
-    ASSERT_EQ(pick_up(threads, {"--support", "left_hand=thigh", "--threads", threads}).exit_code,
-              0);
-    const std::string bytes = work_.get(std::string(threads) + "/candidate-1.csv");
-    if (one.empty()) one = bytes;
-    EXPECT_EQ(one, bytes);
-  }
-}
-
 TEST_F(Supports, AHandRestsOnATable) {
   const Words asked{"--goal",     "right_hand=-0.2,0.75,0.75",
                     "--obstacle", "table=0,0.35,0.6,1.2,0.7,0.5",
@@ -137,26 +119,6 @@ TEST_F(Supports, AHandRestsOnATable) {
   // a hand's thickness above the top
   EXPECT_GT(height, 0.70);
   EXPECT_LT(height, 0.75);
-}
-
-TEST_F(Supports, WrongOnesAreRefused) {
-  const Words goal{"--goal", "right_hand=-0.1,0.15,0.4"};
-  const auto with = [&](Words more) {
-    more.insert(more.begin(), goal.begin(), goal.end());
-    return more;
-  };
-  expect_refused(with({"--support", "left_hand"}), "is not HAND=PLACE");
-  expect_refused(with({"--support", "tail=thigh"}), "unknown hand 'tail'");
-  expect_refused(with({"--support", "right_hand=thigh"}), "its arm has a goal");
-  expect_refused(with({"--support", "left_hand=shelf"}), "unknown place 'shelf'");
-  expect_refused(with({"--support", "left_hand=thigh", "--support", "left_hand=thigh"}),
-                 "is a second one for this hand");
-  expect_refused(with({"--support", "left_hand=thigh", "--preset", "human"}),
-                 "the preset human knows no hands that rest");
-  expect_refused(with({"--support", "left_hand=thigh", "--generator", "nlp_ik"}),
-                 "knows no hands that rest");
-  expect_refused(with({"--support", "left_hand=wall", "--obstacle", "wall=3,1,0,0.1,2,2"}),
-                 "does not reach wall");
 }
 
 }  // namespace

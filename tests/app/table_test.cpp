@@ -113,12 +113,6 @@ TEST_F(Table, HasNoColumnThatIsZeroForAll) {
   EXPECT_THAT(done.out, Not(testing::ContainsRegex("\njoint_range +0.25 +0.0000")));
 }
 
-TEST_F(Table, SaysWhyAMotionIsImpossible) {
-  const ProgramRun done = reach({"--goal", "right_hand=-0.2,1,-1.5"});
-  EXPECT_THAT(done.out, HasSubstr("\ncandidate 1 is impossible: "));
-  EXPECT_THAT(done.out, HasSubstr("the floor would have to press"));
-}
-
 TEST_F(Table, OfAnEditHasOneColumn) {
   ASSERT_EQ(reach({"--goal", "right_hand=-0.2,1.1,0.4"}).exit_code, 0);
   const ProgramRun edited = run({"edit", "out", "--set", "right_elbow.weight=3"});

@@ -8,7 +8,6 @@ namespace shigusa {
 namespace {
 
 using namespace testing_support;
-using testing::HasSubstr;
 
 struct FarGoal {
   const char* name;
@@ -52,24 +51,6 @@ class Unreachable : public testing::TestWithParam<FarGoal> {
   StoredRun stored_;
 };
 
-TEST_P(Unreachable, IsToldWithTheDistanceThatRemains) {
-  EXPECT_EQ(run_.exit_code, 3) << run_.err;
-  EXPECT_THAT(run_.err, HasSubstr("out of reach: the closest motion ends "));
-  EXPECT_EQ(stored_.summary().at("status"), "unreachable");
-  const Json& best = stored_.candidate(1);
-  EXPECT_GT(stored_.summary().at("remaining_mm").get<double>(), 1.0);
-  EXPECT_EQ(stored_.summary().at("remaining_mm"), best.at("reached").at(0).at("error_mm"));
-}
-
-TEST_P(Unreachable, ClosestMotionIsWrittenWithPlantedFeet) {
-  for (const Json& candidate : stored_.summary().at("candidates")) {
-    const ExportedMotion motion = stored_.motion(candidate);
-    EXPECT_TRUE(motion.finite());
-    expect_ends_as_told(motion, candidate);
-    expect_feet_stand(motion, candidate);
-  }
-}
-
 TEST_P(Unreachable, NoJointIsFasterThanAQuickReachAsksFor) {
   // a joint that turns by all of its range (some 4 rad) with minimum jerk in the shortest reach
   // peaks at 1.875 · 4 rad / 0.6 s = 12.5 rad/s
@@ -95,6 +76,7 @@ TEST_P(Unreachable, NoJointShakes) {
 }
 
 TEST_P(Unreachable, MotionEndsAtRest) {
+  EXPECT_EQ(run_.exit_code, 3) << run_.err;
   // Of a minimum-jerk way, 10 (1/60)³ is left to the last of 60 frames: 0.1 mm of 2 m. A limb that
   // straightens turns its joints with the root of what is left, so they still creep.
   for (const Json& candidate : stored_.summary().at("candidates")) {

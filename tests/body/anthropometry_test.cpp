@@ -116,28 +116,6 @@ TEST(JointLimits, AreTheTables) {
   EXPECT_NEAR(degrees(kHipFlexionKneeFull), 60, 1e-12);
 }
 
-TEST(JointLimits, StrengthsAreTheTables) {
-  // towards larger angles, then towards smaller ones
-  EXPECT_EQ(kAnkleFlexion.torque_positive, 45);
-  EXPECT_EQ(kAnkleFlexion.torque_negative, 150);
-  EXPECT_EQ(kKneeFlexion.torque_positive, 100);
-  EXPECT_EQ(kKneeFlexion.torque_negative, 230);
-  EXPECT_EQ(kHipFlexion.torque_positive, 120);
-  EXPECT_EQ(kHipFlexion.torque_negative, 220);
-  EXPECT_EQ(kHipAbduction.torque_positive, 110);
-  EXPECT_EQ(kHipAbduction.torque_negative, 110);
-  EXPECT_EQ(kHipRotation.torque_positive, 50);
-  EXPECT_EQ(kShoulderFlexion.torque_positive, 80);
-  EXPECT_EQ(kShoulderFlexion.torque_negative, 80);
-  EXPECT_EQ(kShoulderAbduction.torque_positive, 65);
-  EXPECT_EQ(kShoulderAbduction.torque_negative, 70);
-  // lateral (external) rotation is positive
-  EXPECT_EQ(kShoulderRotation.torque_positive, 32);
-  EXPECT_EQ(kShoulderRotation.torque_negative, 50);
-  EXPECT_EQ(kElbowFlexion.torque_positive, 70);
-  EXPECT_EQ(kElbowFlexion.torque_negative, 55);
-}
-
 TEST(DefaultMass, IsTheMeanPersonsAndGrowsWithTheSquareOfStature) {
   EXPECT_DOUBLE_EQ(default_mass(1.741, Sex::male), 73.0);
   EXPECT_DOUBLE_EQ(default_mass(1.735, Sex::female), 61.9);

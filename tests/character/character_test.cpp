@@ -113,18 +113,14 @@ TEST_P(RecordedCharacter, OnceMeasuredNeedsNoFile) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Bvh, RecordedCharacter,
+    Of, RecordedCharacter,
     testing::Values(Recorded{"blender-cli-rendering__102_01.bvh", 0, "Basketball0"},
                     Recorded{"blender-cli-rendering__102_01.bvh", 200, "Basketball200"},
                     Recorded{"pybvh__bvh_test1.bvh", 0, "Small0"},
                     Recorded{"pybvh__bvh_test1.bvh", 50, "Small50"},
                     Recorded{"assimp__Boxing_Toes.bvh", 0, "Boxing0"},
-                    Recorded{"assimp__Boxing_Toes.bvh", 60, "Boxing60"}),
-    [](const auto& of) { return std::string(of.param.name); });
-
-INSTANTIATE_TEST_SUITE_P(
-    Gltf, RecordedCharacter,
-    testing::Values(Recorded{"VRM-Addon-for-Blender__basic_armature.vrm", 0, "Vrm0"},
+                    Recorded{"assimp__Boxing_Toes.bvh", 60, "Boxing60"},
+                    Recorded{"VRM-Addon-for-Blender__basic_armature.vrm", 0, "Vrm0"},
                     Recorded{"VRM-Addon-for-Blender__debug_robot.vrm", 0, "Vrm1"},
                     Recorded{"KayKit_Knight.glb", 0, "Knight"},
                     Recorded{"lab0_CesiumMan.glb", 0, "CesiumMan"}),
@@ -163,7 +159,7 @@ TEST_P(SharedCharacter, IsMeasuredOrGivesTheReason) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Gltf, SharedCharacter,
+    Of, SharedCharacter,
     testing::Values(
         Shared{"VRM-Addon-for-Blender__basic_armature.vrm", 1.621, "head has no tip", "hand.L"},
         Shared{"VRM-Addon-for-Blender__debug_robot.vrm", 1.977, "at the start they hang", "hand.L"},
@@ -180,25 +176,15 @@ INSTANTIATE_TEST_SUITE_P(
         Shared{"meshoptimizer__fuzz.glb", 0.0, "no skeleton in this file", ""},
         Shared{"assimp__simple_skin.gltf", 0.0, "no left leg", ""},
         Shared{"assimp__IndexOutOfRange.gltf", 0.0, "no skeleton in this file", ""},
-        Shared{"tinygltf__invalid-buffer-index.gltf", 0.0, "no nodes", ""}),
+        Shared{"tinygltf__invalid-buffer-index.gltf", 0.0, "no nodes", ""},
+        Shared{"bvhtoolbox_walk01.bvh", 1.911, "starts from the rest pose", "LeftHand"},
+        // no joint inherits its parent's scale of 0.01
+        Shared{"ufbx_humanik_7400_ascii.fbx", 1.722, "head has no tip", "Character1_LeftHand"}),
     [](const auto& of) {
       std::string name = of.param.file;
       std::erase_if(name, [](char c) { return c == '_' || c == '.' || c == '-'; });
       return name;
     });
-
-INSTANTIATE_TEST_SUITE_P(Others, SharedCharacter,
-                         testing::Values(Shared{"bvhtoolbox_walk01.bvh", 1.911,
-                                                "starts from the rest pose", "LeftHand"},
-                                         // no joint inherits its parent's scale of 0.01
-                                         Shared{"ufbx_humanik_7400_ascii.fbx", 1.722,
-                                                "head has no tip", "Character1_LeftHand"}),
-                         [](const auto& of) {
-                           std::string name = of.param.file;
-                           std::erase_if(name,
-                                         [](char c) { return c == '_' || c == '.' || c == '-'; });
-                           return name;
-                         });
 
 TEST(MeasureCharacter, GltfAndBvhOfAPersonAreMeasuredAlike) {
   const WorkFolder work;

@@ -71,10 +71,11 @@ std::string odd_file(const std::function<void(json&)>& make, double sole = -0.03
   return file.bytes();
 }
 
-void put_below(json& file, json above) {
+// Puts the person below such a node.
+std::function<void(json&)> below(json above) {
   above["name"] = "Armature";
   above["children"] = {0};
-  file["nodes"].push_back(above);
+  return [above](json& file) { file["nodes"].push_back(above); };
 }
 
 struct Odd {
@@ -131,42 +132,26 @@ TEST(MeshCharacter, AFrameThatItsAnimationLacksIsTold) {
 INSTANTIATE_TEST_SUITE_P(
     Of, MeshCharacters,
     testing::Values(Odd{"Plain", [](json&) {}},
-                    Odd{"InCentimetres",
-                        [](json& f) {
-                          put_below(f, {{"scale", {100.0, 100.0, 100.0}}});
-                        }},
+                    Odd{"InCentimetres", below({{"scale", {100.0, 100.0, 100.0}}})},
                     Odd{"BelowScaledNodes",
                         [](json& f) {
-                          put_below(f, {{"scale", {0.01, 0.01, 0.01}}});
+                          below({{"scale", {0.01, 0.01, 0.01}}})(f);
                           f["nodes"].push_back({{"name", "Root"},
                                                 {"scale", {100.0, 100.0, 100.0}},
                                                 {"children", {f["nodes"].size() - 1}}});
                         }},
-                    Odd{"FacingAway",
-                        [](json& f) {
-                          put_below(f, {{"rotation", {0, 1, 0, 0}}});
-                        }},
+                    Odd{"FacingAway", below({{"rotation", {0, 1, 0, 0}}})},
                     Odd{"FacingAside",
-                        [](json& f) {
-                          put_below(f, {{"rotation", {0, std::sqrt(0.5), 0, std::sqrt(0.5)}}});
-                        }},
-                    Odd{"ZUp",
-                        [](json& f) {
-                          put_below(f, {{"rotation", {std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}});
-                        }},
-                    Odd{"Elsewhere",
-                        [](json& f) {
-                          put_below(f, {{"translation", {3.0, 1.5, -2.0}}});
-                        }}),
+                        below({{"rotation", {0, std::sqrt(0.5), 0, std::sqrt(0.5)}}})},
+                    Odd{"ZUp", below({{"rotation", {std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}})},
+                    Odd{"Elsewhere", below({{"translation", {3.0, 1.5, -2.0}}})}),
     [](const auto& of) { return std::string(of.param.name); });
 
 // No rotation leads out of a mirror, so the file keeps its own axes, but its soles stand on its
 // own floor.
 TEST(MeshCharacter, AMirroredOneIsMeasuredAlike) {
   const CharacterSpec plain = loaded(odd_file([](json&) {}));
-  const CharacterSpec mirror = loaded(odd_file([](json& f) {
-    put_below(f, {{"scale", {-1.0, 1.0, 1.0}}});
-  }));
+  const CharacterSpec mirror = loaded(odd_file(below({{"scale", {-1.0, 1.0, 1.0}}})));
   ASSERT_TRUE(plain.landmarks && mirror.landmarks);
   EXPECT_NEAR(*plain.stature, *mirror.stature, 1e-6);
   // the sides of a mirrored skeleton keep their names; seen from within it is the same person

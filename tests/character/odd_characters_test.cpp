@@ -40,10 +40,11 @@ std::size_t index_of(const json& file, const std::string& name) {
   throw std::runtime_error("no node " + name);
 }
 
-void put_below(json& file, json above) {
+// Puts the person below such a node.
+std::function<void(json&)> below(json above) {
   above["name"] = "Armature";
   above["children"] = {0};
-  file["nodes"].push_back(above);
+  return [above](json& file) { file["nodes"].push_back(above); };
 }
 
 void add_child(json& file, const std::string& parent, json child, bool first = false) {
@@ -239,32 +240,13 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Odd{"ArmsDown", [](json&) {}}, Odd{"APose", [](json& f) { arms(f, 45.0); }},
         Odd{"TPose", [](json& f) { arms(f, 88.0); }},
-        Odd{"Inches",
-            [](json& f) {
-              put_below(f, {{"scale", {39.37, 39.37, 39.37}}});
-            }},
+        Odd{"Inches", below({{"scale", {39.37, 39.37, 39.37}}})},
         Odd{"CentimetresZUp",
-            [](json& f) {
-              const double half = sqrt(0.5);
-              put_below(f, {{"rotation", {half, 0.0, 0.0, half}}, {"scale", {100, 100, 100}}});
-            }},
-        Odd{"OnAPlinth",
-            [](json& f) {
-              put_below(f, {{"translation", {0.3, 0.8, -2.0}}});
-            }},
-        Odd{"SunkenInTheFloor",
-            [](json& f) {
-              put_below(f, {{"translation", {0, -0.6, 0}}});
-            }},
-        Odd{"FacingAway",
-            [](json& f) {
-              put_below(f, {{"rotation", {0.0, 1.0, 0.0, 0.0}}});
-            }},
-        Odd{"UnevenScaleAbove",
-            [](json& f) {
-              put_below(f, {{"scale", {1.03, 1.0, 0.96}}});
-            },
-            "different scales"},
+            below({{"rotation", {sqrt(0.5), 0.0, 0.0, sqrt(0.5)}}, {"scale", {100, 100, 100}}})},
+        Odd{"OnAPlinth", below({{"translation", {0.3, 0.8, -2.0}}})},
+        Odd{"SunkenInTheFloor", below({{"translation", {0, -0.6, 0}}})},
+        Odd{"FacingAway", below({{"rotation", {0.0, 1.0, 0.0, 0.0}}})},
+        Odd{"UnevenScaleAbove", below({{"scale", {1.03, 1.0, 0.96}}}), "different scales"},
         Odd{"OtherRoots",
             [](json& f) {
               f["nodes"].push_back({{"name", "Camera"}, {"translation", {9, 9, 9}}});
@@ -361,7 +343,7 @@ TEST(OddCharacter, OfNoPersonsSizeMovesAsAPersonAndPlaysOnItsFile) {
   for (const double size : {0.3, 3.2}) {
     json gltf = person_gltf();
     const double scale = size / 1.741;
-    put_below(gltf, {{"scale", {scale, scale, scale}}});
+    below({{"scale", {scale, scale, scale}}})(gltf);
     TaskFile file;
     file.character = {.source = "odd.glb"};
     ASSERT_TRUE(load_character(glb(gltf.dump(), "data"), file.character));

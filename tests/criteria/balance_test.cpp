@@ -27,8 +27,6 @@ double penalty_of(const std::vector<double>& leans, const BalanceSettings& setti
   return penalty_by<Balance>(rod(), motion_through(rod(), frames), settings);
 }
 
-TEST(Balance, HasRuleR8bNumbers) { EXPECT_EQ(kBalanceLean, 0.20); }
-
 TEST(Balance, IsZeroAboveTheSupport) { EXPECT_EQ(penalty_of({0.0, 0.0}), 0.0); }
 
 TEST(Balance, IsTheLeanAsAShare) {
@@ -70,8 +68,6 @@ TEST(Balance, NeverFallsWithMoreLean) {
 TEST(Balance, LeanIsASetting) {
   EXPECT_NEAR(penalty_of({0.1}, {.lean = 0.4}), 0.5 * penalty_of({0.1}), 1e-15);
 }
-
-TEST(Balance, OfNoFramesIsZero) { EXPECT_EQ(penalty_of({}), 0.0); }
 
 TEST(SupportCentre, IsTheMiddleOfTheStandingFeet) {
   const BodyModel body = full_body();

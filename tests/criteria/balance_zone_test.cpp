@@ -86,8 +86,6 @@ TEST(BalanceZone, OfABodyWithoutFeetIsZero) {
   EXPECT_EQ(penalty_by<BalanceZone>(body, motion_through(body, {{1.5}})), 0.0);
 }
 
-TEST(BalanceZone, OfNoFramesIsZero) { EXPECT_EQ(penalty_at({}), 0.0); }
-
 TEST(SupportPolygon, LeavesOutWhatIsHollowOrTwice) {
   std::vector<Vec3d> outline = kSole;
   outline.push_back({0.0, 0, 0.0});

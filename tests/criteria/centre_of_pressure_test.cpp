@@ -64,16 +64,5 @@ TEST(CentreOfPressure, DoesNotMatterToABodyWithoutFeet) {
   EXPECT_EQ(penalty_by<CentreOfPressure>(body, motion_through(body, {{1.0}, {-1.0}})), 0.0);
 }
 
-TEST(CentreOfPressure, ForgetsWhatItSaw) {
-  const BodyModel body = on_a_foot();
-  const Kinematics<double> kinematics = start_kinematics(body);
-  const PlacedFrame<double> frame{{}, kinematics, {0, kGravity, 0.2 * kGravity}};
-  CentreOfPressure<double> zone(body);
-  zone.add(frame);
-  EXPECT_GT(zone.penalty(), 0.0);
-  zone.reset();
-  EXPECT_EQ(zone.penalty(), 0.0);
-}
-
 }  // namespace
 }  // namespace shigusa

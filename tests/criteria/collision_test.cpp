@@ -205,10 +205,5 @@ TEST(Collision, UpperArmsThatAreGrownOnTheTrunkCollideWithNothing) {
   }
 }
 
-TEST(Collision, IsInTheDefaultMixtureAndNotInThePapers) {
-  EXPECT_GT(default_criteria().collision_weight, 0.0);
-  EXPECT_EQ(paper_criteria().collision_weight, 0.0);
-}
-
 }  // namespace
 }  // namespace shigusa

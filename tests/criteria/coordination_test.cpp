@@ -128,10 +128,6 @@ TEST(Coordination, OnlyTheEndCounts) {
   EXPECT_NEAR(penalty_of_poses<Coordination>({other, peoples(kLean)}), 0.0, 1e-12);
 }
 
-TEST(Coordination, IsHalfWhereKneesAreOffByTwiceTheAngle) {
-  EXPECT_NEAR(penalty_of(with_knees({}, 2.0 * kCoordinationAngle)), 0.5, 1e-12);
-}
-
 TEST(Coordination, NearerIsBetterHoweverFarItIs) {
   double before = -1.0;
   for (double knees = 0.0; knees < 6.0 * kCoordinationAngle; knees += 0.1) {
@@ -146,11 +142,7 @@ TEST(Coordination, AngleIsASetting) {
   EXPECT_NEAR(penalty_of(with_knees({}, kOff), {.angle = 0.2}), cost_of(kOff, 0.2), 1e-12);
 }
 
-TEST(Coordination, IsTheSameInAMirror) {
-  const std::vector<Pose> poses = lopsided_poses();
-  EXPECT_GT(penalty_of(poses.back()), 0.0);
-  EXPECT_DOUBLE_EQ(penalty_of(mirrored(poses.back())), penalty_of(poses.back()));
-}
+TEST(Coordination, IsTheSameInAMirror) { expect_the_same_in_a_mirror<Coordination>(); }
 
 TEST(Coordination, OfABodyWithoutKneesHipsOrShouldersIsZero) {
   const Pose pose = with_knees(peoples(kLean), 2.0);
@@ -176,16 +168,6 @@ TEST(Coordination, OfAHalfBodyAndOfWhoSitsIsZero) {
     EXPECT_EQ(penalty_by<Coordination>(body, motion), 0.0) << body.name();
   }
 }
-
-TEST(Coordination, ForgetsWhatItSaw) {
-  Coordination<double> coordination(posed_body());
-  show_poses(posed_body(), {{.left_knee = 1.0}}, coordination);
-  EXPECT_GT(coordination.penalty(), 0.0);
-  coordination.reset();
-  EXPECT_EQ(coordination.penalty(), 0.0);
-}
-
-TEST(Coordination, OfNoFramesIsZero) { EXPECT_EQ(penalty_of_poses<Coordination>({}), 0.0); }
 
 }  // namespace
 }  // namespace shigusa

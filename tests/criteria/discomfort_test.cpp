@@ -124,7 +124,5 @@ TEST(Discomfort, ShareIsASetting) {
               0.5 * penalty_at(body, {first_at(1.0)}), 1e-15);
 }
 
-TEST(Discomfort, OfNoFramesIsZero) { EXPECT_EQ(penalty_at(BodyModel(hinges()), {}), 0.0); }
-
 }  // namespace
 }  // namespace shigusa

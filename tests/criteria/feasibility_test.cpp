@@ -78,19 +78,5 @@ TEST(Feasibility, LessIsBetterHoweverMuchItIs) {
   }
 }
 
-TEST(Feasibility, ForgetsWhatItSaw) {
-  const BodyModel body = on_a_foot();
-  const std::vector<double> angles{0.0};
-  const std::vector<double> torques{3.0 * kStrength};
-  const Kinematics<double> kinematics = start_kinematics(body);
-  const PlacedFrame<double> frame{
-      {.angles = angles, .torques = torques}, kinematics, {0.0, kGravity, 0.0}};
-  Feasibility<double> feasibility(body);
-  feasibility.add(frame);
-  EXPECT_GT(feasibility.penalty(), 0.0);
-  feasibility.reset();
-  EXPECT_EQ(feasibility.penalty(), 0.0);
-}
-
 }  // namespace
 }  // namespace shigusa

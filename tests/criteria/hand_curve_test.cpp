@@ -86,10 +86,6 @@ TEST(HandCurve, IsTheMeanOverTimeNotOverFrames) {
   EXPECT_NEAR(penalty_of(poses), cost_of(kBow), 1e-12);
 }
 
-TEST(HandCurve, OfAStraightWayForwardsIsZero) {
-  EXPECT_NEAR(penalty_of(going({0, 0, 0.4})), 0.0, 1e-12);
-}
-
 TEST(HandCurve, OfPeoplesWaysIsZero) {
   EXPECT_NEAR(penalty_of(going({-0.4, 0, 0}, kForwards * kBowLevel)), 0.0, 1e-12);
   EXPECT_NEAR(penalty_of(going({0, -0.4, 0}, kForwards * (kBowLevel + kBowDown))), 0.0, 1e-12);
@@ -157,22 +153,11 @@ TEST(HandCurve, NearerIsBetterHoweverFarItIs) {
   }
 }
 
-TEST(HandCurve, IsHalfAtItsOffset) {
-  EXPECT_NEAR(penalty_of(going({0, 0, 0.4}, kOutwards * kPathOffset)), 0.5, 1e-12);
-}
-
 TEST(HandCurve, OffsetIsASetting) {
   EXPECT_NEAR(penalty_of(going({0, 0, 0.4}, kOutwards * 0.1), 0.4), penalty_for(0.0625), 1e-12);
 }
 
-TEST(HandCurve, IsTheSameInAMirror) {
-  std::vector<Pose> poses = lopsided_poses();
-  const double penalty = penalty_of_poses<HandCurve>(poses, {.offset = 1.0});
-  EXPECT_GT(penalty, 0.0);
-  EXPECT_LT(penalty, 1.0);
-  for (Pose& pose : poses) pose = mirrored(pose);
-  EXPECT_DOUBLE_EQ(penalty_of_poses<HandCurve>(poses, {.offset = 1.0}), penalty);
-}
+TEST(HandCurve, IsTheSameInAMirror) { expect_the_same_in_a_mirror<HandCurve>({.offset = 1.0}); }
 
 TEST(HandCurve, OfABodyWithoutHandsIsZero) {
   BodyDefinition handless = posed_definition();
@@ -181,18 +166,6 @@ TEST(HandCurve, OfABodyWithoutHandsIsZero) {
   EXPECT_EQ(penalty_of_poses<HandCurve>(going({0, 0, 0.4}, kOutwards), {}, BodyModel(handless)),
             0.0);
 }
-
-TEST(HandCurve, ForgetsWhatItSaw) {
-  HandCurve<double> curve(posed_body(), {.effectors = right_hand_of(posed_body())});
-  show_poses(posed_body(), going({0, 0.4, 0}, kOutwards), curve);
-  EXPECT_GT(curve.penalty(), 0.9);
-  curve.reset();
-  EXPECT_EQ(curve.penalty(), 0.0);
-  show_poses(posed_body(), going({0, 0, 0.4}), curve);
-  EXPECT_NEAR(curve.penalty(), 0.0, 1e-12);
-}
-
-TEST(HandCurve, OfNoFramesIsZero) { EXPECT_EQ(penalty_of({}), 0.0); }
 
 }  // namespace
 }  // namespace shigusa

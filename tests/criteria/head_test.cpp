@@ -132,7 +132,5 @@ TEST(Head, OfABodyWithoutOneIsZero) {
             0.0);
 }
 
-TEST(Head, OfNoFramesIsZero) { EXPECT_EQ(penalty_of({}), 0.0); }
-
 }  // namespace
 }  // namespace shigusa

@@ -72,7 +72,5 @@ TEST(JointAcceleration, FallsWithTheSquareOfTheTimeTaken) {
 
 TEST(JointAcceleration, IsFullBeyondItsScale) { EXPECT_EQ(penalty_of({0.0, 1.0, -1.0}), 1.0); }
 
-TEST(JointAcceleration, OfNoFramesIsZero) { EXPECT_EQ(penalty_of({}), 0.0); }
-
 }  // namespace
 }  // namespace shigusa

@@ -25,8 +25,6 @@ double penalty_at(const BodyModel& body, std::vector<std::vector<double>> frames
   return penalty_by<JointRange>(body, motion_through(body, frames));
 }
 
-TEST(JointRange, HasRuleR8aNumbers) { EXPECT_EQ(kRangeMargin, 0.2); }
-
 TEST(JointRange, IsZeroUpToTheLimits) {
   const BodyModel body(one_hinge());
   EXPECT_EQ(penalty_at(body, {{0.0}, {1.5}, {-0.5}}), 0.0);

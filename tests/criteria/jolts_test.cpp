@@ -168,19 +168,5 @@ TEST(Jolts, LimitIsASetting) {
 
 TEST(Jolts, OfOneFrameAreZero) { EXPECT_EQ(penalty_of({500.0}), 0.0); }
 
-TEST(Jolts, ForgetWhatTheySaw) {
-  Jolts<double> jolts(standing_hinge());
-  const Vec3d far{0, 0, 10.0 * kPressureJolt};
-  show_pressures({pressure_at({}), pressure_at(far)}, jolts);
-  EXPECT_GT(jolts.penalty(), 0.99);
-  jolts.reset();
-  EXPECT_EQ(jolts.penalty(), 0.0);
-  // the first frame of the next motion follows on nothing
-  show_pressures({pressure_at({})}, jolts);
-  EXPECT_EQ(jolts.penalty(), 0.0);
-}
-
-TEST(Jolts, OfNoFramesAreZero) { EXPECT_EQ(penalty_of({}), 0.0); }
-
 }  // namespace
 }  // namespace shigusa

@@ -154,7 +154,5 @@ TEST(LowBack, OfABodyWithoutHipsIsZero) {
   EXPECT_EQ(penalty_by<LowBack>(body, motion), 0.0);
 }
 
-TEST(LowBack, OfNoFramesIsZero) { EXPECT_EQ(penalty_of(full_body(), {}), 0.0); }
-
 }  // namespace
 }  // namespace shigusa

@@ -31,8 +31,6 @@ double penalty_of(const BodyModel& body, const std::vector<double>& torques,
   return penalty_by<Torque>(body, motion, settings);
 }
 
-TEST(Torque, HasRuleR8cNumbers) { EXPECT_EQ(kTorqueShare, 0.6); }
-
 TEST(Torque, OfRestIsZero) { EXPECT_EQ(penalty_of(strong_hinge(), {0, 0, 0}), 0.0); }
 
 TEST(Torque, IsTheShareOfTheStrengthInItsDirection) {
@@ -68,8 +66,6 @@ TEST(Torque, NeverFallsWithMoreTorque) {
 TEST(Torque, ShareIsASetting) {
   EXPECT_NEAR(penalty_of(strong_hinge(), {30}, {.share = 0.9}), 0.3 / 0.9, 1e-15);
 }
-
-TEST(Torque, OfNoFramesIsZero) { EXPECT_EQ(penalty_of(strong_hinge(), {}), 0.0); }
 
 }  // namespace
 }  // namespace shigusa

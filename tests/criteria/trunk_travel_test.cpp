@@ -85,10 +85,6 @@ TEST(TrunkTravel, IsTheMeanOverTheHands) {
   EXPECT_NEAR(penalty_of_poses<TrunkTravel>({pose}), penalty_for(squares), 1e-12);
 }
 
-TEST(TrunkTravel, IsHalfAtItsDistance) {
-  EXPECT_NEAR(penalty_of({reaching(0.3, {0, 0, kTravelDistance})}), 0.5, 1e-12);
-}
-
 TEST(TrunkTravel, NearerIsBetterHoweverFarItIs) {
   double before = -1.0;
   for (double moved = 0.0; moved < 2.0; moved += 0.05) {
@@ -103,13 +99,7 @@ TEST(TrunkTravel, DistanceIsASetting) {
   EXPECT_NEAR(penalty_of({reaching(0.3, {0, 0, 0.1})}, 0.4), penalty_for(0.0625), 1e-12);
 }
 
-TEST(TrunkTravel, IsTheSameInAMirror) {
-  std::vector<Pose> poses = lopsided_poses();
-  const double penalty = penalty_of_poses<TrunkTravel>(poses);
-  EXPECT_GT(penalty, 0.0);
-  for (Pose& pose : poses) pose = mirrored(pose);
-  EXPECT_DOUBLE_EQ(penalty_of_poses<TrunkTravel>(poses), penalty);
-}
+TEST(TrunkTravel, IsTheSameInAMirror) { expect_the_same_in_a_mirror<TrunkTravel>(); }
 
 TEST(TrunkTravel, OfABodyWithoutHandsIsZero) {
   BodyDefinition handless = posed_definition();
@@ -121,16 +111,6 @@ TEST(TrunkTravel, OfABodyWithoutHandsIsZero) {
   travel.add(PlacedFrame<double>{{.angles = angles, .torques = {}}, end});
   EXPECT_EQ(travel.penalty(), 0.0);
 }
-
-TEST(TrunkTravel, ForgetsWhatItSaw) {
-  TrunkTravel<double> travel(posed_body(), {.effectors = right_hand_of(posed_body())});
-  show_poses(posed_body(), {reaching(0.3, {0, 0, 0.1})}, travel);
-  EXPECT_GT(travel.penalty(), 0.0);
-  travel.reset();
-  EXPECT_EQ(travel.penalty(), 0.0);
-}
-
-TEST(TrunkTravel, OfNoFramesIsZero) { EXPECT_EQ(penalty_of({}), 0.0); }
 
 TEST(GoalHands, AreTheHandsOfTheGoalsOrAll) {
   const BodyModel body = human_body();

@@ -88,7 +88,5 @@ TEST(Work, ShareIsASetting) {
               0.5 * penalty_by<Work>(rod(), motion), 1e-12);
 }
 
-TEST(Work, OfNoFramesIsZero) { EXPECT_EQ(work_of(led_through({})), 0.0); }
-
 }  // namespace
 }  // namespace shigusa

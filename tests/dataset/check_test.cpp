@@ -4,8 +4,7 @@
 #include <shigusa/dataset_check.hpp>
 #include <shigusa/dataset_merge.hpp>
 
-#include "dataset/task_rows.hpp"
-#include "plans.hpp"
+#include "dataset/stranger.hpp"
 
 namespace shigusa {
 namespace {
@@ -13,6 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
+using testing_support::change_shard;
 using testing_support::made;
 using testing_support::plan_of_json;
 using testing_support::small_plan;
@@ -30,24 +30,6 @@ class DatasetCheck : public testing::Test {
     const auto run = check_dataset(folder_.path(), settings);
     EXPECT_TRUE(run) << run.error().to_string();
     return run.value_or(CheckRun{});
-  }
-
-  // Writes a shard anew, with the sum that belongs to it, after a change of its tables.
-  template <class Change>
-  void change_shard(std::uint64_t shard, Change change) const {
-    std::vector<Table> tables;
-    std::string text;
-    ShardHead head;
-    {
-      const ShardReader reader = ShardReader::open(folder_ / shard_name(shard)).value();
-      std::vector<std::string> paths = reader.motion_tables().value();
-      for (const Table& table : empty_tables()) paths.push_back(table.path);
-      for (const std::string& path : paths) tables.push_back(reader.table(path).value());
-      text = reader.plan_text().value();
-      head = reader.head();
-    }
-    change(tables);
-    folder_.put(shard_name(shard), format_shard(head, text, tables).value());
   }
 
   WorkFolder folder_;
@@ -191,7 +173,7 @@ TEST_F(DatasetCheck, AnyByteOfTheStatisticsThatIsChangedIsFound) {
 }
 
 TEST_F(DatasetCheck, NumberThatNoSearchGaveIsFoundByMakingItsTaskAgain) {
-  change_shard(1, [](std::vector<Table>& tables) {
+  change_shard(folder_, 1, [](std::vector<Table>& tables) {
     Column& angles = tables.front()["angles"];
     angles.bytes[0] = static_cast<char>(angles.bytes[0] ^ 1);
   });
@@ -203,7 +185,7 @@ TEST_F(DatasetCheck, NumberThatNoSearchGaveIsFoundByMakingItsTaskAgain) {
 }
 
 TEST_F(DatasetCheck, RowThatNoSearchGaveIsFound) {
-  change_shard(2, [](std::vector<Table>& tables) {
+  change_shard(folder_, 2, [](std::vector<Table>& tables) {
     for (Table& table : tables) {
       if (table.path != kMissedTable) continue;
       table["task"].push_as(std::uint64_t{5});

@@ -209,22 +209,5 @@ TEST(Dataset, OnlyPossibleMotionsWhereAskedFor) {
   EXPECT_LT(some.motions, every.motions);
 }
 
-TEST(ShardFile, AChangedByteIsFound) {
-  const WorkFolder work;
-  made(plan_of_json(small_plan(2, 2)), {.folder = work.path()});
-  const std::string whole = work.get(shard_name(0));
-  for (const std::size_t at : {std::size_t{3}, std::size_t{40}, std::size_t{140}, std::size_t{600},
-                               whole.size() / 2, whole.size() - 1}) {
-    std::string changed = whole;
-    changed[at] = static_cast<char>(changed[at] ^ 1);
-    work.put("damaged.h5", changed);
-    EXPECT_FALSE(ShardReader::open(work / "damaged.h5")) << at;
-  }
-  work.put("short.h5", std::string_view(whole).substr(0, whole.size() - 100));
-  EXPECT_FALSE(ShardReader::open(work / "short.h5"));
-  work.put("empty.h5", "");
-  EXPECT_FALSE(ShardReader::open(work / "empty.h5"));
-}
-
 }  // namespace
 }  // namespace shigusa

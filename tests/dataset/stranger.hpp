@@ -10,9 +10,10 @@
 // Shards as a stranger may make them: their sums are right, and what they hold is not.
 namespace shigusa::testing_support {
 
-// Changes a shard's tables.
-inline void change_tables(const WorkFolder& folder, const std::function<void(Table&)>& change) {
-  const std::string name = shard_name(0);
+// Writes a shard anew, with the sum that belongs to it, after a change of its tables.
+inline void change_shard(const WorkFolder& folder, std::uint64_t shard,
+                         const std::function<void(std::vector<Table>&)>& change) {
+  const std::string name = shard_name(shard);
   std::vector<Table> tables;
   std::string text;
   ShardHead head;
@@ -24,8 +25,15 @@ inline void change_tables(const WorkFolder& folder, const std::function<void(Tab
     text = reader.plan_text().value();
     head = reader.head();
   }
-  for (Table& table : tables) change(table);
+  change(tables);
   folder.put(name, format_shard(head, text, tables).value());
+}
+
+// Changes each table of the first shard.
+inline void change_tables(const WorkFolder& folder, const std::function<void(Table&)>& change) {
+  change_shard(folder, 0, [&change](std::vector<Table>& tables) {
+    for (Table& table : tables) change(table);
+  });
 }
 
 // Changes what HDF5 has of a shard.

@@ -56,14 +56,6 @@ TEST(WeightedIk, HingesShareAWayByTheirInverseWeights) {
   EXPECT_NEAR(dq[1], 1 / w1 * multiplier, 1e-15);
 }
 
-TEST(WeightedIk, LargerWeightMovesJointLess) {
-  const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}});
-  const Targets targets = tip_moves_by(body, {0, 0}, {0, 0, 0.1});
-  const Vector light = ik_step(body, {0, 0}, targets, {1.0, 1.0});
-  const Vector heavy = ik_step(body, {0, 0}, targets, {0.25, 1.0});
-  EXPECT_LT(std::fabs(heavy[0]), std::fabs(light[0]));
-}
-
 // Weights tell how joints share a way, whatever their unit is: times a power of two not even a
 // rounding differs.
 TEST(WeightedIk, AllWeightsTimesAPowerOfTwoMoveJointsAlike) {

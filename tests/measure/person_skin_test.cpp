@@ -62,6 +62,12 @@ void add_limb(const StickFigure& figure, const std::string& from, const std::str
   }
 }
 
+void add_limb(const StickFigure& figure, const std::string& from, const std::string& to,
+              double radius, Mesh& mesh) {
+  add_limb(
+      figure, from, to, [radius](double) { return radius; }, mesh);
+}
+
 // An ellipsoid of vertices, evenly about its middle, and one at its top.
 void add_ball(int node, const Vec3d& middle, const Vec3d& half, Mesh& mesh) {
   constexpr int kCount = 400;
@@ -193,9 +199,7 @@ TEST(PersonSkin, AFootWithoutMeshEndsWithItsShanks) {
   const StickFigure figure = standing_figure();
   Mesh mesh;
   for (const char* shank : {"LeftLeg", "RightLeg"}) {
-    add_limb(
-        figure, shank, shank == std::string("LeftLeg") ? "LeftFoot" : "RightFoot",
-        [](double) { return 0.05; }, mesh);
+    add_limb(figure, shank, shank == std::string("LeftLeg") ? "LeftFoot" : "RightFoot", 0.05, mesh);
   }
   const MeasuredPerson person = measured(figure, mesh);
   EXPECT_NEAR(person.placement.origin.y, 0.039 * kStature, 1e-6);
@@ -279,10 +283,8 @@ double radius_of(const MeasuredPerson& person, BodyPart part) {
 TEST(FittedParts, ARoundLimbHasItsRadius) {
   const StickFigure figure = standing_figure();
   Mesh mesh;
-  add_limb(
-      figure, "LeftForeArm", "LeftHand", [](double) { return 0.047; }, mesh);
-  add_limb(
-      figure, "LeftUpLeg", "LeftLeg", [](double) { return 0.07; }, mesh);
+  add_limb(figure, "LeftForeArm", "LeftHand", 0.047, mesh);
+  add_limb(figure, "LeftUpLeg", "LeftLeg", 0.07, mesh);
   const MeasuredPerson person = measured(figure, mesh);
   EXPECT_NEAR(radius_of(person, BodyPart::left_forearm), 0.047, kRounding);
   EXPECT_NEAR(radius_of(person, BodyPart::left_thigh), 0.07, kRounding);
@@ -294,8 +296,7 @@ TEST(FittedParts, ARoundLimbHasItsRadius) {
 TEST(FittedParts, ACalfBehindItsBoneIsRoundAboutItsOwnMiddle) {
   const StickFigure figure = standing_figure();
   Mesh mesh;
-  add_limb(
-      figure, "LeftLeg", "LeftFoot", [](double) { return 0.05; }, mesh);
+  add_limb(figure, "LeftLeg", "LeftFoot", 0.05, mesh);
   for (SkinVertex& vertex : mesh) vertex.position.z -= 0.015;
   const MeasuredPerson person = measured(figure, mesh);
   EXPECT_NEAR(radius_of(person, BodyPart::left_shank), 0.05, 0.002);
@@ -317,10 +318,8 @@ TEST(FittedParts, ATaperingLimbHasTheRadiiOfItsEnds) {
 TEST(FittedParts, SleevesSwordsAndSkirtsMakeNoBarrel) {
   const StickFigure figure = standing_figure();
   Mesh mesh;
-  add_limb(
-      figure, "LeftForeArm", "LeftHand", [](double) { return 0.04; }, mesh);
-  add_limb(
-      figure, "LeftUpLeg", "LeftLeg", [](double) { return 0.07; }, mesh);
+  add_limb(figure, "LeftForeArm", "LeftHand", 0.04, mesh);
+  add_limb(figure, "LeftUpLeg", "LeftLeg", 0.07, mesh);
   const auto near = mesh.size();
   for (std::size_t i = 0; i < near; ++i) {
     const Vec3d at = mesh[i].position;
@@ -410,11 +409,9 @@ TEST(FittedParts, AHandIsAsFlatAndAsLongAsItsMesh) {
 TEST(FittedParts, AnArmouredArmHasItsOwnThickness) {
   const StickFigure figure = standing_figure();
   Mesh mesh;
-  add_limb(
-      figure, "LeftForeArm", "LeftHand", [](double) { return 0.04; }, mesh);
+  add_limb(figure, "LeftForeArm", "LeftHand", 0.04, mesh);
   Mesh armour;
-  add_limb(
-      figure, "RightForeArm", "RightHand", [](double) { return 0.08; }, armour);
+  add_limb(figure, "RightForeArm", "RightHand", 0.08, armour);
   for (std::size_t i = 0; i < armour.size(); i += 5) mesh.push_back(armour[i]);
   const MeasuredPerson person = measured(figure, mesh);
   EXPECT_NEAR(radius_of(person, BodyPart::right_forearm), 0.08, 0.005);
@@ -441,8 +438,7 @@ TEST(FittedParts, AMeshWithAHeadBesideItsBoneShowsNoBody) {
   const Vec3d head = figure.points[static_cast<std::size_t>(figure.find("Head"))].at;
   for (const double aside : {0.01, 0.05}) {
     Mesh mesh = shoes(figure, {});
-    add_limb(
-        figure, "LeftForeArm", "LeftHand", [](double) { return 0.04; }, mesh);
+    add_limb(figure, "LeftForeArm", "LeftHand", 0.04, mesh);
     add_ball(figure.find("Head"), head + Vec3d{aside, 0.05, 0.01}, {0.076, 0.115, 0.098}, mesh);
     const PartShapes& parts = measured(figure, mesh).landmarks.parts;
     EXPECT_EQ(parts[BodyPart::head].has_value(), aside < 0.02);

@@ -242,14 +242,6 @@ TEST(EffectorPath, DoneIsTheShareOfItsLine) {
   }
 }
 
-TEST(ReachDuration, HasRuleR9sNumbers) {
-  EXPECT_EQ(kDurationBase, 0.45);
-  EXPECT_EQ(kDurationPerMetre, 0.75);
-  EXPECT_EQ(kDurationMin, 0.6);
-  EXPECT_EQ(kDurationMax, 2.0);
-  EXPECT_EQ(kDurationTrunk, 0.14);
-}
-
 TEST(ReachDuration, GrowsWithTheDistanceBetweenItsBounds) {
   EXPECT_DOUBLE_EQ(reach_duration(0.0, false), 0.6);
   EXPECT_DOUBLE_EQ(reach_duration(0.2, false), 0.6);

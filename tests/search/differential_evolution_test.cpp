@@ -5,10 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <string>
 
-#include "core/check.hpp"
 #include "search/test_functions.hpp"
+#include "support/refusal.hpp"
 
 namespace shigusa {
 namespace {
@@ -71,21 +70,16 @@ TEST(DifferentialEvolution, ScoresAGenerationInOneCall) {
 }
 
 TEST(DifferentialEvolution, RefusesSettingsOutOfRangeAndNamesThem) {
-  const auto refusal = [](const DifferentialEvolutionSettings& settings) -> std::string {
-    try {
-      (void)differential_evolution_search(problem_of(3, sphere), settings);
-    } catch (const PreconditionError& error) {
-      return error.what();
-    }
-    return "accepted";
+  const auto told = [](const DifferentialEvolutionSettings& settings) {
+    return refusal([&] { return differential_evolution_search(problem_of(3, sphere), settings); });
   };
   for (const int population : {-1, 3, 10001}) {
-    EXPECT_THAT(refusal({.population = population}), HasSubstr("population is"));
+    EXPECT_THAT(told({.population = population}), HasSubstr("population is"));
   }
   for (const double precision : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_THAT(refusal({.precision = precision}), HasSubstr("precision is"));
+    EXPECT_THAT(told({.precision = precision}), HasSubstr("precision is"));
   }
-  EXPECT_EQ(refusal({.population = 4}), "accepted");
+  EXPECT_EQ(told({.population = 4}), "accepted");
 }
 
 }  // namespace

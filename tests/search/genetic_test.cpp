@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <set>
-#include <stdexcept>
-#include <string>
 
-#include "core/check.hpp"
 #include "core/statistics.hpp"
 #include "search/genome_problem.hpp"
+#include "support/refusal.hpp"
 
 namespace shigusa {
 namespace {
@@ -38,70 +35,12 @@ double separable(const Genome& genome) {
 
 const SearchProblem kSeparable = problem_of(8, 4, separable);
 
-TEST(GeneticSettings, AreThePapersByDefault) {
-  EXPECT_EQ(GeneticSettings{}.bits_per_gene, 4);
-  EXPECT_EQ(kPaperBitsPerGene, 4);
-  const GeneticSettings settings;
-  EXPECT_EQ(settings.population, 8);
-  EXPECT_EQ(settings.crossover_rate, 0.5);
-  EXPECT_EQ(settings.mutation_rate, 0.1);
-  EXPECT_EQ(settings.max_generations, 20);
-}
-
-TEST(GeneticSettings, FollowRuleR7WhereThePaperIsSilent) {
-  EXPECT_EQ(GeneticSettings{}.unchanged_generations, 3);
-  EXPECT_EQ(GeneticSettings{}.fitness_offset, 0.05);
-}
-
-TEST(GeneticSearch, SameSeedGivesTheSameResult) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const SearchResult a = genetic_search(kSeparable, {.seed = seed});
-    const SearchResult b = genetic_search(kSeparable, {.seed = seed});
-    EXPECT_EQ(a.final_population, b.final_population);
-    EXPECT_EQ(a.best_seen, b.best_seen);
-    EXPECT_EQ(a.evaluations, b.evaluations);
-    EXPECT_EQ(a.generations, b.generations);
-  }
-}
-
-TEST(GeneticSearch, ResultOfASeedIsTheSameEverywhere) {
-  const SearchResult result = genetic_search(kSeparable, {.seed = 42});
-  EXPECT_EQ(genome_of(result.best_seen), (Genome{3, 3, 11, 2, 8, 10, 3, 10}));
-  EXPECT_EQ(result.evaluations, 73);
-}
-
-TEST(GeneticSearch, OtherSeedsGiveOtherResults) {
-  std::set<Genome> best;
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    best.insert(genome_of(genetic_search(kSeparable, {.seed = seed}).best_seen));
-  }
-  EXPECT_EQ(best.size(), 20U);
-}
-
 TEST(GeneticSearch, FinalPopulationHasTheSizeAndTheScoresOfItsGenomes) {
   const SearchResult result = genetic_search(kSeparable, {.population = 12, .seed = 1});
   EXPECT_EQ(result.final_population.size(), 12U);
   for (const Individual& individual : result.final_population) {
     EXPECT_EQ(individual.score, separable(genome_of(individual)));
   }
-}
-
-TEST(GeneticSearch, BestSeenIsTheBestOfAllEvaluated) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    GenomeRecorder recorder;
-    const SearchResult result = genetic_search(recorder.watch(kSeparable), {.seed = seed});
-    double best = kInfinity;
-    for (const Genome& genome : recorder.all()) best = std::min(best, separable(genome));
-    EXPECT_EQ(result.best_seen.score, best);
-    EXPECT_EQ(separable(genome_of(result.best_seen)), best);
-  }
-}
-
-TEST(GeneticSearch, BestSeenIsTheFirstAmongEquals) {
-  GenomeRecorder recorder;
-  const SearchProblem flat = recorder.watch(problem_of(8, 4, [](const Genome&) { return 0.5; }));
-  const SearchResult result = genetic_search(flat, {.seed = 2});
-  EXPECT_EQ(genome_of(result.best_seen), recorder.batches.at(0).at(0));
 }
 
 TEST(GeneticSearch, InitialPopulationIsUniform) {
@@ -238,23 +177,6 @@ TEST(GeneticSearch, ThePoolHoldsParentsChildrenAndMutants) {
   EXPECT_LT(parents_kept, n * (1.0 / 3.0 + 1.0 / 46.0) + binomial_tolerance(n, 1.0 / 3.0));
 }
 
-TEST(GeneticSearch, NaNIsTheWorstAndCounted) {
-  // half of all genomes are refused
-  const SearchProblem holes = problem_of(
-      8, 4, [](const Genome& genome) { return genome[0] % 2 == 0 ? kNaN : separable(genome); });
-  GenomeRecorder recorder;
-  const SearchResult result = genetic_search(recorder.watch(holes), {.seed = 5});
-  int refused = 0;
-  for (const Genome& genome : recorder.all()) refused += genome[0] % 2 == 0 ? 1 : 0;
-  EXPECT_GT(refused, 0);
-  EXPECT_EQ(result.rejected_nan, refused);
-  EXPECT_EQ(result.evaluations, static_cast<int>(recorder.all().size()));
-  EXPECT_EQ(genome_of(result.best_seen)[0] % 2, 1);
-  for (const Individual& individual : result.final_population) {
-    EXPECT_EQ(individual.score == kInfinity, genome_of(individual)[0] % 2 == 0);
-  }
-}
-
 TEST(GeneticSearch, NaNIsNotDrawnWhileOthersAreLeft) {
   const SearchProblem holes =
       problem_of(1, 4, [](const Genome& genome) { return genome[0] == 7 ? 0.5 : kNaN; });
@@ -266,33 +188,6 @@ TEST(GeneticSearch, NaNIsNotDrawnWhileOthersAreLeft) {
     if (std::find(first.begin(), first.end(), Genome{7}) == first.end()) continue;
     EXPECT_EQ(genome_of(result.final_population[0]), Genome{7});
   }
-}
-
-TEST(GeneticSearch, EvenIfAllScoresAreNaNEndsWithAGenome) {
-  const SearchProblem none = problem_of(8, 4, [](const Genome&) { return kNaN; });
-  const SearchResult result = genetic_search(none, {.seed = 6});
-  EXPECT_EQ(result.rejected_nan, result.evaluations);
-  EXPECT_EQ(result.best_seen.point.size(), 8U);
-  EXPECT_EQ(result.best_seen.score, kInfinity);
-  EXPECT_EQ(result.final_population.size(), 8U);
-}
-
-TEST(GeneticSearch, ScoresLeftUnwrittenAreRejected) {
-  const SearchProblem lazy{
-      .genes = 4,
-      .evaluate = [](std::span<const double>, std::span<double> scores) { scores[0] = 1.0; }};
-  const SearchResult result = genetic_search(lazy, {.max_generations = 0, .seed = 7});
-  EXPECT_EQ(result.rejected_nan, result.evaluations - 1);
-  EXPECT_EQ(result.best_seen.score, 1.0);
-}
-
-TEST(GeneticSearch, InfiniteAndNegativeScoresRankByValue) {
-  const SearchProblem wide = problem_of(1, 4, [](const Genome& genome) {
-    return genome[0] == 3 ? -kInfinity : genome[0] == 4 ? kInfinity : -1.0 * genome[0];
-  });
-  const SearchResult result = genetic_search(wide, {.population = 100, .seed = 8});
-  EXPECT_EQ(genome_of(result.best_seen), Genome{3});
-  EXPECT_EQ(result.rejected_nan, 0);
 }
 
 TEST(GeneticSearch, ReportsTheInitialPopulationAndEachGeneration) {
@@ -310,18 +205,6 @@ TEST(GeneticSearch, ReportsTheInitialPopulationAndEachGeneration) {
   EXPECT_EQ(reports.front().evaluations, 8);
   EXPECT_EQ(reports.back().evaluations, result.evaluations);
   EXPECT_EQ(reports.back().best_score, result.best_seen.score);
-}
-
-TEST(GeneticSearch, CancelledBeforeItBeganScoresTheInitialPopulationOnly) {
-  const std::atomic<bool> cancel = true;
-  GenomeRecorder recorder;
-  const SearchResult result =
-      genetic_search(recorder.watch(kSeparable), {.seed = 10}, {.report = {}, .cancel = &cancel});
-  EXPECT_EQ(result.end, SearchEnd::cancelled);
-  EXPECT_EQ(result.generations, 0);
-  EXPECT_EQ(recorder.batches.size(), 1U);
-  EXPECT_EQ(result.final_population.size(), 8U);
-  EXPECT_EQ(separable(genome_of(result.best_seen)), result.best_seen.score);
 }
 
 TEST(GeneticSearch, CancelledDuringABatchFinishesThatGeneration) {
@@ -350,14 +233,6 @@ TEST(GeneticSearch, CancelledDuringTheLastGenerationIsDone) {
   EXPECT_EQ(result.generations, 2);
 }
 
-TEST(GeneticSearch, WhatTheProblemOrTheReportThrowsPassesThrough) {
-  const SearchProblem broken =
-      problem_of(8, 4, [](const Genome&) -> double { throw std::runtime_error("no"); });
-  EXPECT_THROW((void)genetic_search(broken, {}), std::runtime_error);
-  const auto throwing = [](const ProgressReport&) { throw std::runtime_error("no"); };
-  EXPECT_THROW((void)genetic_search(kSeparable, {}, {.report = throwing}), std::runtime_error);
-}
-
 TEST(GeneticSearch, WorksAtTheSmallestAndLargestSizes) {
   const auto count_of = [](int genes, int bits, int population) {
     return genetic_search(problem_of(genes, bits, separable),
@@ -369,42 +244,27 @@ TEST(GeneticSearch, WorksAtTheSmallestAndLargestSizes) {
   EXPECT_GE(count_of(1, 1, 1000), 2);
 }
 
-std::string refusal(const SearchProblem& problem, const GeneticSettings& settings) {
-  try {
-    (void)genetic_search(problem, settings);
-  } catch (const PreconditionError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 TEST(GeneticSearch, RefusesSettingsOutOfRangeAndNamesThem) {
+  const auto told = [](const GeneticSettings& settings) {
+    return refusal([&] { return genetic_search(kSeparable, settings); });
+  };
   for (const int population : {-2, 0, 1, 7, 1001, 1002}) {
-    EXPECT_EQ(refusal(kSeparable, {.population = population})
+    EXPECT_EQ(told({.population = population})
                   .find("population is " + std::to_string(population) + ", allowed: even, 2..1000"),
               0U);
   }
   for (const double rate : {-0.01, 1.01, kNaN, kInfinity}) {
-    EXPECT_EQ(refusal(kSeparable, {.crossover_rate = rate}).find("crossover_rate is"), 0U);
-    EXPECT_EQ(refusal(kSeparable, {.mutation_rate = rate}).find("mutation_rate is"), 0U);
+    EXPECT_EQ(told({.crossover_rate = rate}).find("crossover_rate is"), 0U);
+    EXPECT_EQ(told({.mutation_rate = rate}).find("mutation_rate is"), 0U);
   }
-  EXPECT_EQ(refusal(kSeparable, {.max_generations = -1}).find("max_generations is -1"), 0U);
-  EXPECT_EQ(refusal(kSeparable, {.unchanged_generations = 0}).find("unchanged_generations is 0"),
-            0U);
-  for (const double offset : {0.0, -0.05, kNaN, kInfinity}) {
-    EXPECT_EQ(refusal(kSeparable, {.fitness_offset = offset}).find("fitness_offset is"), 0U);
-  }
-}
-
-TEST(GeneticSearch, RefusesProblemsOutOfRangeAndNamesWhy) {
-  for (const int genes : {-1, 0, kMaxGenes + 1}) {
-    EXPECT_EQ(refusal(problem_of(genes, 4, separable), {}).find("genes is"), 0U);
-  }
+  EXPECT_EQ(told({.max_generations = -1}).find("max_generations is -1"), 0U);
+  EXPECT_EQ(told({.unchanged_generations = 0}).find("unchanged_generations is 0"), 0U);
   for (const int bits : {-1, 0, kMaxBitsPerGene + 1}) {
-    EXPECT_EQ(refusal(kSeparable, {.bits_per_gene = bits}).find("bits_per_gene is"), 0U);
+    EXPECT_EQ(told({.bits_per_gene = bits}).find("bits_per_gene is"), 0U);
   }
-  const SearchProblem empty{.genes = 4, .evaluate = {}};
-  EXPECT_EQ(refusal(empty, {}).find("the problem has no evaluate function"), 0U);
+  for (const double offset : {0.0, -0.05, kNaN, kInfinity}) {
+    EXPECT_EQ(told({.fitness_offset = offset}).find("fitness_offset is"), 0U);
+  }
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <set>
 #include <vector>
 
@@ -56,16 +55,6 @@ TEST(MaxEvaluations, ThatAreEnoughChangeNothing) {
   EXPECT_EQ(free.final_population, limited.final_population);
 }
 
-TEST(RestartedGeneticSearch, UsesAllOfItsBudget) {
-  for (const int budget : {8, 9, 100, 1000, 1007}) {
-    int scored = 0;
-    const SearchResult result = restarted_genetic_search(sum_of_genes(scored), {}, budget);
-    EXPECT_EQ(scored, budget);
-    EXPECT_EQ(result.evaluations, budget);
-    EXPECT_EQ(result.end, SearchEnd::budget);
-  }
-}
-
 TEST(RestartedGeneticSearch, EndsWhenNoGenomeIsLeft) {
   for (const int genes : {1, 2}) {
     GenomeRecorder recorder;
@@ -99,43 +88,6 @@ TEST(RestartedGeneticSearch, RunsDiffer) {
     genomes.insert(genome_of(individual));
   }
   EXPECT_GT(genomes.size(), result.final_population.size() / 2);
-}
-
-TEST(RestartedGeneticSearch, BestSeenIsTheBestOfAllRuns) {
-  int scored = 0;
-  const SearchResult result = restarted_genetic_search(sum_of_genes(scored), {}, 1000);
-  for (const Individual& individual : result.final_population) {
-    EXPECT_LE(result.best_seen.score, individual.score);
-  }
-}
-
-TEST(RestartedGeneticSearch, ReportsGrowingShareOfTheBudget) {
-  int scored = 0;
-  Progress progress;
-  double fraction = 0.0;
-  double best = 1e9;
-  progress.report = [&](const ProgressReport& report) {
-    EXPECT_GE(report.fraction, fraction);
-    EXPECT_LE(report.fraction, 1.0);
-    EXPECT_LE(report.best_score, best);
-    fraction = report.fraction;
-    best = report.best_score;
-  };
-  (void)restarted_genetic_search(sum_of_genes(scored), {}, 1000, progress);
-  EXPECT_GT(fraction, 0.9);
-}
-
-TEST(RestartedGeneticSearch, CancelledEndsWithTheBestSoFar) {
-  int scored = 0;
-  std::atomic<bool> cancel{false};
-  Progress progress;
-  progress.cancel = &cancel;
-  progress.report = [&](const ProgressReport& report) { cancel = report.evaluations > 200; };
-  const SearchResult result =
-      restarted_genetic_search(sum_of_genes(scored), {}, 1'000'000, progress);
-  EXPECT_EQ(result.end, SearchEnd::cancelled);
-  EXPECT_LT(result.evaluations, 300);
-  EXPECT_FALSE(result.best_seen.point.empty());
 }
 
 TEST(RunsSideBySide, ScoreAGenomeThatTwoComeUponOnce) {
@@ -177,23 +129,6 @@ TEST(RunsSideBySide, BecomeMoreSoThatThreadsHaveMoreAtOnce) {
   ASSERT_FALSE(recorder.batches.empty());
   EXPECT_EQ(recorder.batches.front().size(), kRunsAtFirst * kPaperPopulation);
   EXPECT_GE(largest, 2 * kRunsAtFirst * kPaperPopulation);
-}
-
-TEST(RunsSideBySide, DoNotDependOnHowABatchIsScored) {
-  const SearchProblem whole = problem_of(20, 4, sum_of_codes);
-  SearchProblem parted = whole;
-  parted.evaluate = [&](std::span<const double> points, std::span<double> scores) {
-    // from the last point to the first
-    for (std::size_t i = scores.size(); i-- > 0;) {
-      whole.evaluate(points.subspan(i * 20, 20), scores.subspan(i, 1));
-    }
-  };
-  const SearchResult together = restarted_genetic_search(whole, {.seed = 5}, 1000);
-  const SearchResult alone = restarted_genetic_search(parted, {.seed = 5}, 1000);
-  EXPECT_EQ(together.final_population, alone.final_population);
-  EXPECT_EQ(together.best_seen, alone.best_seen);
-  EXPECT_EQ(together.evaluations, alone.evaluations);
-  EXPECT_EQ(together.generations, alone.generations);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -148,6 +150,17 @@ inline std::vector<Pose> lopsided_poses() {
               .right = {{-0.1, 1.2, 0.2}, {-0.2, 0.4, 0.45}},
               .mass = {0.03, 0.9, 0.06}};
   return poses;
+}
+
+// A criterion's penalty of lopsided poses is above 0, and that of their mirror images.
+template <template <class> class Criterion>
+void expect_the_same_in_a_mirror(const typename Criterion<double>::Settings& settings = {}) {
+  std::vector<Pose> poses = lopsided_poses();
+  const double penalty = penalty_of_poses<Criterion>(poses, settings);
+  EXPECT_GT(penalty, 0.0);
+  EXPECT_LT(penalty, 1.0);
+  for (Pose& pose : poses) pose = mirrored(pose);
+  EXPECT_DOUBLE_EQ(penalty_of_poses<Criterion>(poses, settings), penalty);
 }
 
 // The right hand's index among the effectors, for the settings.

@@ -15,26 +15,6 @@ enum class TaskKind { place, both_hands, rotation, axis, load, obstacle, foot };
 inline constexpr std::array kTaskKinds{TaskKind::place, TaskKind::both_hands, TaskKind::rotation,
                                        TaskKind::axis,  TaskKind::load,       TaskKind::obstacle,
                                        TaskKind::foot};
-inline const char* task_kind_name(TaskKind kind) {
-  switch (kind) {
-    case TaskKind::place:
-      return "a place";
-    case TaskKind::both_hands:
-      return "both hands";
-    case TaskKind::rotation:
-      return "a rotation";
-    case TaskKind::axis:
-      return "the way a palm faces";
-    case TaskKind::load:
-      return "a load of 1 to 40 kg";
-    case TaskKind::obstacle:
-      return "an obstacle in between";
-    case TaskKind::foot:
-      return "a foot";
-  }
-  return "";
-}
-
 inline TaskKind task_kind(std::uint64_t index) { return kTaskKinds[index % kTaskKinds.size()]; }
 
 // The task of that index: always the same. Bodies of all statures, goals within and beyond reach.

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "core/check.hpp"
+
+namespace shigusa::testing_support {
+
+// The sentence that a call with a broken precondition is refused by, or "accepted".
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    (void)call();
+  } catch (const PreconditionError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace shigusa::testing_support
