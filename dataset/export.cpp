@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <shigusa/dataset_export.hpp>
 #include <shigusa/export.hpp>
 
@@ -133,27 +131,25 @@ struct Exporting {
 }  // namespace
 
 Result<void> ExportFolder::open(const std::filesystem::path& path) {
-  path_ = path;
-  self_ = open_at(AT_FDCWD, path.c_str(), O_RDONLY | O_DIRECTORY);
-  if (!self_) return refused(path, "open", errno);
-  staging_.emplace(self_);
-  if (const int reason = staging_->make(); reason != 0) return refused(path, "write to", reason);
+  if (const int reason = staging_.open(path)) return refused(path, "open", reason);
+  if (const int reason = staging_.make()) return refused(path, "write to", reason);
   return {};
 }
 
 Result<void> ExportFolder::put(const std::string& name, std::string_view bytes) {
+  const std::filesystem::path& path = staging_.path();
   const std::size_t slash = name.find_last_of('/');
   const std::string above = slash == std::string::npos ? "" : name.substr(0, slash);
   if (!above.empty() && above != last_) {
     std::error_code failed;
-    std::filesystem::create_directories(path_ / above, failed);
-    if (failed) return refused(path_ / above, "make", failed.value());
+    std::filesystem::create_directories(path / above, failed);
+    if (failed) return refused(path / above, "make", failed.value());
     last_ = above;
   }
   constexpr const char* kMade = "made";
-  int reason = staging_->add(kMade, bytes, false);
-  if (reason == 0) reason = staging_->move_out(kMade, name);
-  return reason == 0 ? Result<void>{} : refused(path_ / name, "write", reason);
+  int reason = staging_.add(kMade, bytes, false);
+  if (reason == 0) reason = staging_.move_out(kMade, name);
+  return reason == 0 ? Result<void>{} : refused(path / name, "write", reason);
 }
 
 std::string motion_file(const DataMotion& motion, std::string_view ending) {

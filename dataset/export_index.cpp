@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "export_index.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,20 +43,13 @@ std::string part_name(std::string_view column, std::size_t k, std::size_t parts)
 
 }  // namespace
 
-LongFile::~LongFile() {
-  if (partial_.empty()) return;
-  std::error_code ignored;
-  std::filesystem::remove(partial_, ignored);
-}
-
 Result<void> LongFile::begin(const std::filesystem::path& path) {
   path_ = path;
-  std::filesystem::path beside = path;
-  beside += ".partial";
-  file_ = open_at(AT_FDCWD, beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file_) return refused(path, "write", errno);
-  partial_ = beside;
-  return {};
+  int reason = staging_.open(path.parent_path());
+  if (reason == 0) reason = staging_.make();
+  if (reason != 0) return refused(path, "write", reason);
+  file_ = staging_.create(path.filename().string());
+  return file_ ? Result<void>{} : refused(path, "write", errno);
 }
 
 Result<void> LongFile::write_out() {
@@ -76,14 +68,10 @@ Result<void> LongFile::add(std::string_view text) {
 
 Result<void> LongFile::finish() {
   SHG_TRY(write_out());
-  if (const int reason = file_.close(); reason != 0) return refused(path_, "write", reason);
-  std::error_code failed;
-  std::filesystem::rename(partial_, path_, failed);
-  if (failed) {
-    return fail(ErrorCode::io, fmt::format("cannot write: {}", failed.message()), path_.string());
-  }
-  partial_.clear();
-  return {};
+  int reason = file_.close();
+  const std::string name = path_.filename().string();
+  if (reason == 0) reason = staging_.move_out(name, name);
+  return reason == 0 ? Result<void>{} : refused(path_, "write", reason);
 }
 
 void CsvLine::part() {

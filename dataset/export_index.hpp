@@ -5,18 +5,12 @@
 #include <vector>
 
 #include "export_writer.hpp"
-#include "files/descriptor.hpp"
 
 namespace shigusa {
 
 // A file that is written piece by piece and has its name only once it is whole.
 class LongFile {
  public:
-  LongFile() = default;
-  LongFile(const LongFile&) = delete;
-  LongFile& operator=(const LongFile&) = delete;
-  ~LongFile();
-
   [[nodiscard]] Result<void> begin(const std::filesystem::path& path);
   [[nodiscard]] Result<void> add(std::string_view text);
   [[nodiscard]] Result<void> finish();
@@ -25,7 +19,7 @@ class LongFile {
   [[nodiscard]] Result<void> write_out();
 
   std::filesystem::path path_;
-  std::filesystem::path partial_;  // empty where there is none
+  Staging staging_;
   Descriptor file_;
   std::string waiting_;
 };

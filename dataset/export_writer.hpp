@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "data_rows.hpp"
-#include "files/descriptor.hpp"
 #include "files/staging.hpp"
 
 namespace shigusa {
@@ -23,9 +22,7 @@ class ExportFolder {
   [[nodiscard]] Result<void> put(const std::string& name, std::string_view bytes);
 
  private:
-  std::filesystem::path path_;
-  Descriptor self_;
-  std::optional<Staging> staging_;
+  Staging staging_;
   std::string last_;  // folder that was made last
 };
 

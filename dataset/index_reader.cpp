@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "index_reader.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,7 +53,7 @@ Result<IndexHead> verified_index(const std::filesystem::path& path) {
   const auto damaged = [&path](std::string_view how) {
     return fail(ErrorCode::parse, fmt::format("is damaged: {}", how), path.string());
   };
-  const Descriptor file = open_at(AT_FDCWD, path.c_str(), O_RDONLY | O_NONBLOCK);
+  const Descriptor file = open_to_read(path);
   if (!file) return refused(path, "read", errno);
   const std::string bytes = first_bytes(file);
   const std::optional<IndexHead> head =
@@ -67,7 +66,7 @@ Result<IndexHead> verified_index(const std::filesystem::path& path) {
 }
 
 Result<std::vector<ListedShard>> listed_shards(const std::filesystem::path& path) {
-  Descriptor file = open_at(AT_FDCWD, path.c_str(), O_RDONLY | O_NONBLOCK);
+  Descriptor file = open_to_read(path);
   if (!file) return refused(path, "read", errno);
   SHG_TRY_ASSIGN(const hdf5::Reader reader,
                  hdf5::Reader::open(hdf5::Source(std::move(file), kHeadSize)));

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "files/descriptor.hpp"
+#include "files/staging.hpp"
 #include "hdf5.hpp"
 #include "index_reader.hpp"
 #include "table.hpp"
@@ -19,20 +19,15 @@ namespace shigusa {
 class IndexFile {
  public:
   [[nodiscard]] static Result<IndexFile> create(const std::filesystem::path& path);
-  IndexFile(IndexFile&&) noexcept;
-  IndexFile& operator=(IndexFile&&) = delete;
-  ~IndexFile();
 
   [[nodiscard]] const hdf5::Handle& file() const { return file_; }
   // Gives the file its head and its name; its bytes.
   [[nodiscard]] Result<std::uint64_t> finish(const IndexHead& head);
 
  private:
-  IndexFile(std::filesystem::path path, std::filesystem::path made);
-
   std::filesystem::path path_;
-  std::filesystem::path made_;  // empty once it has its name
-  Descriptor self_;             // that holds the lock
+  Staging staging_;
+  Descriptor self_;
   hdf5::Handle file_;
 };
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <shigusa/dataset.hpp>
 #include <shigusa/file.hpp>
 
-#include "files/descriptor.hpp"
 #include "files/staging.hpp"
 #include "shard_file.hpp"
 #include "task_rows.hpp"
@@ -89,15 +85,14 @@ Result<void> make_shard(Making& work, std::uint64_t shard) {
   const std::vector<Table> tables = shard_tables(work, shard);
   SHG_TRY_ASSIGN(const std::string bytes,
                  format_shard(head_of(work.plan, shard), work.plan.text(), tables));
-  const Descriptor here = open_at(AT_FDCWD, folder.c_str(), O_RDONLY | O_DIRECTORY);
-  if (!here) return refused(folder, "open", errno);
   const std::string name = shard_name(shard);
-  Staging staging(here);
-  int reason = staging.make();
+  Staging staging;
+  int reason = staging.open(folder);
+  if (reason != 0) return refused(folder, "open", reason);
+  reason = staging.make();
   if (reason == 0) reason = staging.add(name, bytes, true);
   if (reason == 0) reason = staging.move_out(name, name);
-  // not all file systems know how to settle a folder
-  if (reason == 0 && fsync(here.number()) != 0 && errno != EINVAL) reason = errno;
+  if (reason == 0) reason = settle(staging.folder());
   if (reason != 0) return refused(folder / name, "write", reason);
   ++work.run.made;
   return {};
@@ -136,9 +131,7 @@ Result<DatasetRun> make_dataset(const DatasetPlan& plan, const DatasetSettings& 
     const TaskRange tasks = plan.tasks_of(shard);
     work.tasks += tasks.last - tasks.first;
   }
-  if (const Descriptor here = open_at(AT_FDCWD, settings.folder.c_str(), O_RDONLY | O_DIRECTORY)) {
-    remove_leftovers(here);
-  }
+  remove_leftovers(open_folder(settings.folder));
   work.tell();
   for (const std::uint64_t shard : missing) {
     if (settings.cancel != nullptr && settings.cancel->load()) break;

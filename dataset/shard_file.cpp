@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shard_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -117,7 +116,7 @@ std::string first_bytes(const Descriptor& file) {
   std::string bytes(kHeadSize, '\0');
   std::size_t size = 0;
   while (size < bytes.size()) {
-    const ssize_t count = read_some(file, bytes.data() + size, bytes.size() - size);
+    const std::ptrdiff_t count = read_some(file, bytes.data() + size, bytes.size() - size);
     if (count <= 0) break;
     size += static_cast<std::size_t>(count);
   }
@@ -146,7 +145,7 @@ std::optional<ShardHead> parse_head(std::string_view bytes) {
 }
 
 Result<std::optional<ShardHead>> read_head(const std::filesystem::path& path) {
-  const Descriptor file = open_at(AT_FDCWD, path.c_str(), O_RDONLY | O_NONBLOCK);
+  const Descriptor file = open_to_read(path);
   if (!file && errno == ENOENT) return std::optional<ShardHead>{};
   if (!file) return refused(path, "read", errno);
   const std::optional<ShardHead> head = parse_head(first_bytes(file));

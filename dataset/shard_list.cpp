@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "shard_list.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <optional>
 
-#include "files/staging.hpp"
+#include "files/folder.hpp"
 #include "shard_form.hpp"
 #include "task_rows.hpp"
 
@@ -32,7 +31,7 @@ std::optional<std::uint64_t> number_in(const std::string& name) {
 
 ShardList list_shards(const DatasetPlan& plan, const std::filesystem::path& folder) {
   ShardList list;
-  const Descriptor here = open_at(AT_FDCWD, folder.c_str(), O_RDONLY | O_DIRECTORY);
+  const Descriptor here = open_folder(folder);
   if (!here) return list;
   for (const std::string& name : names_in(here)) {
     const auto number = number_in(name);

@@ -7,6 +7,9 @@
 # same. Of other libraries a public header may use the standard one and tl/expected.hpp; it uses no
 # header of src. Programs that show how the library is used have its public headers alone: apps,
 # bindings, examples and tests/consumer.
+#
+# The operating system has one room too, files: no other file includes its headers, but for the few that
+# are named below.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
@@ -28,6 +31,12 @@ function face(room, headers,   names, n, i) {
 function complain(text) {
   printf "%s:%d: %s\n", FILENAME, FNR, text
   bad = 1
+}
+function check_system(target) {
+  if (target !~ /^(sys|arpa|net|netinet|linux|mach)\// && !(target in system_headers)) return
+  if (FILENAME ~ /^(tests|src\/files)\//) return
+  if (FILENAME in may_ask_system) unasked[FILENAME] = 0
+  else complain("<" target "> is the operating system\047s: only src/files includes it")
 }
 function check_room(target) {
   if (!(target in known)) complain("\"" target "\" is not a room")
@@ -62,7 +71,7 @@ BEGIN {
   allow("robot", "kinematics motion " persons)
   allow("formats", "robot files motion " persons)
   allow("character", "formats robot files criteria dynamics kinematics motion " persons)
-  allow("draw", generates)
+  allow("draw", "files " generates)
   documents = "draw character formats robot files " generates
   allow("document", documents)
   allow("edit", "document " documents)
@@ -92,12 +101,20 @@ BEGIN {
   face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export dataset_read")
   face("shigusa", "shigusa")
 
+  n = split("aio dirent dlfcn execinfo fcntl ftw glob grp ifaddrs langinfo libgen link netdb poll pthread pwd " \
+            "sched semaphore signal spawn strings syslog termios ucontext unistd utime wordexp windows io", list, " ")
+  for (i = 1; i <= n; ++i) system_headers[list[i] ".h"] = 1
+  # streams and signals of the program; sockets of a web server; keys of threads
+  n = split("apps/shigusa/system.cpp apps/shigusa/page_server.cpp bindings/c/src/failure.cpp", list, " ")
+  for (i = 1; i <= n; ++i) may_ask_system[list[i]] = 1
+
   # a component of its own has public headers, and of these rooms what lies within
   inside["dataset"] = " dataset core files formats "
 }
 
 FNR == 1 {
   split(FILENAME, part, "/")
+  if (FILENAME in may_ask_system) unasked[FILENAME] = 1
   public = part[1] == "include" || part[2] == "include"
   internal_allowed = part[1] == "src" || part[1] == "bench" || part[1] == "research" || part[1] in inside || (part[1] == "tests" && part[2] != "consumer")
   if (public) {
@@ -117,6 +134,7 @@ FNR == 1 {
   quoted = substr(target, 1, 1) == "\""
   sub(/^["<]/, "", target)
   sub(/[">].*/, "", target)
+  check_system(target)
 
   if (target ~ /^shigusa\//) {
     sub(/^shigusa\//, "", target)
@@ -140,5 +158,12 @@ FNR == 1 {
   }
 }
 
-END { exit bad }
+END {
+  for (name in unasked) {
+    if (!unasked[name]) continue
+    print name ":1: may include what is the operating system\047s, and does not: take its name out of here"
+    bad = 1
+  }
+  exit bad
+}
 ' $files

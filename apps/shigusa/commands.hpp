@@ -138,6 +138,9 @@ inline constexpr const char* kFramesHelp = "Part of the clip, by its frames from
 // goes nowhere, and writing to stdout fails.
 void open_standard_streams();
 
+// Whether stderr is a terminal.
+[[nodiscard]] bool is_terminal();
+
 // Writes to the standard output; what fails is kept for finish_output. Never throws.
 void write_out(std::string_view text);
 // Writes to stderr; nobody hears of a failure there.
@@ -167,6 +170,17 @@ void catch_interrupts();
 
 // True once Ctrl-C was pressed.
 [[nodiscard]] const std::atomic<bool>& interrupted();
+
+// Ctrl-C and kill no longer end the program, or a thread that starts later, but can be waited for.
+void block_ends();
+void wait_for_end();
+
+// The program's own file; empty where that cannot be told.
+[[nodiscard]] std::filesystem::path program_path();
+
+// Shows a page in the person's browser; where that cannot be done they have the address. Nobody
+// waits for the opener's end: the system clears it away with the program.
+void open_browser(std::string address);
 
 // A progress line on stderr, only where that is a terminal.
 Progress terminal_progress();

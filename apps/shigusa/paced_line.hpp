@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
 #include <string_view>
@@ -29,7 +27,7 @@ class PacedLine {
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  bool terminal_ = is_terminal();
   Clock::duration pause_ = terminal_ ? std::chrono::milliseconds(200) : std::chrono::minutes(1);
   Clock::time_point last_ = Clock::now();
 };

@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
-#include <signal.h>
-#include <unistd.h>
-
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 
@@ -11,24 +6,6 @@
 #include "next_step.hpp"
 
 namespace shigusa::app {
-namespace {
-
-std::atomic<bool> interrupt_flag{false};
-
-void on_interrupt(int) {
-  // the second time, nobody wants to wait for the best so far
-  if (interrupt_flag.exchange(true)) _exit(130);
-}
-
-}  // namespace
-
-void open_standard_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(stream, F_GETFD) >= 0) continue;
-    // the lowest number that is free is this one; of what cannot be written, writing fails
-    (void)!open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
-  }
-}
 
 void write_out(std::string_view text) {
   // the stream itself remembers that writing failed
@@ -64,19 +41,10 @@ void note(std::string_view place, std::string_view message) {
   print_err("shigusa: {}: note: {}\n", printable(place), printable(message));
 }
 
-void catch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = on_interrupt;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
-const std::atomic<bool>& interrupted() { return interrupt_flag; }
-
 Progress terminal_progress() {
   Progress progress;
-  progress.cancel = &interrupt_flag;
-  if (isatty(STDERR_FILENO) == 0) return progress;
+  progress.cancel = &interrupted();
+  if (!is_terminal()) return progress;
   using Clock = std::chrono::steady_clock;
   progress.report = [last = Clock::now()](const ProgressReport& now) mutable {
     // a search of a few milliseconds draws nothing
@@ -93,7 +61,7 @@ Progress terminal_progress() {
 }
 
 void end_progress_line() {
-  if (isatty(STDERR_FILENO) != 0) print_err("\r\x1b[K");
+  if (is_terminal()) print_err("\r\x1b[K");
 }
 
 }  // namespace shigusa::app

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -9,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <random>
 #include <shigusa/file.hpp>
 #include <shigusa/generate.hpp>
 #include <shigusa/parallel.hpp>
@@ -243,8 +243,8 @@ class Scratch {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() / fmt::format("shigusa_criteria_{}", ::getpid());
+  std::filesystem::path path_ = std::filesystem::temp_directory_path() /
+                                fmt::format("shigusa_criteria_{:08x}", std::random_device()());
 };
 
 }  // namespace

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "result_folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -17,24 +13,15 @@
 namespace shigusa {
 namespace {
 
-// Sees to it that the names in a folder are on the disk; some file systems cannot tell.
-int settle(const Descriptor& folder) {
-  return fsync(folder.number()) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
-}
-
-bool exists(const Descriptor& folder, const std::string& name, struct stat& status) {
-  return fstatat(folder.number(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
-}
+using FileType = std::filesystem::file_type;
 
 }  // namespace
 
-Result<void> lock_folder(const Descriptor& folder, FolderUse use, const std::filesystem::path& path,
+Result<void> lock_folder(const Descriptor& folder, LockKind kind, const std::filesystem::path& path,
                          std::chrono::milliseconds longest) {
   using Clock = std::chrono::steady_clock;
   constexpr auto kPause = std::chrono::milliseconds(10);
-  const int kind = (use == FolderUse::write ? LOCK_EX : LOCK_SH) | LOCK_NB;
-  for (const auto begin = Clock::now(); flock(folder.number(), kind) != 0;) {
-    if (errno != EWOULDBLOCK && errno != EINTR) return {};
+  for (const auto begin = Clock::now(); !try_lock(folder, kind);) {
     if (Clock::now() - begin > longest) {
       return fail(ErrorCode::io,
                   "another program writes a result there, or hangs while it does: wait for it, or "
@@ -47,17 +34,14 @@ Result<void> lock_folder(const Descriptor& folder, FolderUse use, const std::fil
 }
 
 Result<void> ResultFolder::open(const std::filesystem::path& folder) {
-  path_ = folder;
-  folder_ = open_at(AT_FDCWD, folder.c_str(), O_RDONLY | O_DIRECTORY);
-  if (!folder_) return refused(folder, "open", errno);
-  staging_.emplace(folder_);
-  if (const int reason = staging_->make()) return refused(folder, "write to this folder", reason);
+  if (const int reason = staging_.open(folder)) return refused(folder, "open", reason);
+  if (const int reason = staging_.make()) return refused(folder, "write to this folder", reason);
   return {};
 }
 
 Result<std::string> ResultFolder::add(const std::string& name, std::string_view bytes) {
-  if (const int reason = staging_->add(name, bytes, true)) {
-    return refused(path_ / name, "write", reason);
+  if (const int reason = staging_.add(name, bytes, true)) {
+    return refused(staging_.path() / name, "write", reason);
   }
   files_.push_back(name);
   return sha256(bytes);
@@ -65,7 +49,7 @@ Result<std::string> ResultFolder::add(const std::string& name, std::string_view 
 
 Result<void> ResultFolder::publish(std::string_view summary) {
   SHG_TRY(add(kSummaryName, summary));
-  SHG_TRY(lock_folder(folder_, FolderUse::write, path_));
+  SHG_TRY(lock_folder(staging_.folder(), LockKind::alone, staging_.path()));
   for (const std::string& name : files_) {
     SHG_TRY(check_place(name));
   }
@@ -74,49 +58,52 @@ Result<void> ResultFolder::publish(std::string_view summary) {
 
 // A link is replaced, and what it leads to stays; other things than files are somebody's.
 Result<void> ResultFolder::check_place(const std::string& name) const {
-  struct stat status {};
-  if (!exists(folder_, name, status) || S_ISLNK(status.st_mode)) return {};
-  if (!S_ISREG(status.st_mode)) {
-    const char* what = S_ISDIR(status.st_mode)    ? "a folder"
-                       : S_ISFIFO(status.st_mode) ? "a pipe"
-                                                  : "a device";
+  const FileType type = type_in(staging_.folder(), name);
+  if (type == FileType::not_found || type == FileType::symlink) return {};
+  if (type != FileType::regular) {
+    const char* what = type == FileType::directory ? "a folder"
+                       : type == FileType::fifo    ? "a pipe"
+                                                   : "a device";
     return fail(ErrorCode::io,
                 fmt::format("{} stands in the place of a result's file: remove it, or give another "
                             "folder",
                             what),
-                (path_ / name).string());
+                (staging_.path() / name).string());
   }
   // renaming alone would also replace files that the user may not change
-  if (faccessat(folder_.number(), name.c_str(), W_OK, 0) == 0) return {};
-  return refused(path_ / name, "write", errno);
+  const int reason = check_writable(staging_.folder(), name);
+  return reason == 0 ? Result<void>{} : refused(staging_.path() / name, "write", reason);
 }
 
 Result<void> ResultFolder::swap() {
-  if (unlinkat(folder_.number(), kSummaryName, 0) != 0 && errno != ENOENT) {
-    return refused(path_ / kSummaryName, "remove", errno);
-  }
-  if (const int reason = settle(folder_)) return refused(path_, "write to this folder", reason);
+  const int removed = remove_in(staging_.folder(), kSummaryName);
+  if (removed != 0 && removed != ENOENT)
+    return refused(staging_.path() / kSummaryName, "remove", removed);
+  SHG_TRY(settle_names());
   // the summary was added last
   for (const std::string& name : files_) {
     if (name == kSummaryName) {
       remove_older();
-      if (const int reason = settle(folder_)) return refused(path_, "write to this folder", reason);
+      SHG_TRY(settle_names());
     }
-    if (const int reason = staging_->move_out(name, name)) {
-      return refused(path_ / name, "write", reason);
+    if (const int reason = staging_.move_out(name, name)) {
+      return refused(staging_.path() / name, "write", reason);
     }
   }
-  const int reason = settle(folder_);
-  return reason == 0 ? Result<void>{} : refused(path_, "write to this folder", reason);
+  return settle_names();
+}
+
+Result<void> ResultFolder::settle_names() const {
+  const int reason = settle(staging_.folder());
+  return reason == 0 ? Result<void>{} : refused(staging_.path(), "write to this folder", reason);
 }
 
 void ResultFolder::remove_older() const {
-  for (const std::string& name : names_in(folder_)) {
-    struct stat status {};
-    if (!is_result_file(name) || !exists(folder_, name, status)) continue;
-    if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) continue;
-    if (std::find(files_.begin(), files_.end(), name) != files_.end()) continue;
-    unlinkat(folder_.number(), name.c_str(), 0);
+  const Descriptor& folder = staging_.folder();
+  for (const std::string& name : names_in(folder)) {
+    const FileType type = type_in(folder, name);
+    if (!is_result_file(name) || (type != FileType::regular && type != FileType::symlink)) continue;
+    if (std::find(files_.begin(), files_.end(), name) == files_.end()) remove_in(folder, name);
   }
 }
 
@@ -124,14 +111,9 @@ Result<void> check_described(const std::filesystem::path& path, const Descriptor
                              const CandidateFiles& files) {
   for (const auto& [format, file] : files) {
     if (file.sha256.empty()) continue;
-    struct stat status {};
-    if (!exists(folder, file.name, status)) continue;
-    // no link is followed, and nothing is waited for
-    const Descriptor opened =
-        open_at(folder.number(), file.name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
-    const bool same = opened && fstat(opened.number(), &status) == 0 && S_ISREG(status.st_mode) &&
-                      sha256_of(opened) == file.sha256;
-    if (same) continue;
+    if (type_in(folder, file.name) == FileType::not_found) continue;
+    const Descriptor opened = open_entry(folder, file.name);
+    if (type_of(opened) == FileType::regular && sha256_of(opened) == file.sha256) continue;
     return fail(ErrorCode::invalid_argument,
                 fmt::format("is not the file that {} describes: it was changed, or is another "
                             "result's. Delete it to go on without it, or make the result anew",

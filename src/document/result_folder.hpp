@@ -3,25 +3,21 @@
 
 #include <chrono>
 #include <filesystem>
-#include <optional>
 #include <shigusa/result.hpp>
 #include <shigusa/result_file.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "files/descriptor.hpp"
 #include "files/staging.hpp"
 
 namespace shigusa {
 
-enum class FolderUse { read, write };
-
-// Locks a folder until it is closed, so that programs which write results to it and read results
-// from it take turns; other programs are not kept out. Waits for others, for so long at most. A
+// Locks a folder until it is closed, alone to write results to it and shared to read them, so that
+// programs take turns; other programs are not kept out. Waits for others, for so long at most. A
 // file system without locks goes without: what a result says of its files then tells a mixture.
 [[nodiscard]] Result<void> lock_folder(
-    const Descriptor& folder, FolderUse use, const std::filesystem::path& path,
+    const Descriptor& folder, LockKind kind, const std::filesystem::path& path,
     std::chrono::milliseconds longest = std::chrono::seconds(10));
 
 // Writes a result into a folder so that it is whole or absent, whatever ends the program and
@@ -49,11 +45,10 @@ class ResultFolder {
  private:
   [[nodiscard]] Result<void> check_place(const std::string& name) const;
   [[nodiscard]] Result<void> swap();
+  [[nodiscard]] Result<void> settle_names() const;
   void remove_older() const;
 
-  std::filesystem::path path_;
-  Descriptor folder_;
-  std::optional<Staging> staging_;
+  Staging staging_;
   std::vector<std::string> files_;
 };
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Results in folders: what programs with files do, and pages do not.
-#include <fcntl.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <shigusa/export.hpp>
@@ -163,9 +161,9 @@ Result<StoredResult> read_result(const fs::path& path, int candidate) {
   const bool whole = fs::is_directory(path, ignored);
   const fs::path above = whole ? path : path.parent_path();
   const fs::path place = above.empty() ? fs::path(".") : above;
-  const Descriptor folder = open_at(AT_FDCWD, place.c_str(), O_RDONLY | O_DIRECTORY);
+  const Descriptor folder = open_folder(place);
   if (!folder) return refused(path, "open", errno);
-  SHG_TRY(lock_folder(folder, FolderUse::read, place));
+  SHG_TRY(lock_folder(folder, LockKind::shared, place));
   const fs::path summary = whole ? path / kSummaryName : path;
   SHG_TRY_ASSIGN(const std::string text, read_text_file(summary, kResultMaxBytes));
   Result<StoredResult> stored = parse_result(text, summary.string());

@@ -3,7 +3,7 @@
 
 #include "core/bytes.hpp"
 #include "core/index.hpp"
-#include "core/json_memory.hpp"
+#include "files/json_memory.hpp"
 #include "mannequin_data.hpp"
 #include "mannequin_unpacker.hpp"
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <shigusa/edit.hpp>
 
 #include "document/export_file.hpp"
-#include "files/descriptor.hpp"
 #include "files/staging.hpp"
 
 namespace shigusa {
@@ -15,9 +13,7 @@ namespace fs = std::filesystem;
 
 // The folder within is locked while this lives, and so says whose the outer one is.
 struct EditFolder::Held {
-  fs::path path;
-  Descriptor self;
-  Staging staging{self};
+  Staging staging;
 };
 
 EditFolder::EditFolder(std::unique_ptr<Held> held) : held_(std::move(held)) {}
@@ -26,14 +22,14 @@ EditFolder& EditFolder::operator=(EditFolder&&) noexcept = default;
 
 EditFolder::~EditFolder() {
   if (!held_) return;
-  const fs::path path = held_->path;
+  const fs::path path = held_->staging.path();
   held_.reset();
   // one in which nothing was written goes again
   std::error_code not_empty;
   fs::remove(path, not_empty);
 }
 
-const fs::path& EditFolder::path() const { return held_->path; }
+const fs::path& EditFolder::path() const { return held_->staging.path(); }
 
 namespace {
 
@@ -57,18 +53,19 @@ bool is_shared(const Descriptor& folder) {
 Result<EditFolder> EditFolder::make(const fs::path& within, std::string_view name) {
   for (int k = 1;; ++k) {
     auto held = std::make_unique<Held>();
-    held->path = within / fmt::format("{}-{}", name, k);
+    const fs::path path = within / fmt::format("{}-{}", name, k);
     std::error_code error;
-    const bool made = fs::create_directory(held->path, error);
+    const bool made = fs::create_directory(path, error);
     if (error && error != std::errc::file_exists) {
-      return refused(held->path, "make this folder", error.value());
+      return refused(path, "make this folder", error.value());
     }
-    held->self = open_at(AT_FDCWD, held->path.c_str(), O_RDONLY | O_DIRECTORY);
-    if (!made && (!held->self || !is_left(held->self))) continue;
-    const int reason = held->staging.make();
-    if (reason != 0 && made) return refused(held->path, "write to this folder", reason);
+    Staging& staging = held->staging;
+    const bool opened = staging.open(path) == 0;
+    if (!made && (!opened || !is_left(staging.folder()))) continue;
+    const int reason = staging.make();
+    if (reason != 0 && made) return refused(path, "write to this folder", reason);
     // of two that come upon it at once each sees the other, and both go on
-    if (reason == 0 && !is_shared(held->self)) return EditFolder(std::move(held));
+    if (reason == 0 && !is_shared(staging.folder())) return EditFolder(std::move(held));
   }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <sys/types.h>
-
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <shigusa/result.hpp>
 #include <string_view>
 #include <utility>
@@ -32,7 +33,7 @@ class Descriptor {
   [[nodiscard]] int close();
 
  private:
-  friend Descriptor open_at(int folder, const char* name, int flags, mode_t mode);
+  friend Descriptor open_at(int folder, const char* name, int flags);
   explicit Descriptor(int number) : number_(number) {}
 
   int number_ = -1;
@@ -40,14 +41,27 @@ class Descriptor {
 
 // openat() of a name in a folder (AT_FDCWD: where the program stands), closed in other programs.
 // Where it fails the descriptor is none, and errno tells why. A pipe whose other end nobody has is
-// waited for, but with O_NONBLOCK.
-[[nodiscard]] Descriptor open_at(int folder, const char* name, int flags, mode_t mode = 0666);
+// waited for, but with O_NONBLOCK. The flags are the system's: of other rooms open_to_read and
+// open_folder are asked.
+[[nodiscard]] Descriptor open_at(int folder, const char* name, int flags);
+
+// A file, for reading; nothing is waited for.
+[[nodiscard]] Descriptor open_to_read(const std::filesystem::path& path);
 
 // Writes all of it; 0, or the system's reason.
 [[nodiscard]] int write_all(const Descriptor& file, std::string_view bytes);
 
 // The next bytes of a file; none at its end, and a number below 0, with errno, where it fails.
-[[nodiscard]] ssize_t read_some(const Descriptor& file, char* block, std::size_t size);
+[[nodiscard]] std::ptrdiff_t read_some(const Descriptor& file, char* block, std::size_t size);
+
+// Reads bytes from a place in a file, all of them; false where it has fewer, or reading fails.
+[[nodiscard]] bool read_at(const Descriptor& file, std::uint64_t at, char* block, std::size_t size);
+
+// Goes to a place of a file, from which it is read and written; 0, or the system's reason.
+[[nodiscard]] int go_to(const Descriptor& file, std::uint64_t at);
+
+// Goes to the end of a file; its bytes, or none, with errno, where it fails.
+[[nodiscard]] std::optional<std::uint64_t> go_to_end(const Descriptor& file);
 
 // "PATH: cannot ACTION: " and the system's reason (errno).
 [[nodiscard]] tl::unexpected<Error> refused(const std::filesystem::path& path, const char* action,

@@ -8,7 +8,6 @@
 #include <shigusa/file.hpp>
 #include <system_error>
 
-#include "descriptor.hpp"
 #include "staging.hpp"
 
 namespace shigusa {
@@ -39,7 +38,7 @@ Result<void> write_through(const fs::path& path, std::string_view bytes) {
 }  // namespace
 
 Result<std::string> read_text_file(const fs::path& path, std::size_t max_bytes) {
-  const Descriptor file = open_at(AT_FDCWD, path.c_str(), O_RDONLY | O_NONBLOCK);
+  const Descriptor file = open_to_read(path);
   struct stat status {};
   if (!file || fstat(file.number(), &status) != 0) return refused(path, "open", errno);
   if (waits_for_another(path, status.st_mode)) return refused_pipe(path);
@@ -71,11 +70,10 @@ Result<void> write_file(const fs::path& path, std::string_view bytes) {
   std::error_code error;
   const fs::path target = exists ? fs::canonical(path, error) : path;
   const fs::path above = target.has_parent_path() ? target.parent_path() : ".";
-  const Descriptor folder = open_at(AT_FDCWD, above.c_str(), O_RDONLY | O_DIRECTORY);
-  if (!folder) return refused(path, "write", errno);
   const std::string name = target.filename().string();
-  Staging staging(folder);
-  int reason = staging.make();
+  Staging staging;
+  int reason = staging.open(above);
+  if (reason == 0) reason = staging.make();
   if (reason == 0) reason = staging.add(name, bytes, false);
   if (reason == 0) reason = staging.move_out(name, name);
   return reason == 0 ? Result<void>{} : refused(path, "write", reason);

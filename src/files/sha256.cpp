@@ -31,7 +31,7 @@ std::string sha256_of(const Descriptor& file) {
   SHA256Init(&context);
   char block[1 << 16];
   for (;;) {
-    const ssize_t count = read_some(file, block, sizeof block);
+    const std::ptrdiff_t count = read_some(file, block, sizeof block);
     if (count < 0) return {};
     if (count == 0) return digits(context);
     add(context, block, static_cast<std::size_t>(count));

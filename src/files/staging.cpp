@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "staging.hpp"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
-#include <memory>
 #include <random>
 
 namespace shigusa {
@@ -27,10 +25,6 @@ std::string new_name() {
   return fmt::format("{}{:08x}{:08x}{}", kPrefix, random(), random(), kSuffix);
 }
 
-struct FolderCloser {
-  void operator()(DIR* folder) const { closedir(folder); }
-};
-
 }  // namespace
 
 bool is_staging_name(std::string_view name) {
@@ -39,21 +33,6 @@ bool is_staging_name(std::string_view name) {
   name.remove_prefix(kPrefix.size());
   name.remove_suffix(kSuffix.size());
   return name.size() <= kDigits && name.find_first_not_of("0123456789abcdef") == name.npos;
-}
-
-std::vector<std::string> names_in(const Descriptor& folder) {
-  std::vector<std::string> names;
-  Descriptor again = open_at(folder.number(), ".", O_RDONLY | O_DIRECTORY);
-  if (!again) return names;
-  const std::unique_ptr<DIR, FolderCloser> entries(fdopendir(again.number()));
-  if (!entries) return names;
-  // closed with the entries
-  (void)again.release();
-  while (const dirent* entry = readdir(entries.get())) {
-    const std::string name = entry->d_name;
-    if (name != "." && name != "..") names.push_back(name);
-  }
-  return names;
 }
 
 namespace {
@@ -72,21 +51,25 @@ bool abandoned(const Descriptor& entry) {
 
 // Staging folders, and the files that earlier versions made.
 void remove_leftovers(const Descriptor& folder) {
+  using Type = std::filesystem::file_type;
   for (const std::string& name : names_in(folder)) {
     if (!is_staging_name(name)) continue;
-    const Descriptor entry =
-        open_at(folder.number(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
-    struct stat status {};
-    if (!entry || fstat(entry.number(), &status) != 0) continue;
-    const bool known = S_ISDIR(status.st_mode) || S_ISREG(status.st_mode);
-    if (!known || !abandoned(entry)) continue;
-    if (S_ISREG(status.st_mode)) {
-      unlinkat(folder.number(), name.c_str(), 0);
+    const Descriptor entry = open_entry(folder, name);
+    const Type type = type_of(entry);
+    if ((type != Type::regular && type != Type::directory) || !abandoned(entry)) continue;
+    if (type == Type::regular) {
+      remove_in(folder, name);
       continue;
     }
-    for (const std::string& file : names_in(entry)) unlinkat(entry.number(), file.c_str(), 0);
+    for (const std::string& file : names_in(entry)) remove_in(entry, file);
     unlinkat(folder.number(), name.c_str(), AT_REMOVEDIR);
   }
+}
+
+int Staging::open(const std::filesystem::path& path) {
+  path_ = path;
+  folder_ = open_folder(path);
+  return folder_ ? 0 : errno;
 }
 
 int Staging::make() {
@@ -100,29 +83,39 @@ int Staging::make() {
 // EEXIST where another name must be tried.
 int Staging::make_locked(const std::string& name) {
   if (mkdirat(folder_.number(), name.c_str(), 0700) != 0) return errno;
-  self_ = open_at(folder_.number(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
-  if (!self_) {
+  Descriptor made = open_at(folder_.number(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
+  if (!made) {
     const int reason = errno;
     unlinkat(folder_.number(), name.c_str(), AT_REMOVEDIR);
     // one that was not locked yet may have been taken for a leftover
     return reason == ENOENT ? EEXIST : reason;
   }
-  (void)flock(self_.number(), LOCK_EX);
+  (void)flock(made.number(), LOCK_EX);
   struct stat ours {};
   struct stat named {};
   const bool there = fstatat(folder_.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0;
-  if (fstat(self_.number(), &ours) != 0) return errno;
+  if (fstat(made.number(), &ours) != 0) return errno;
   if (!there || ours.st_ino != named.st_ino) return EEXIST;
+  self_ = std::move(made);
   name_ = name;
   return 0;
 }
 
+std::filesystem::path Staging::path_of(const std::string& name) const {
+  return path_ / name_ / name;
+}
+
+Descriptor Staging::create(const std::string& name) {
+  Descriptor file = open_at(self_.number(), name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW);
+  if (file) files_.push_back(name);
+  return file;
+}
+
 int Staging::add(const std::string& name, std::string_view bytes, bool durable) {
-  Descriptor file = open_at(self_.number(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+  Descriptor file = create(name);
   if (!file) return errno;
-  files_.push_back(name);
   if (const int reason = write_all(file, bytes)) return reason;
-  if (durable && fsync(file.number()) != 0) return errno;
+  if (const int reason = durable ? settle(file) : 0) return reason;
   return file.close();
 }
 
@@ -140,8 +133,9 @@ int Staging::move_out(const std::string& name, const std::string& to) {
 }
 
 Staging::~Staging() {
-  for (const std::string& name : files_) unlinkat(self_.number(), name.c_str(), 0);
-  if (!name_.empty()) unlinkat(folder_.number(), name_.c_str(), AT_REMOVEDIR);
+  if (!self_) return;
+  for (const std::string& name : files_) remove_in(self_, name);
+  unlinkat(folder_.number(), name_.c_str(), AT_REMOVEDIR);
 }
 
 }  // namespace shigusa

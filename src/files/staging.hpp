@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "descriptor.hpp"
+#include "folder.hpp"
 
 namespace shigusa {
-
-// The names in a folder, but for "." and ".."; none where it cannot be read.
-[[nodiscard]] std::vector<std::string> names_in(const Descriptor& folder);
 
 // Whether a name is one that a Staging has.
 [[nodiscard]] bool is_staging_name(std::string_view name);
@@ -25,14 +23,25 @@ void remove_leftovers(const Descriptor& folder);
 // Functions give 0, or the system's reason (errno).
 class Staging {
  public:
-  // Borrows `folder`.
-  explicit Staging(const Descriptor& folder) : folder_(folder) {}
-  Staging(const Staging&) = delete;
-  Staging& operator=(const Staging&) = delete;
+  Staging() = default;
+  Staging(Staging&&) noexcept = default;
+  Staging& operator=(Staging&&) = delete;
   ~Staging();
+
+  // Opens the folder that it is to be in.
+  [[nodiscard]] int open(const std::filesystem::path& path);
 
   // Removes what killed programs left in the folder, and makes this one.
   [[nodiscard]] int make();
+
+  // The folder that it is in.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const Descriptor& folder() const { return folder_; }
+
+  // A new file, for writing and reading; none, with errno, where it fails. Somebody else may write
+  // it by its path meanwhile.
+  [[nodiscard]] Descriptor create(const std::string& name);
+  [[nodiscard]] std::filesystem::path path_of(const std::string& name) const;
 
   // A new file. `durable`: it is on the disk, and not on its way there, when this returns.
   [[nodiscard]] int add(const std::string& name, std::string_view bytes, bool durable);
@@ -44,8 +53,9 @@ class Staging {
  private:
   [[nodiscard]] int make_locked(const std::string& name);
 
-  const Descriptor& folder_;
-  Descriptor self_;
+  std::filesystem::path path_;
+  Descriptor folder_;
+  Descriptor self_;  // none before it is made
   std::string name_;
   std::vector<std::string> files_;  // in it
 };

@@ -6,9 +6,9 @@
 #include <map>
 
 #include "core/index.hpp"
-#include "core/json_memory.hpp"
 #include "core/say.hpp"
 #include "fbx_place.hpp"
+#include "files/json_memory.hpp"
 #include "formats/gltf_json.hpp"
 #include "glb.hpp"
 #include "math/axes.hpp"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/json_memory.hpp"
+#include "files/json_memory.hpp"
 #include "glb.hpp"
 #include "json_splice.hpp"
 #include "unpack.hpp"

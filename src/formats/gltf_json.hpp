@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/json_memory.hpp"
+#include "files/json_memory.hpp"
 
 namespace shigusa {
 

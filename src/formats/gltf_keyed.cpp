@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/index.hpp"
-#include "core/json_memory.hpp"
+#include "files/json_memory.hpp"
 
 namespace shigusa {
 namespace {

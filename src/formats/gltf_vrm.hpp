@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/json_memory.hpp"
+#include "files/json_memory.hpp"
 #include "formats/gltf.hpp"
 
 namespace shigusa {

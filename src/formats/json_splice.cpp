@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "core/json_memory.hpp"
 #include "core/text.hpp"
+#include "files/json_memory.hpp"
 
 namespace shigusa {
 namespace {

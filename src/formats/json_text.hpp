@@ -4,7 +4,7 @@
 #include <shigusa/result.hpp>
 #include <string_view>
 
-#include "core/json_memory.hpp"
+#include "files/json_memory.hpp"
 
 namespace shigusa {
 

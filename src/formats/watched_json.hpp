@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/c_locale.hpp"
-#include "core/json_memory.hpp"
 #include "core/say.hpp"
+#include "files/json_memory.hpp"
 
 namespace shigusa {
 

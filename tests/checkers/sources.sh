@@ -24,6 +24,9 @@ write examples/one/main.cpp '#include <shigusa/shigusa.hpp>' '#include <shigusa/
 write tests/search/a_test.cpp '#include <shigusa/body_model.hpp>' '#include "formats/internal.hpp"'
 write bench/a.cpp '#include "rollout/b.hpp"'
 write dataset/a.cpp '#include <shigusa/task_file.hpp>' '#include "formats/b.hpp"' '#include "c.hpp"'
+write src/files/a.cpp '#include <unistd.h>' '#include <sys/stat.h>' '#include <csignal>'
+write tests/files/a_test.cpp '#include "files/b.hpp"' '#include <fcntl.h>'
+write apps/shigusa/system.cpp '#include <signal.h>'
 accepts check_layers.sh
 public=include/shigusa
 refuses check_layers.sh $public/vec3.hpp '#include <shigusa/body_model.hpp>' 'math must not include body'
@@ -37,6 +40,11 @@ refuses check_layers.sh src/math/a.cpp '#include "body/b.hpp"' 'math must not in
 refuses check_layers.sh src/document/a.cpp '#include <shigusa/shigusa.hpp>' 'document must not include shigusa'
 refuses check_layers.sh src/document/a.cpp '#include <shigusa/formats/b.hpp>' '<shigusa/formats/b.hpp> is no public header'
 refuses check_layers.sh dataset/a.cpp '#include "generate/b.hpp"' 'dataset must not include "generate/b.hpp"'
+refuses check_layers.sh src/document/a.cpp '#include <fcntl.h>' '<fcntl.h> is the operating system'
+refuses check_layers.sh src/core/a.cpp '# include <sys/mman.h>' '<sys/mman.h> is the operating system'
+refuses check_layers.sh dataset/a.cpp '#include "unistd.h"' '<unistd.h> is the operating system'
+refuses check_layers.sh apps/shigusa/a.cpp '#include <spawn.h>' '<spawn.h> is the operating system'
+refuses check_layers.sh bindings/c/src/failure.cpp '#include <new>' 'may include what is the operating system'
 refuses check_layers.sh src/extra/a.cpp '#include <string>' '"extra" is not a room'
 refuses check_layers.sh $public/extra.hpp '#include <string>' '"extra.hpp" belongs to no room'
 refuses check_layers.sh $public/core/result.hpp '#include <string>' '"core/result.hpp" belongs to no room'

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whatever ends a program that writes a result, its folder has no summary, or one whose files are
 // whole and its own; and the next run works.
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -197,10 +196,10 @@ TEST_F(ResultFaults, ProgramsThatWriteAtOnceTakeTurns) {
 }
 
 TEST_F(ResultFaults, AProgramThatHangsIsNotWaitedForForEver) {
-  const Descriptor hangs = open_at(AT_FDCWD, folder_.c_str(), O_RDONLY | O_DIRECTORY);
-  const Descriptor ours = open_at(AT_FDCWD, folder_.c_str(), O_RDONLY | O_DIRECTORY);
-  ASSERT_TRUE(lock_folder(hangs, FolderUse::write, folder_));
-  const auto refused = lock_folder(ours, FolderUse::write, folder_, std::chrono::milliseconds(30));
+  const Descriptor hangs = open_folder(folder_);
+  const Descriptor ours = open_folder(folder_);
+  ASSERT_TRUE(lock_folder(hangs, LockKind::alone, folder_));
+  const auto refused = lock_folder(ours, LockKind::alone, folder_, std::chrono::milliseconds(30));
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.text.find("another program"), std::string::npos);
 }

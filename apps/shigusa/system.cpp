@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The program's own calls of the operating system: streams, signals, other programs.
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+
+#include "commands.hpp"
+
+namespace shigusa::app {
+namespace {
+
+std::atomic<bool> interrupt_flag{false};
+
+void on_interrupt(int) {
+  // the second time, nobody wants to wait for the best so far
+  if (interrupt_flag.exchange(true)) _exit(130);
+}
+
+// Ctrl-C and kill.
+sigset_t ends() {
+  sigset_t all;
+  sigemptyset(&all);
+  sigaddset(&all, SIGINT);
+  sigaddset(&all, SIGTERM);
+  return all;
+}
+
+}  // namespace
+
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    // the lowest number that is free is this one; of what cannot be written, writing fails
+    (void)!open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+bool is_terminal() { return isatty(STDERR_FILENO) != 0; }
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+const std::atomic<bool>& interrupted() { return interrupt_flag; }
+
+void block_ends() {
+  const sigset_t all = ends();
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+void wait_for_end() {
+  const sigset_t all = ends();
+  int end = 0;
+  sigwait(&all, &end);
+}
+
+std::filesystem::path program_path() {
+  std::error_code ignored;
+  return std::filesystem::read_symlink("/proc/self/exe", ignored);
+}
+
+void open_browser(std::string address) {
+  std::string opener = "xdg-open";
+  char* const arguments[] = {opener.data(), address.data(), nullptr};
+  // it shall hear the signals that are blocked here
+  posix_spawnattr_t attributes;
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  pid_t child = 0;
+  posix_spawnp(&child, opener.c_str(), nullptr, &attributes, arguments, environ);
+  posix_spawnattr_destroy(&attributes);
+}
+
+}  // namespace shigusa::app
