@@ -146,7 +146,7 @@ void HumanBuilder::add_leg(Side side) {
   for (std::size_t j = 0; j < count; ++j) {
     const std::size_t k = up ? count - 1 - j : j;
     const LegJoint& joint = joints[k];
-    *links[up ? k : k + 1] = add_joint(prefix_of(side) + joint.name, *links[up ? k + 1 : k],
+    *links[up ? k : k + 1] = add_joint(side_prefix(side) + joint.name, *links[up ? k + 1 : k],
                                        joint.at, up ? joint.above : joint.below, joint.freedoms);
   }
   if (up) trunk_ = {pelvis};
@@ -157,7 +157,7 @@ void HumanBuilder::add_leg(Side side) {
     add_seat(side, parts.thigh);
   } else {
     body_.couplings.push_back(
-        {freedom(prefix_of(side) + "hip.flexion"), freedom(prefix_of(side) + "knee.flexion"),
+        {freedom(side_prefix(side) + "hip.flexion"), freedom(side_prefix(side) + "knee.flexion"),
          whole() ? kFreeHipFlexionGain : kHipFlexionGain, kHipFlexionKneeFull});
     if (up || other_stands_) add_foot(side, parts.toes);
   }
@@ -191,7 +191,7 @@ void HumanBuilder::set_leg_masses(Side side) {
 
 void HumanBuilder::add_arm(Side side) {
   const double s = side_sign(side);
-  const std::string prefix = prefix_of(side);
+  const std::string prefix = side_prefix(side);
   const Landmarks::Arm& arm = person_.arm(side);
   const ArmFrames& frame = frames_.arm(side);
   ArmParts& parts = arms_[index_of(side)];

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "body/joint_name.hpp"
 #include "human_frames.hpp"
 #include "landmark_points.hpp"
 #include "part_shapes.hpp"
@@ -13,9 +14,6 @@
 
 namespace shigusa {
 
-[[nodiscard]] inline std::string prefix_of(Side side) {
-  return side == Side::left ? "left_" : "right_";
-}
 [[nodiscard]] inline std::size_t index_of(Side side) { return side == Side::left ? 0 : 1; }
 
 // Builds a person's definition link by link; each step adds what hangs on the links before it.

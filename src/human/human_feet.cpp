@@ -26,7 +26,7 @@ Vec3d HumanBuilder::in_link(const Vec3d& point, const Part& part) {
 }
 
 void HumanBuilder::add_foot(Side side, const Part& part) {
-  const std::string name = prefix_of(side) + "foot";
+  const std::string name = side_prefix(side) + "foot";
   Foot foot{.name = name, .node = name, .link = part.link, .centre = {}, .outline = {}};
   const SoleOutline sole = sole_outline(person_.leg(side), settings_.stature);
   std::vector<Vec3d> corners(sole.begin(), sole.end());
@@ -42,7 +42,7 @@ void HumanBuilder::add_foot(Side side, const Part& part) {
   foot.centre = sum * (1.0 / static_cast<double>(corners.size()));
   if (person_.leg(side).sole) foot.centre += to_below_ankle(sole, side, part);
   if (settings_.heels) {
-    foot.node = prefix_of(side) + "toes";
+    foot.node = side_prefix(side) + "toes";
     foot.heel = heel_of(side, part);
   }
   body_.feet.push_back(std::move(foot));
@@ -60,8 +60,8 @@ Vec3d HumanBuilder::to_below_ankle(const SoleOutline& sole, Side side, const Par
 Heel HumanBuilder::heel_of(Side side, const Part& part) const {
   const SoleOutline sole = sole_outline(person_.leg(side), settings_.stature);
   Heel heel;
-  heel.toes = freedom(prefix_of(side) + "toes.flexion");
-  heel.ankle = freedom(prefix_of(side) + "ankle.flexion");
+  heel.toes = freedom(side_prefix(side) + "toes.flexion");
+  heel.ankle = freedom(side_prefix(side) + "ankle.flexion");
   heel.back = in_link((sole[1] + sole[2]) * 0.5, part);
   for (const Vec3d& corner : forefoot_outline(person_.leg(side), settings_.stature)) {
     heel.forefoot.push_back(in_link(corner, part));
@@ -81,7 +81,7 @@ void HumanBuilder::add_seat(Side side, const Part& thigh) {
   const Vec3d front = leg.hip + down + ahead * (kToKnee * dot(to_knee, ahead));
   std::vector<Vec3d> corners{front + across, behind + across, behind - across, front - across};
   Foot seat;
-  seat.name = prefix_of(side) + "upper_leg";
+  seat.name = side_prefix(side) + "upper_leg";
   seat.link = thigh.link;
   seat.node = seat.name;
   for (const Vec3d& corner : corners) seat.centre += in_link(corner, thigh) * 0.25;
