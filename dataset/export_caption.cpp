@@ -7,6 +7,8 @@
 #include <array>
 #include <cctype>
 
+#include "body/joint_name.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -122,7 +124,9 @@ std::string load_words(double load) {
   return load < kLoadTold ? "" : fmt::format(", holding {:.0f} kg", load);
 }
 
-bool is_hand(const Row& goal) { return goal.text("effector").ends_with("_hand"); }
+bool is_hand(const Row& goal) {
+  return parse_joint_name(goal.text("effector")).joint_kind == JointKind::hand;
+}
 
 // "reaches down in front with the right hand".
 std::string goal_words(const Row& goal, double stature, bool missed) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "body/joint_name.hpp"
 #include "formats/xml.hpp"
 #include "show_page.hpp"
 #include "show_plot.hpp"
@@ -18,8 +19,6 @@ constexpr double kMargin = 12.0;            // cm, about all figures
 constexpr double kFloorRoom = 8.0;          // cm, below the floor
 constexpr std::size_t kPathStep = 2;        // frames between the points of a path that is drawn
 
-bool is_on(std::string_view name, std::string_view side) { return name.starts_with(side); }
-
 // The node that an effector is a point of.
 int node_of(const NodePlaces& places, const std::string& effector) {
   const int grip = places.find(effector + "_grip");
@@ -28,14 +27,11 @@ int node_of(const NodePlaces& places, const std::string& effector) {
 
 // "trunk", "arm" or "leg" of a bone by the name of the node at its far end.
 std::string_view part_of(std::string_view node) {
-  for (const std::string_view word : {"shoulder", "arm", "hand"}) {
-    if (node.find(word) != std::string_view::npos) return "arm";
-  }
-  for (const std::string_view word : {"leg", "foot", "toes"}) {
-    if (node.find(word) != std::string_view::npos) return "leg";
-  }
-  return "trunk";
+  constexpr std::array<std::string_view, 3> kParts{"trunk", "arm", "leg"};
+  return kParts[static_cast<std::size_t>(parse_joint_name(node).limb)];
 }
+
+bool is_left(std::string_view name) { return parse_joint_name(name).side == Side::left; }
 
 void add_line(const FigureView& view, const Vec3d& from, const Vec3d& to, std::string& path) {
   path += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", view.x(from), view.y(from), view.x(to),
@@ -46,10 +42,11 @@ void add_line(const FigureView& view, const Vec3d& from, const Vec3d& to, std::s
 std::string limb_path(const NodePlaces& places, std::size_t frame, const FigureView& view,
                       const std::string& effector) {
   std::string path;
-  const std::string_view side = is_on(effector, "left_") ? "left_" : "right_";
+  const Side side = is_left(effector) ? Side::left : Side::right;
   for (int n = node_of(places, effector); n >= 0;) {
     const int parent = places.parents[static_cast<std::size_t>(n)];
-    if (parent < 0 || !is_on(places.names[static_cast<std::size_t>(parent)], side)) break;
+    if (parent < 0) break;
+    if (parse_joint_name(places.names[static_cast<std::size_t>(parent)]).side != side) break;
     add_line(view, places.at(frame, parent), places.at(frame, n), path);
     n = parent;
   }
@@ -57,7 +54,7 @@ std::string limb_path(const NodePlaces& places, std::size_t frame, const FigureV
 }
 
 FigureView view_of(const SheetMotion& motion) {
-  const bool left = !motion.effectors.empty() && is_on(motion.effectors.front(), "left_");
+  const bool left = !motion.effectors.empty() && is_left(motion.effectors.front());
   const SinCos<double> turn = sin_cos(kAzimuth);
   return {.right = {turn.cos, 0.0, left ? -turn.sin : turn.sin}};
 }

@@ -85,7 +85,7 @@ BEGIN {
   face("core", "message result progress random words field parallel")
   face("math", "scalar vec3 mat3 quat transform")
   face("files", "file")
-  face("body", "skeleton body_model body_build goal")
+  face("body", "skeleton joint_place body_model body_build goal")
   face("motion", "motion")
   face("human", "landmarks human_body")
   face("criteria", "criteria motion_measures")

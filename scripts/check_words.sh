@@ -1,7 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_words.sh [ROOT]: fails where a word that docs/glossary.md retires is used, or where a comment's
-# sentence has a clause of "what" or "who" as its subject.
+# check_words.sh [ROOT]: fails where a word that docs/glossary.md retires is used, where a comment's
+# sentence has a clause of "what" or "who" as its subject, or where a joint, a bone or an effector is
+# sought by a literal name and not by its JointKind, HumanoidBone or BodyPart. Readers and writers have
+# names, and what takes or tells a user's words.
 #
 # The glossary's table under "Retired" has a word a row, or several with commas between them, each in
 # backquotes. They are sought as they are spelled, as whole words, in C, C++ and TypeScript; single words
@@ -20,6 +22,10 @@ sources=$(find include src apps bindings examples bench tests studio/src \( -nam
 [ -n "$sources" ] || { echo "check_words: no sources below $(pwd)" >&2; exit 1; }
 pages=$(find README.md CONTRIBUTING.md docs -name '*.md' ! -path "$glossary" 2>/dev/null | LC_ALL=C sort) || true
 
+joints='"_?((left|right)_)?(hips?|knee|ankle|toes|foot|spine|chest|upper_chest|neck|jaw|clavicle|shoulder|elbow|wrist|hand|thigh|shank|(upper|lower)_(arm|leg))(\.[a-z]+)?"'
+named='^(src/(human|rig|measure|robot|formats|plan|core/messages)/|src/draw/mannequin|dataset/(export|show)_|include/shigusa/(joint_place|goal)\.hpp|src/body/(joint_name|further_effectors|posture_modes|seat)\.|src/character/landmarks_json|src/document/(joint_names|character_export)|src/problem/task_supports|src/generate/(whole_body_styles|parameter_space)|src/paper/human_layers)'
+kernel=$(find include src dataset \( -name '*.hpp' -o -name '*.cpp' \) -print 2>/dev/null | LC_ALL=C sort | LC_ALL=C grep -vE "$named") || true
+
 # found PLACES-WITH-TEXT MESSAGE: prints them, when there are any
 bad=0
 found() {
@@ -35,5 +41,7 @@ found() {
     "$glossary retires these words"
   found "$(LC_ALL=C grep -nE '(^ *|[;{}),] +)//+<? *(What|Who) [^?]*$|//.*[.:] (What|Who) [^?]*$' /dev/null $sources)" \
     "these comments have no noun as their subject"
+  found "$(LC_ALL=C grep -nE "^([^/]|/[^/])*$joints" /dev/null $kernel | grep -v '#include')" \
+    "these names are literal: take JointKind, HumanoidBone or BodyPart"
 }
 exit "$bad"

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <shigusa/joint_place.hpp>
 #include <shigusa/message.hpp>
 #include <shigusa/transform.hpp>
 #include <span>
@@ -12,28 +13,6 @@
 #include <vector>
 
 namespace shigusa {
-
-/// A side of the body, as the person has it.
-enum class Side {
-  left,   ///< the person's left, +X
-  right,  ///< the person's right, -X
-};
-
-/// The limb that a joint is of.
-enum class LimbKind {
-  trunk,  ///< pelvis, spine, neck and head
-  arm,    ///< from the clavicle to the hand
-  leg,    ///< from the hip to the toes
-};
-
-/// Where a freedom or an effector is on a person: "left_hip.flexion" is the freedom "flexion" of
-/// the joint "hip" of the left leg.
-struct JointPlace {
-  std::optional<Side> side{};       ///< none of the trunk, and of what both sides share
-  LimbKind limb = LimbKind::trunk;  ///< that it is of
-  std::string joint{};              ///< "hip", "upper_chest", "hand"
-  std::string freedom{};            ///< "flexion"; empty of an effector
-};
 
 /// A body as the kernel computes with it.
 template <class T>
@@ -266,6 +245,8 @@ class BodyModel {
   /// Index of the effector of that name, or of that node, or nothing. Goals can be given for the
   /// effectors, and then for the body's named nodes that can move.
   [[nodiscard]] std::optional<int> find_effector(std::string_view name) const;
+  /// Index of a limb's effector by what it is, or nothing.
+  [[nodiscard]] std::optional<int> find_effector(JointKind joint, Side side) const;
   /// The node of that name; null where the body has none.
   [[nodiscard]] const BodyNode* find_node(std::string_view name) const;
   /// Length of an effector's limb (m): the distances along its chain, stretched out.
@@ -282,6 +263,11 @@ class BodyModel {
   }
   /// Index of the dof of that name, or nothing.
   [[nodiscard]] std::optional<int> find_dof(std::string_view name) const;
+  /// Index of that freedom of that joint; of limbs on one side. Nothing where the body lacks it.
+  [[nodiscard]] std::optional<int> find_dof(JointKind joint, FreedomKind freedom,
+                                            std::optional<Side> side = {}) const;
+  /// Indices of that freedom of that joint on all sides, in their order.
+  [[nodiscard]] std::vector<int> dofs_of(JointKind joint, FreedomKind freedom) const;
   /// True when moving the dof moves the link.
   [[nodiscard]] bool moves(int dof, int link) const {
     return link != kBaseLink && ancestry_[static_cast<std::size_t>(link) * definition_.dofs.size() +

@@ -150,8 +150,32 @@ std::optional<int> BodyModel::find_effector(std::string_view name) const {
   return std::nullopt;
 }
 
+std::optional<int> BodyModel::find_effector(JointKind joint, Side side) const {
+  for (int i = 0; i < effector_count(); ++i) {
+    const JointPlace& part = effector(i).part;
+    if (part.joint_kind == joint && part.side == side) return i;
+  }
+  return std::nullopt;
+}
+
 std::optional<int> BodyModel::find_dof(std::string_view name) const {
   return find_named(definition_.dofs, name);
+}
+
+std::optional<int> BodyModel::find_dof(JointKind joint, FreedomKind freedom,
+                                       std::optional<Side> side) const {
+  for (int d = 0; d < dof_count(); ++d) {
+    if (dof(d).part.is(joint, freedom) && dof(d).part.side == side) return d;
+  }
+  return std::nullopt;
+}
+
+std::vector<int> BodyModel::dofs_of(JointKind joint, FreedomKind freedom) const {
+  std::vector<int> found;
+  for (int d = 0; d < dof_count(); ++d) {
+    if (dof(d).part.is(joint, freedom)) found.push_back(d);
+  }
+  return found;
 }
 
 }  // namespace shigusa

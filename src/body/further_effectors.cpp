@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/skeleton.hpp>
 #include <utility>
 
 #include "body/joint_name.hpp"
@@ -39,12 +40,13 @@ bool moves(const BodyDefinition& body, int dof, int link) {
 int limb_root(const BodyDefinition& body, int link) {
   int pelvis = kBaseLink;
   for (const BodyNode& node : body.nodes) {
-    if (node.name == "hips") pelvis = node.link;
+    if (node.name == humanoid_bone_name(HumanoidBone::hips)) pelvis = node.link;
   }
   const int count = static_cast<int>(body.dofs.size());
   for (int d = 0; d < count; ++d) {
-    const std::string& joint = body.dofs[static_cast<std::size_t>(d)].part.joint;
-    const bool root = joint == "shoulder" || joint == "hip" || joint == "neck";
+    const JointKind joint = body.dofs[static_cast<std::size_t>(d)].part.joint_kind;
+    const bool root =
+        joint == JointKind::shoulder || joint == JointKind::hip || joint == JointKind::neck;
     if (root && moves(body, d, link) && !moves(body, d, pelvis)) return d;
   }
   int first = link;

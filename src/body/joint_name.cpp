@@ -22,6 +22,15 @@ bool is_of_both_legs(std::string_view joint) {
   return joint == "legs" || std::find(kLegWords.begin(), kLegWords.end(), joint) != kLegWords.end();
 }
 
+// `other` where no value has the word.
+template <class Kind>
+Kind kind_of(std::string_view word) {
+  for (const EnumWord<Kind>& known : kEnumWords<Kind>) {
+    if (known.word == word) return known.value;
+  }
+  return Kind::other;
+}
+
 LimbKind limb_of(const std::optional<Side>& side, std::string_view joint) {
   if (side) return has_leg_word(joint) ? LimbKind::leg : LimbKind::arm;
   if (is_of_both_legs(joint)) return LimbKind::leg;
@@ -29,6 +38,8 @@ LimbKind limb_of(const std::optional<Side>& side, std::string_view joint) {
 }
 
 }  // namespace
+
+std::string side_prefix(Side side) { return std::string(side == Side::left ? kLeft : kRight); }
 
 std::string_view without_side(std::string_view name) {
   for (const std::string_view side : {kLeft, kRight}) {
@@ -46,6 +57,8 @@ JointPlace parse_joint_name(std::string_view name) {
   part.joint = rest.substr(0, dot);
   if (dot != rest.npos) part.freedom = rest.substr(dot + 1);
   part.limb = limb_of(part.side, part.joint);
+  part.joint_kind = kind_of<JointKind>(part.joint);
+  part.freedom_kind = kind_of<FreedomKind>(part.freedom);
   return part;
 }
 

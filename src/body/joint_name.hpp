@@ -10,6 +10,9 @@ namespace shigusa {
 // The part of the body that the name of a joint, freedom or effector tells.
 [[nodiscard]] JointPlace parse_joint_name(std::string_view name);
 
+// "left_" or "right_".
+[[nodiscard]] std::string side_prefix(Side side);
+
 // "hip.flexion" of "left_hip.flexion"; a name without a side as it is.
 [[nodiscard]] std::string_view without_side(std::string_view name);
 

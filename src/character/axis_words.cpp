@@ -3,6 +3,7 @@
 #include <shigusa/goal.hpp>
 #include <shigusa/words.hpp>
 
+#include "body/joint_name.hpp"
 #include "core/say.hpp"
 
 namespace shigusa {
@@ -24,8 +25,11 @@ Mat3d frame_of(const Vec3d& a, const Vec3d& b) {
   return {x, cross(z, x), z};
 }
 
-bool is_left(std::string_view effector) {
-  return effector == "left_hand" || effector == "left_wrist";
+// None of what is no hand.
+std::optional<Side> side_of_hand(std::string_view effector) {
+  const JointPlace part = parse_joint_name(effector);
+  const bool hand = part.joint_kind == JointKind::hand || part.joint_kind == JointKind::wrist;
+  return hand ? part.side : std::nullopt;
 }
 
 }  // namespace
@@ -34,8 +38,9 @@ std::span<const std::string> hand_axis_words() { return kAxes; }
 std::span<const std::string> direction_words() { return kDirections; }
 
 Result<Vec3d> hand_axis(std::string_view word, std::string_view effector) {
-  const bool left = is_left(effector);
-  if (!left && effector != "right_hand" && effector != "right_wrist") {
+  const std::optional<Side> side = side_of_hand(effector);
+  const bool left = side == Side::left;
+  if (!side) {
     return fail(ErrorCode::invalid_argument, say("hand_axis_alone", effector.substr(0, 80)),
                 std::string(word));
   }
@@ -47,8 +52,8 @@ Result<Vec3d> hand_axis(std::string_view word, std::string_view effector) {
 
 Result<Vec3d> direction_named(std::string_view word, std::string_view hand) {
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
-    const bool of_side = word == "in" || word == "out";
-    if (kDirections[i] == word) return of_side && is_left(hand) ? -kToward[i] : kToward[i];
+    const bool turned = (word == "in" || word == "out") && side_of_hand(hand) == Side::left;
+    if (kDirections[i] == word) return turned ? -kToward[i] : kToward[i];
   }
   return fail(ErrorCode::invalid_argument, unknown_name("direction", word, kDirections));
 }

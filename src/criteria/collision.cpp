@@ -24,7 +24,7 @@ bool rests_on(const BodyModel& body, int capsule, const std::string& name,
 
 // A hand without a wrist points where its forearm does, and cannot be kept off the floor.
 void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& pairs) {
-  if (body.dof(effector.link).part.joint != "wrist") return;
+  if (body.dof(effector.link).part.joint_kind != JointKind::wrist) return;
   const int count = static_cast<int>(body.capsules().size());
   for (int c = 0; c < count; ++c) {
     const int link = body.capsules()[index(c)].link;

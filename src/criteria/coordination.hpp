@@ -40,8 +40,8 @@ class Coordination {
         per_angle_(1.0 / settings.angle),
         of_trunk_(kKneeOfTrunk * (1.0 + kKneesOfLoad * body.load())),
         per_ahead_(body.stature() > 0.0 ? 1.0 / (kHandAhead * body.stature()) : 0.0) {
-    for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
-      if (const auto d = body.find_dof(knee)) knees_.push_back(static_cast<std::size_t>(*d));
+    for (const int d : body.dofs_of(JointKind::knee, FreedomKind::flexion)) {
+      knees_.push_back(static_cast<std::size_t>(d));
     }
   }
 

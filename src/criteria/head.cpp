@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "criteria/head.hpp"
 
+#include <shigusa/skeleton.hpp>
+
 namespace shigusa {
 
 HeadPoints head_points(const BodyModel& body) {
-  const BodyNode* head = nullptr;
-  const BodyNode* hips = nullptr;
-  for (const BodyNode& node : body.nodes()) {
-    if (node.name == "head") head = &node;
-    if (node.name == "hips") hips = &node;
-  }
+  const BodyNode* head = body.find_node(humanoid_bone_name(HumanoidBone::head));
+  const BodyNode* hips = body.find_node(humanoid_bone_name(HumanoidBone::hips));
   if (head == nullptr || hips == nullptr) return {};
   const Kinematics<double> kinematics = start_kinematics(body);
   const double distance =
@@ -19,7 +17,7 @@ HeadPoints head_points(const BodyModel& body) {
           .pelvis_link = hips->link,
           .pelvis = hips->point,
           .distance = distance,
-          .neck = body.find_dof("neck.flexion").has_value()};
+          .neck = body.find_dof(JointKind::neck, FreedomKind::flexion).has_value()};
 }
 
 }  // namespace shigusa

@@ -7,17 +7,13 @@ namespace shigusa {
 
 BackConstants back_constants(const BodyModel& body) {
   BackConstants back;
-  if (const auto spine = body.find_dof("spine.flexion")) {
+  if (const auto spine = body.find_dof(JointKind::spine, FreedomKind::flexion)) {
     const Dof& dof = body.dof(*spine);
     return {{*spine}, 1.0 / dof.torque_negative, 1.0 / dof.torque_positive};
   }
   double hips = 0.0;
-  for (int d = 0; d < body.dof_count(); ++d) {
-    const Dof& dof = body.dof(d);
-    if (dof.part.joint != "hip" || dof.part.freedom != "flexion") continue;
-    back.dofs.push_back(d);
-    hips += dof.torque_negative;
-  }
+  back.dofs = body.dofs_of(JointKind::hip, FreedomKind::flexion);
+  for (const int d : back.dofs) hips += body.dof(d).torque_negative;
   if (back.dofs.empty()) return back;
   // both hips of the man whose back is known; the half body's one hip counts for two
   const double strength = hips / (2.0 * kHipFlexion.torque_negative);

@@ -2,6 +2,7 @@
 #include "criteria/posture_points.hpp"
 
 #include <algorithm>
+#include <shigusa/skeleton.hpp>
 
 #include "dynamics/centre_of_mass.hpp"
 
@@ -16,7 +17,7 @@ void find_home(const BodyModel& body, const Kinematics<double>& start, double le
   points.hand_hangs = points.ankles.y + kHandHangs * body.stature();
   points.home_shoulders = {left, right};
   points.home_mass = centre_of_mass(body, start);
-  if (!body.find_dof("right_knee.flexion") && !body.find_dof("left_knee.flexion")) return;
+  if (body.dofs_of(JointKind::knee, FreedomKind::flexion).empty()) return;
   const double trunk = norm((left + right) * 0.5 - PosturePoints::middle(points.hips, start));
   const Vec3d ahead{0.0, 0.0, kStandsAhead * body.stature()};
   points.home_mass = points.ankles + ahead;
@@ -32,11 +33,14 @@ PosturePoints posture_points(const BodyModel& body) {
   const Kinematics<double> start = start_kinematics(body);
   double leg = 0.0;
   for (std::size_t side = 0; side < 2; ++side) {
-    const std::string prefix = side == 0 ? "left_" : "right_";
-    const BodyNode* hip = body.find_node(prefix + "upper_leg");
-    const BodyNode* knee = body.find_node(prefix + "lower_leg");
-    const BodyNode* ankle = body.find_node(prefix + "foot");
-    const BodyNode* shoulder = body.find_node(prefix + "upper_arm");
+    const auto node = [&](HumanoidBone left, HumanoidBone right) {
+      return body.find_node(humanoid_bone_name(side == 0 ? left : right));
+    };
+    using Bone = HumanoidBone;
+    const BodyNode* hip = node(Bone::left_upper_leg, Bone::right_upper_leg);
+    const BodyNode* knee = node(Bone::left_lower_leg, Bone::right_lower_leg);
+    const BodyNode* ankle = node(Bone::left_foot, Bone::right_foot);
+    const BodyNode* shoulder = node(Bone::left_upper_arm, Bone::right_upper_arm);
     if (hip == nullptr || knee == nullptr || ankle == nullptr || shoulder == nullptr) return {};
     points.hips[side] = {hip->link, hip->point};
     points.shoulders[side] = {shoulder->link, shoulder->point};
@@ -57,7 +61,7 @@ std::vector<GoalHand> goal_hands(const BodyModel& body, const std::vector<int>& 
   for (int e = 0; e < static_cast<int>(body.effectors().size()); ++e) {
     const Effector& hand = body.effector(e);
     const bool wanted = effectors.empty()
-                            ? hand.name.ends_with("_hand")
+                            ? hand.part.joint_kind == JointKind::hand
                             : std::find(effectors.begin(), effectors.end(), e) != effectors.end();
     if (!wanted || hand.part.limb != LimbKind::arm || hand.limb_root < 0) continue;
     const LinkPoint shoulder{hand.limb_root, {}};

@@ -9,6 +9,7 @@
 #include <shigusa/export.hpp>
 #include <shigusa/motion.hpp>
 
+#include "body/joint_name.hpp"
 #include "character/character_rig.hpp"
 #include "core/say.hpp"
 #include "formats/gltf_write.hpp"
@@ -137,8 +138,9 @@ HandPlay hand_play(const Task& task) {
   const bool plays = task.finger_play == FingerPlay::grip && traits_of(task.preset).natural;
   HandPlay hands{plays, {}};
   for (const Goal& goal : task.goals) {
-    if (goal.effector == "left_hand") hands.reaches[0] = true;
-    if (goal.effector == "right_hand") hands.reaches[1] = true;
+    const JointPlace part = parse_joint_name(goal.effector);
+    if (part.joint_kind != JointKind::hand || !part.side) continue;
+    hands.reaches[part.side == Side::left ? 0 : 1] = true;
   }
   return hands;
 }

@@ -230,7 +230,7 @@ std::vector<int> reaching_hands(const BodyModel& body, const Clip& clip, int fir
   double farthest = 0.0;
   for (int e = 0; e < static_cast<int>(body.effectors().size()); ++e) {
     const Effector& hand = body.effector(e);
-    if (!hand.name.ends_with("_hand") || hand.limb_root < 0) continue;
+    if (hand.part.joint_kind != JointKind::hand || hand.limb_root < 0) continue;
     const double way = norm(end.point(hand.link, hand.point) - begin.point(hand.link, hand.point));
     ways.emplace_back(way, e);
     farthest = max(farthest, way);

@@ -3,6 +3,7 @@
 #include <shigusa/file.hpp>
 #include <shigusa/task_file.hpp>
 
+#include "body/joint_name.hpp"
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "plan/assignment.hpp"
@@ -86,9 +87,11 @@ std::string format_task(const TaskFile& task) {
 }
 
 Result<BodyModel> build_body(const TaskFile& file) {
-  constexpr std::array<std::string_view, 3> kRightFoot{"right_foot", "right_ankle", "right_toes"};
-  const auto is_right_foot = [&](const std::string& name) {
-    return std::find(kRightFoot.begin(), kRightFoot.end(), name) != kRightFoot.end();
+  const auto is_right_foot = [](const std::string& name) {
+    const JointPlace part = parse_joint_name(name);
+    return part.side == Side::right &&
+           (part.joint_kind == JointKind::foot || part.joint_kind == JointKind::ankle ||
+            part.joint_kind == JointKind::toes);
   };
   const bool kept =
       !file.contacts || std::any_of(file.contacts->begin(), file.contacts->end(), is_right_foot);

@@ -7,6 +7,7 @@
 #include <shigusa/result_words.hpp>
 #include <shigusa/scalar.hpp>
 
+#include "body/joint_name.hpp"
 #include "core/text.hpp"
 #include "criteria/built_in_criteria.hpp"
 
@@ -44,18 +45,16 @@ std::string region_words(const Vec3d& place, double stature) {
   return words;
 }
 
-// The middle between the goals of two limbs of a kind that are near one another, "hand": else none.
-std::optional<Vec3d> goals_middle(std::span<const Goal> goals, std::string_view kind) {
+// The middle between the goals of two limbs of a kind that are near one another; else none.
+std::optional<Vec3d> goals_middle(std::span<const Goal> goals, JointKind kind) {
   constexpr double kApart = 0.6;  // m
   if (goals.size() != 2) return std::nullopt;
-  const Goal& a = goals[0];
-  const Goal& b = goals[1];
-  const auto is = [kind](const Goal& goal, std::string_view side) {
-    return goal.effector == fmt::format("{}_{}", side, kind);
-  };
-  const bool both = (is(a, "left") && is(b, "right")) || (is(a, "right") && is(b, "left"));
-  if (!both || norm(a.position - b.position) > kApart) return std::nullopt;
-  return (a.position + b.position) * 0.5;
+  const JointPlace a = parse_joint_name(goals[0].effector);
+  const JointPlace b = parse_joint_name(goals[1].effector);
+  const bool both =
+      a.joint_kind == kind && b.joint_kind == kind && a.side && b.side && a.side != b.side;
+  if (!both || norm(goals[0].position - goals[1].position) > kApart) return std::nullopt;
+  return (goals[0].position + goals[1].position) * 0.5;
 }
 
 std::string moment_words(const Reason& reason) {
@@ -120,10 +119,10 @@ std::string asked_words(const Request& request) {
 
 std::string goals_title(std::span<const Goal> goals, double stature) {
   if (goals.empty()) return "A foot that lifts";
-  for (const std::string_view kind : {"hand", "foot"}) {
+  for (const auto& [kind, both] :
+       {std::pair{JointKind::hand, "hands"}, {JointKind::foot, "feet"}}) {
     if (const auto middle = goals_middle(goals, kind)) {
-      return fmt::format("Both {} {}", kind == "hand" ? "hands" : "feet",
-                         region_words(*middle, stature));
+      return fmt::format("Both {} {}", both, region_words(*middle, stature));
     }
   }
   std::string title;

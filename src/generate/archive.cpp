@@ -16,9 +16,9 @@ Style style_of(const std::optional<double>& stoop_squat_index) {
 Archive::Archive(const BodyModel& body) : dofs_(body.dofs().size()), meter_(body), angles_(dofs_) {
   for (std::size_t d = 0; d < dofs_; ++d) {
     const JointPlace& part = body.dofs()[d].part;
-    if (part.freedom != "rotation") continue;
-    if (part.joint == "hip" && part.side == Side::right) descriptors_[0].push_back(d);
-    if (part.joint == "shoulder") descriptors_[1].push_back(d);
+    if (part.freedom_kind != FreedomKind::rotation) continue;
+    if (part.joint_kind == JointKind::hip && part.side == Side::right) descriptors_[0].push_back(d);
+    if (part.joint_kind == JointKind::shoulder) descriptors_[1].push_back(d);
   }
 }
 

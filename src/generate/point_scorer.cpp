@@ -30,10 +30,10 @@ std::optional<SquatTarget> SquatTarget::of(const Problem& problem) {
   if (!squat) return std::nullopt;
   const BodyModel& body = problem.task.body;
   SquatTarget target;
-  for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
-    const std::optional<int> dof = body.find_dof(knee);
-    if (!dof) continue;
-    target.knees_.push_back(static_cast<std::size_t>(*dof));
+  for (const Side side : {Side::left, Side::right}) {
+    const auto knee = body.find_dof(JointKind::knee, FreedomKind::flexion, side);
+    if (!knee) continue;
+    target.knees_.push_back(static_cast<std::size_t>(*knee));
     target.wanted_ += *squat + body.start()[target.knees_.back()];
   }
   if (target.knees_.empty()) return std::nullopt;

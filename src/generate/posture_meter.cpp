@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "generate/posture_meter.hpp"
 
+#include <shigusa/skeleton.hpp>
+
 #include "body/seat.hpp"
 
 namespace shigusa {
@@ -18,31 +20,25 @@ constexpr double kBentKnees = radians(25.0);
 constexpr double kElbowIn = radians(-60.0);
 constexpr double kStraightArm = 0.05;  // of its length: how far a bent elbow leaves the line
 
-constexpr std::array kPlaceNames{"left_upper_leg",  "right_upper_leg", "left_upper_arm",
-                                 "right_upper_arm", "left_lower_arm",  "right_lower_arm",
-                                 "left_hand",       "right_hand"};
+using Bone = HumanoidBone;
+constexpr std::array kPlaceBones{
+    Bone::left_upper_leg, Bone::right_upper_leg, Bone::left_upper_arm, Bone::right_upper_arm,
+    Bone::left_lower_arm, Bone::right_lower_arm, Bone::left_hand,      Bone::right_hand};
 constexpr std::size_t kLeftWrist = 6;
 
 double mean_knee(const BodyModel& body, std::span<const double> angles) {
+  const std::vector<int> knees = body.dofs_of(JointKind::knee, FreedomKind::flexion);
   double sum = 0.0;
-  int knees = 0;
-  for (const char* name : {"left_knee.flexion", "right_knee.flexion"}) {
-    if (const std::optional<int> dof = body.find_dof(name)) {
-      sum += angles[static_cast<std::size_t>(*dof)];
-      ++knees;
-    }
-  }
-  return knees == 0 ? 0.0 : sum / knees;
+  for (const int knee : knees) sum += angles[static_cast<std::size_t>(knee)];
+  return knees.empty() ? 0.0 : sum / static_cast<double>(knees.size());
 }
 
 }  // namespace
 
 PostureMeter::PostureMeter(const BodyModel& body)
     : body_(body), kinematics_(body), sits_(sits(body)) {
-  for (const BodyNode& node : body.nodes()) {
-    for (std::size_t p = 0; p < kPlaces; ++p) {
-      if (node.name == kPlaceNames[p]) nodes_[p] = &node;
-    }
+  for (std::size_t p = 0; p < kPlaces; ++p) {
+    nodes_[p] = body.find_node(humanoid_bone_name(kPlaceBones[p]));
   }
   forward_kinematics<double>(body_, body_.start(), kinematics_);
   hip_height_ = between(kLeftHip).y;
@@ -84,9 +80,9 @@ double PostureMeter::heading() const {
 }
 
 double PostureMeter::elbow_swivel(int effector) const {
-  const std::string& hand = body_.effector(effector).name;
-  const std::size_t right = hand == "left_hand" ? 0 : 1;
-  if (right == 1 && hand != "right_hand") return 0.0;
+  const JointPlace& hand = body_.effector(effector).part;
+  if (hand.joint_kind != JointKind::hand || !hand.side) return 0.0;
+  const std::size_t right = hand.side == Side::left ? 0 : 1;
   const std::size_t needed[] = {kLeftShoulder + right, kRightShoulder - right, kLeftElbow + right,
                                 kLeftWrist + right};
   for (const std::size_t place : needed) {

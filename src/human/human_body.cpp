@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/check.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
@@ -45,12 +48,12 @@ BodyModel HumanBuilder::build() {
   body_.name = settings_.name;
   body_.stature = settings_.stature;
   body_.lumbar_part = settings_.sex == Sex::female ? kWomensBack : 1.0;
-  settings_.sits ? add_seated_leg(base_side_) : add_standing_leg();
+  add_leg(base_side_);
   add_trunk();
   add_arm(Side::right);
   if (settings_.extent != BodyExtent::half) {
     add_arm(Side::left);
-    settings_.sits ? add_seated_leg(other(base_side_)) : add_hanging_leg(other(base_side_));
+    add_leg(other(base_side_));
     if (!other_stands_ && !settings_.sits) {
       body_.doubts.push_back(say("foot_lifted", base_side_ == Side::left ? "right " : "left "));
     }
@@ -64,7 +67,7 @@ BodyModel HumanBuilder::build() {
 
 HumanBuilder::Part HumanBuilder::add_joint(const std::string& joint, const Part& on,
                                            const Vec3d& at, const Mat3d& frame,
-                                           std::initializer_list<Freedom> freedoms) {
+                                           const std::vector<Freedom>& freedoms) {
   const double strength = strength_ * (joint_is_leg(joint) ? leg_strength_ : 1.0);
   Part part{on.link, frame, at};
   Vec3d offset = in_link(at, on);
@@ -78,7 +81,8 @@ HumanBuilder::Part HumanBuilder::add_joint(const std::string& joint, const Part&
                           .lower = f.limits.lower,
                           .upper = f.limits.upper,
                           .torque_positive = f.limits.torque_positive * strength,
-                          .torque_negative = f.limits.torque_negative * strength});
+                          .torque_negative = f.limits.torque_negative * strength,
+                          .give = f.give});
     body_.masses.emplace_back();
     body_.start.push_back(f.start);
     part.link = static_cast<int>(body_.dofs.size()) - 1;
@@ -87,102 +91,107 @@ HumanBuilder::Part HumanBuilder::add_joint(const std::string& joint, const Part&
   return part;
 }
 
-HumanBuilder::Part HumanBuilder::add_hip_above(Side side, const Part& thigh,
-                                               const JointLimits& bends) {
+// The joints of a leg from the pelvis down; of who sits, its one. A leg that is climbed has their
+// freedoms in reverse order, and they turn the other way.
+std::vector<HumanBuilder::LegJoint> HumanBuilder::leg_joints(Side side) const {
   const double s = side_sign(side);
-  const BallAngles hip = ball_angles(transpose(frames_.trunk) * frames_.leg(side).thigh, side);
-  return add_joint(prefix_of(side) + "hip", thigh, person_.leg(side).hip, frames_.trunk,
-                   {{"rotation", Axis::y, -s, kHipRotation, hip.rotation},
-                    {"abduction", Axis::z, -s, kHipAbduction, hip.abduction},
-                    {"flexion", Axis::x, 1.0, bends, hip.flexion}});
-}
-
-HumanBuilder::Part HumanBuilder::add_hip_below(Side side, const JointLimits& bends) {
-  const double s = side_sign(side);
-  const Mat3d& thigh = frames_.leg(side).thigh;
+  const Landmarks::Leg& leg = person_.leg(side);
+  const auto& [thigh, shank, foot] = frames_.leg(side);
+  const auto hinge = [&](const Mat3d& above, const Mat3d& below) {
+    return climbs(side) ? -hinge_angle(below, above) : hinge_angle(above, below);
+  };
+  JointLimits hip_bends = whole() ? kFreeHipFlexion : kHipFlexion;
+  // a seated person's hip bends as far as with a bent knee
+  if (settings_.sits) hip_bends.upper += whole() ? kFreeHipFlexionGain : kHipFlexionGain;
   const BallAngles hip = ball_angles(transpose(frames_.trunk) * thigh, side);
-  return add_joint(prefix_of(side) + "hip", trunk_.front(), person_.leg(side).hip, thigh,
-                   {{"flexion", Axis::x, -1.0, bends, hip.flexion},
-                    {"abduction", Axis::z, s, kHipAbduction, hip.abduction},
-                    {"rotation", Axis::y, s, kHipRotation, hip.rotation}});
+  std::vector<LegJoint> joints{{"hip",
+                                leg.hip,
+                                frames_.trunk,
+                                thigh,
+                                {{"flexion", Axis::x, -1.0, hip_bends, hip.flexion},
+                                 {"abduction", Axis::z, s, kHipAbduction, hip.abduction},
+                                 {"rotation", Axis::y, s, kHipRotation, hip.rotation}}}};
+  if (!settings_.sits) {
+    const Freedom knee{"flexion", Axis::x, 1.0, kKneeFlexion, hinge(thigh, shank)};
+    const Freedom ankle{"flexion", Axis::x, -1.0, kAnkleFlexion, -hinge(shank, foot)};
+    joints.push_back({"knee", leg.knee, thigh, shank, {knee}});
+    joints.push_back({"ankle", leg.ankle, shank, foot, {ankle}});
+    if (whole()) joints.back().freedoms.push_back({"inversion", Axis::z, -s, kAnkleInversion});
+  }
+  if (settings_.heels) {
+    const Freedom bends{"flexion", Axis::x, -1.0, kToesFlexion, 0.0, kToesGive};
+    joints.push_back({"toes", toes_joint(leg), foot, foot, {bends}});
+  }
+  if (!climbs(side)) return joints;
+  for (LegJoint& joint : joints) {
+    std::reverse(joint.freedoms.begin(), joint.freedoms.end());
+    for (Freedom& f : joint.freedoms) f.sign = -f.sign;
+  }
+  return joints;
 }
 
-// The joints of the standing leg are climbed from the floor, so their freedoms come in reverse
-// order and turn the other way.
-void HumanBuilder::add_standing_leg() {
-  const Side side = base_side_;
-  const double s = side_sign(side);
-  const std::string prefix = prefix_of(side);
-  const Landmarks::Leg& leg = person_.leg(side);
-  const LegFrames& frame = frames_.leg(side);
+// A leg hangs from the pelvis, or is climbed from the floor or the seat and carries the trunk,
+// which hangs on no joint yet. A seated person's leg is all one piece.
+void HumanBuilder::add_leg(Side side) {
+  const bool up = climbs(side);
   LegParts& parts = legs_[index_of(side)];
-  const Vec3d stands = settings_.heels ? toes_joint(leg) : leg.ankle;
-  body_.base = {frame.foot, stands};
-  parts.foot = parts.toes = {kBaseLink, frame.foot, stands};
-  if (settings_.heels) parts.foot = add_toes(side, parts.toes, 1.0);
-  const Freedom bends{"flexion", Axis::x, 1.0, kAnkleFlexion, hinge_angle(frame.foot, frame.shank)};
-  parts.shank = whole() ? add_joint(prefix + "ankle", parts.foot, leg.ankle, frame.shank,
-                                    {{"inversion", Axis::z, s, kAnkleInversion}, bends})
-                        : add_joint(prefix + "ankle", parts.foot, leg.ankle, frame.shank, {bends});
-  parts.thigh =
-      add_joint(prefix + "knee", parts.shank, leg.knee, frame.thigh,
-                {{"flexion", Axis::x, -1.0, kKneeFlexion, -hinge_angle(frame.shank, frame.thigh)}});
-  trunk_ = {add_hip_above(side, parts.thigh, whole() ? kFreeHipFlexion : kHipFlexion)};
-  couple_hip(trunk_.front().link, parts.thigh.link);
+  Part pelvis = up ? Part{} : trunk_.front();
+  const std::array links{&pelvis, &parts.thigh, &parts.shank, &parts.foot, &parts.toes};
+  const std::vector<LegJoint> joints = leg_joints(side);
+  const std::size_t count = joints.size();
+  if (up) {
+    body_.base = {joints.back().below, joints.back().at};
+    *links[count] = {kBaseLink, joints.back().below, joints.back().at};
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::size_t k = up ? count - 1 - j : j;
+    const LegJoint& joint = joints[k];
+    *links[up ? k : k + 1] = add_joint(side_prefix(side) + joint.name, *links[up ? k + 1 : k],
+                                       joint.at, up ? joint.above : joint.below, joint.freedoms);
+  }
+  if (up) trunk_ = {pelvis};
+  for (std::size_t k = count + 1; k < links.size(); ++k) *links[k] = *links[count];
   add_leg_capsules(side);
-  add_standing_masses(side);
-  add_foot(side, parts.toes);
+  set_leg_masses(side);
+  if (settings_.sits) {
+    add_seat(side, parts.thigh);
+  } else {
+    body_.couplings.push_back(
+        {freedom(side_prefix(side) + "hip.flexion"), freedom(side_prefix(side) + "knee.flexion"),
+         whole() ? kFreeHipFlexionGain : kHipFlexionGain, kHipFlexionKneeFull});
+    if (up || other_stands_) add_foot(side, parts.toes);
+  }
 }
 
-void HumanBuilder::add_standing_masses(Side side) {
-  const Landmarks::Leg& leg = person_.leg(side);
+void HumanBuilder::set_leg_masses(Side side) {
   const LegParts& parts = legs_[index_of(side)];
-  LinkMass foot = masses_.foot(side);
-  LinkMass shank = masses_.shank(side);
   LinkMass thigh = masses_.thigh(side);
+  LinkMass shank = masses_.shank(side);
+  LinkMass foot = masses_.foot(side);
+  if (settings_.sits) {
+    thigh.add(shank);
+    thigh.add(foot);
+    return set_mass(parts.thigh, thigh);
+  }
   if (settings_.extent == BodyExtent::half) {
     // the left leg moves as the right one does, shifted along the hinge axis (rule R1)
     const Vec3d axis = parts.foot.frame.cx;
-    shift_ = axis * dot(person_.left_leg.ankle - leg.ankle, axis);
+    shift_ = axis * dot(person_.left_leg.ankle - person_.leg(side).ankle, axis);
     for (LinkMass* part : {&foot, &shank, &thigh}) part->add(part->shifted(shift_));
   }
   if (settings_.heels) {
-    set_foot_masses(side);
-  } else {
-    body_.base_mass = foot.in_frame(parts.foot.frame, leg.ankle);
+    const LinkMass toes = masses_.forefoot(side);
+    foot.take_off(toes);
+    set_mass(parts.toes, toes);
   }
+  set_mass(parts.foot, foot);
   set_mass(parts.shank, shank);
   set_mass(parts.thigh, thigh);
 }
 
-void HumanBuilder::add_hanging_leg(Side side) {
-  const double s = side_sign(side);
-  const std::string prefix = prefix_of(side);
-  const Landmarks::Leg& leg = person_.leg(side);
-  const LegFrames& frame = frames_.leg(side);
-  LegParts& parts = legs_[index_of(side)];
-  const int first = static_cast<int>(body_.dofs.size());
-  parts.thigh = add_hip_below(side, whole() ? kFreeHipFlexion : kHipFlexion);
-  parts.shank =
-      add_joint(prefix + "knee", parts.thigh, leg.knee, frame.shank,
-                {{"flexion", Axis::x, 1.0, kKneeFlexion, hinge_angle(frame.thigh, frame.shank)}});
-  const Freedom bends{"flexion", Axis::x, -1.0, kAnkleFlexion,
-                      -hinge_angle(frame.shank, frame.foot)};
-  parts.foot = whole() ? add_joint(prefix + "ankle", parts.shank, leg.ankle, frame.foot,
-                                   {bends, {"inversion", Axis::z, -s, kAnkleInversion}})
-                       : add_joint(prefix + "ankle", parts.shank, leg.ankle, frame.foot, {bends});
-  parts.toes = settings_.heels ? add_toes(side, parts.foot, -1.0) : parts.foot;
-  couple_hip(first, parts.shank.link);
-  add_leg_capsules(side);
-  set_mass(parts.thigh, masses_.thigh(side));
-  set_mass(parts.shank, masses_.shank(side));
-  set_foot_masses(side);
-  if (other_stands_) add_foot(side, parts.toes);
-}
-
 void HumanBuilder::add_arm(Side side) {
   const double s = side_sign(side);
-  const std::string prefix = prefix_of(side);
+  const std::string prefix = side_prefix(side);
   const Landmarks::Arm& arm = person_.arm(side);
   const ArmFrames& frame = frames_.arm(side);
   ArmParts& parts = arms_[index_of(side)];
@@ -220,11 +229,6 @@ void HumanBuilder::add_arm(Side side) {
   add_arm_capsules(side);
   body_.effectors.push_back({prefix + "hand", prefix + "hand_grip", parts.hand.link,
                              in_link(grip_of(arm), parts.hand), root});
-}
-
-void HumanBuilder::couple_hip(int hip, int knee) {
-  body_.couplings.push_back(
-      {hip, knee, whole() ? kFreeHipFlexionGain : kHipFlexionGain, kHipFlexionKneeFull});
 }
 
 void HumanBuilder::set_mass(const Part& part, const LinkMass& mass) {

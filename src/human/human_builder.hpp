@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <initializer_list>
 #include <shigusa/human_body.hpp>
 #include <shigusa/message.hpp>
 #include <string>
 #include <vector>
 
+#include "body/joint_name.hpp"
 #include "human_frames.hpp"
 #include "landmark_points.hpp"
 #include "part_shapes.hpp"
@@ -14,9 +14,6 @@
 
 namespace shigusa {
 
-[[nodiscard]] inline std::string prefix_of(Side side) {
-  return side == Side::left ? "left_" : "right_";
-}
 [[nodiscard]] inline std::size_t index_of(Side side) { return side == Side::left ? 0 : 1; }
 
 // Builds a person's definition link by link; each step adds what hangs on the links before it.
@@ -40,27 +37,31 @@ class HumanBuilder {
     double sign;
     JointLimits limits;
     double start = 0.0;
+    double give = 1.0;
+  };
+  // A joint of a leg, with the frames of the segments above and below it.
+  struct LegJoint {
+    const char* name;
+    Vec3d at;
+    Mat3d above;
+    Mat3d below;
+    std::vector<Freedom> freedoms;
   };
 
   [[nodiscard]] bool whole() const { return settings_.extent == BodyExtent::human; }
+  // whether the chain begins at the far end of that leg
+  [[nodiscard]] bool climbs(Side side) const { return side == base_side_; }
 
   // a joint at a point of the part; its link's frame in the start posture is `frame`
   Part add_joint(const std::string& joint, const Part& on, const Vec3d& at, const Mat3d& frame,
-                 std::initializer_list<Freedom> freedoms);
-  // the hip as the trunk hangs on the thigh, and the other way round
-  Part add_hip_above(Side side, const Part& thigh, const JointLimits& bends);
-  Part add_hip_below(Side side, const JointLimits& bends);
+                 const std::vector<Freedom>& freedoms);
 
   // legs and arms
-  void add_standing_leg();
-  void add_standing_masses(Side side);
-  void set_foot_masses(Side side);
-  void add_hanging_leg(Side side);
-  void add_seated_leg(Side side);
+  [[nodiscard]] std::vector<LegJoint> leg_joints(Side side) const;
+  void add_leg(Side side);
+  void set_leg_masses(Side side);
   void add_seat(Side side, const Part& thigh);
   void add_arm(Side side);
-  void couple_hip(int hip, int knee);
-  [[nodiscard]] Part add_toes(Side side, const Part& on, double sign);
   void add_foot(Side side, const Part& part);
   [[nodiscard]] Vec3d to_below_ankle(const SoleOutline& sole, Side side, const Part& part) const;
   [[nodiscard]] Heel heel_of(Side side, const Part& part) const;

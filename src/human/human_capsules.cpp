@@ -44,7 +44,7 @@ void HumanBuilder::add_leg_capsules(Side side) {
     const auto in_toes = [&](const Vec3d& p) {
       return in_link(parts.foot.frame * p + parts.foot.origin, parts.toes);
     };
-    toes.name = prefix_of(side) + "toes";
+    toes.name = side_prefix(side) + "toes";
     toes.link = parts.toes.link;
     toes.from = in_toes(foot.to);
     toes.to = in_toes(toes.to);

@@ -74,7 +74,7 @@ HumanBuilder::Part HumanBuilder::add_clavicle(Side side) {
   const Landmarks::Arm& arm = person_.arm(side);
   if (!whole() || !arm.clavicle) return trunk_.back();
   const double s = side_sign(side);
-  return add_joint(prefix_of(side) + "clavicle", trunk_.back(), *arm.clavicle, frames_.trunk,
+  return add_joint(side_prefix(side) + "clavicle", trunk_.back(), *arm.clavicle, frames_.trunk,
                    {{"elevation", Axis::z, s, kClavicleElevation},
                     {"protraction", Axis::y, -s, kClavicleProtraction}});
 }
@@ -126,7 +126,7 @@ void HumanBuilder::add_stubs(int hips, int chest) {
 }
 
 void HumanBuilder::add_arm_nodes(Side side, int chest) {
-  const std::string prefix = prefix_of(side);
+  const std::string prefix = side_prefix(side);
   const Landmarks::Arm& arm = person_.arm(side);
   const ArmParts& parts = arms_[index_of(side)];
   int on = chest;
@@ -141,7 +141,7 @@ void HumanBuilder::add_arm_nodes(Side side, int chest) {
 }
 
 void HumanBuilder::add_leg_nodes(Side side, int hips) {
-  const std::string prefix = prefix_of(side);
+  const std::string prefix = side_prefix(side);
   const Landmarks::Leg& leg = person_.leg(side);
   const LegParts& parts = legs_[index_of(side)];
   int on = add_node(prefix + "upper_leg", hips, parts.thigh, leg.hip);

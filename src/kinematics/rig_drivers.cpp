@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "body/joint_name.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -54,14 +56,11 @@ std::optional<BoneDriver> bone_driver(Bone bone, const BodyModel& body, const Ri
                                       const HumanFrames& rest, const HumanFrames& start) {
   const Transformd to_start =
       segment(bone, rig.start, start) * inverse(segment(bone, rig.rest, rest));
-  std::string name(humanoid_bone_name(bone));
-  constexpr std::string_view kLeft = "left_";
-  const bool left_leg = name == "left_upper_leg" || name == "left_lower_leg" ||
-                        name == "left_foot" || name == "left_toes";
+  const bool left_leg = bone >= Bone::left_upper_leg && bone <= Bone::left_toes;
   // a half body's left leg goes as its right one
-  const bool half = left_leg && body.find_node("left_lower_leg") == nullptr;
-  if (half) name = "right_" + name.substr(kLeft.size());
-  const BodyNode* node = body.find_node(name);
+  const bool half = left_leg && body.find_node(humanoid_bone_name(Bone::left_lower_leg)) == nullptr;
+  const std::string name(humanoid_bone_name(bone));
+  const BodyNode* node = body.find_node(half ? with_other_side(name) : name);
   if (node == nullptr) return std::nullopt;
   return BoneDriver{node->link, to_start, !half};
 }

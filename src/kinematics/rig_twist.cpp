@@ -51,8 +51,8 @@ double near_to(double before, double angle) {
 
 std::optional<ForearmTurn> forearm_turn(const BodyModel& body, HumanoidBone bone) {
   if (bone != Bone::left_lower_arm && bone != Bone::right_lower_arm) return std::nullopt;
-  const auto dof =
-      body.find_dof(bone == Bone::left_lower_arm ? "left_elbow.rotation" : "right_elbow.rotation");
+  const auto dof = body.find_dof(JointKind::elbow, FreedomKind::rotation,
+                                 bone == Bone::left_lower_arm ? Side::left : Side::right);
   if (!dof) return std::nullopt;
   return ForearmTurn{*dof};
 }

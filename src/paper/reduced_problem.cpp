@@ -66,7 +66,7 @@ void ReducedProblem::add_hand(int effector) {
 }
 
 void ReducedProblem::add_clavicle(const ReducedLimb& limb) {
-  const bool by_law = reach->posture_law && reach->body->find_dof("neck.flexion");
+  const bool by_law = reach->posture_law && nods(*reach->body);
   if (!by_law || limb.elevation < 0 || limb.protraction < 0) return;
   const Vec3d along = arm_in_chest(*body, start_placement(*body), limb.slide, limb.elevation);
   const auto shrug = shrugged(along);

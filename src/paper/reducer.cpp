@@ -211,9 +211,8 @@ class Reducer {
     for (const TrunkJoint& joint : reduced_.joints) {
       if (!is_of_arm(joint.of_body) || !body_.moves(joint.of_body, arm.carrier)) continue;
       const JointPlace& part = body_.dof(joint.of_body).part;
-      if (part.joint != "clavicle") continue;
-      if (part.freedom == "elevation") limb.elevation = joint.dof;
-      if (part.freedom == "protraction") limb.protraction = joint.dof;
+      if (part.is(JointKind::clavicle, FreedomKind::elevation)) limb.elevation = joint.dof;
+      if (part.is(JointKind::clavicle, FreedomKind::protraction)) limb.protraction = joint.dof;
     }
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <shigusa/landmarks.hpp>
 #include <shigusa/task.hpp>
 #include <string_view>
 
@@ -16,17 +18,19 @@ namespace {
 constexpr double kInside = 0.01;
 
 // Parts that a goal may be in by oversight: they stand out of the body, and big heads into the way.
-constexpr std::string_view kParts[] = {"head", "jaw", "left_foot", "right_foot"};
+constexpr std::array kParts{BodyPart::head, BodyPart::jaw, BodyPart::left_foot,
+                            BodyPart::right_foot};
 
 // The part that a place is in, "" where it is in none.
 std::string part_at(const BodyModel& body, const Kinematics<double>& start, const Vec3d& place) {
   const Capsule point{.name = {}, .from = place, .to = place, .radius = 0.0};
   for (Capsule capsule : body.capsules()) {
-    if (std::find(std::begin(kParts), std::end(kParts), capsule.name) == std::end(kParts)) continue;
+    const auto is = [&](BodyPart part) { return capsule.name == body_part_name(part); };
+    if (std::none_of(kParts.begin(), kParts.end(), is)) continue;
     capsule.from = start.point(capsule.link, capsule.from);
     capsule.to = start.point(capsule.link, capsule.to);
-    if (capsule_depth(point, capsule) > kInside)
-      return capsule.name == "jaw" ? "head" : capsule.name;
+    if (capsule_depth(point, capsule) <= kInside) continue;
+    return std::string(is(BodyPart::jaw) ? body_part_name(BodyPart::head) : capsule.name);
   }
   return {};
 }

@@ -9,6 +9,7 @@
 #include <shigusa/words.hpp>
 #include <utility>
 
+#include "body/joint_name.hpp"
 #include "body/sole.hpp"
 #include "body/stance.hpp"
 #include "core/say.hpp"
@@ -99,12 +100,10 @@ Vec3d sway_of(const Vec3d& offset, const Vec3d& bow, const Effector& effector) {
 bool is_foot(const BodyModel& body, int effector) {
   const Effector& e = body.effector(effector);
   const JointPlace& end = body.dof(e.link).part;
-  if (body.dof(e.limb_root).part.joint != "hip") return false;
-  const auto has_toes = [&end](const Dof& dof) {
-    return dof.part.side == end.side && dof.part.joint == "toes" && dof.part.freedom == "flexion";
-  };
-  return end.joint == "toes" ||
-         (end.joint == "ankle" && std::none_of(body.dofs().begin(), body.dofs().end(), has_toes));
+  if (body.dof(e.limb_root).part.joint_kind != JointKind::hip) return false;
+  return end.joint_kind == JointKind::toes ||
+         (end.joint_kind == JointKind::ankle &&
+          !body.find_dof(JointKind::toes, FreedomKind::flexion, end.side));
 }
 
 // The goal's effector, where the body has it.
@@ -283,7 +282,7 @@ std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals)
     const bool limb = !index || *index < static_cast<int>(body.effectors().size()) ||
                       body.effector(*index).part.side;
     if (limb && !first) first = goal.position;
-    if (!index || !goal.effector.ends_with("_hand")) continue;
+    if (!index || parse_joint_name(goal.effector).joint_kind != JointKind::hand) continue;
     hands += goal.position;
     ++count;
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/landmarks.hpp>
 #include <shigusa/words.hpp>
 #include <utility>
 
@@ -55,7 +56,8 @@ Result<void> check_free(const Task& task, const Support& support, int hand) {
 
 const Capsule* thigh_of(const BodyModel& body, const Effector& hand) {
   if (body.robot() || !hand.part.side) return nullptr;
-  const std::string name = *hand.part.side == Side::left ? "left_thigh" : "right_thigh";
+  const std::string_view name =
+      body_part_name(*hand.part.side == Side::left ? BodyPart::left_thigh : BodyPart::right_thigh);
   for (const Capsule& capsule : body.capsules()) {
     if (capsule.name == name && capsule.link != kBaseLink) return &capsule;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <shigusa/landmarks.hpp>
 #include <vector>
 
 #include "core/index.hpp"
@@ -26,7 +27,8 @@ class ArmClearance {
       const Capsule& limb = body.capsules()[index(pair.limb)];
       const Capsule& part = body.capsules()[index(pair.part)];
       // which no arm that hangs comes near
-      if (part.name == "neck" || part.name == "head" || part.name == "jaw") continue;
+      const auto is = [&](BodyPart which) { return part.name == body_part_name(which); };
+      if (is(BodyPart::neck) || is(BodyPart::head) || is(BodyPart::jaw)) continue;
       const double depth = deepest_of(body, start, {&pair, 1}).depth;
       pairs_.push_back({add(limb), add(part),
                         static_cast<T>(limb.radius + part.radius - max(depth, -kArmKeepsOff)),

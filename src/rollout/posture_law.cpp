@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rollout/posture_law.hpp"
 
+#include <shigusa/landmarks.hpp>
+
 #include "body/posture_modes.hpp"
 #include "kinematics/weighted_ik.hpp"
 
@@ -11,9 +13,9 @@ namespace {
 double side_of_hand(const ReachProblem& problem) {
   double side = 0.0;
   for (const ReachGoal& goal : problem.goals) {
-    const std::string& name = problem.body->effector(goal.effector).name;
-    if (name == "left_hand") side += 1.0;
-    if (name == "right_hand") side -= 1.0;
+    const JointPlace& part = problem.body->effector(goal.effector).part;
+    if (part.joint_kind != JointKind::hand || !part.side) continue;
+    side += part.side == Side::left ? 1.0 : -1.0;
   }
   return side;
 }
@@ -53,8 +55,8 @@ ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double sid
 }
 
 double head_share(const BodyModel& body) {
-  const auto left = body.find_dof("left_shoulder.flexion");
-  const auto right = body.find_dof("right_shoulder.flexion");
+  const auto left = body.find_dof(JointKind::shoulder, FreedomKind::flexion, Side::left);
+  const auto right = body.find_dof(JointKind::shoulder, FreedomKind::flexion, Side::right);
   if (!left || !right) return 1.0;
   const Kinematics<double> start = start_kinematics(body);
   const Vec3d across = start.link_origin(*left) - start.link_origin(*right);
@@ -62,7 +64,7 @@ double head_share(const BodyModel& body) {
   double least = 1e9;
   double most = -1e9;
   for (const Capsule& capsule : body.capsules()) {
-    if (capsule.name != "head") continue;
+    if (capsule.name != body_part_name(BodyPart::head)) continue;
     for (const Vec3d& end : {capsule.from, capsule.to}) {
       const double at = dot(start.point(capsule.link, end), side);
       least = min(least, at - thickest(capsule));
@@ -92,7 +94,7 @@ double scapula_share(const ReachProblem& problem, const ArmLinks& links) {
 
 TrunkTurn trunk_turn(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
-  const auto neck = body.find_dof("neck.flexion");
+  const auto neck = body.find_dof(JointKind::neck, FreedomKind::flexion);
   if (!problem.gaze || !neck) return {};
   const Kinematics<double> standing = start_kinematics(body);
   const Vec3d eye = standing.origin[index(*neck)];

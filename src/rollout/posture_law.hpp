@@ -115,6 +115,11 @@ struct ArmLinks {
 };
 [[nodiscard]] ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double side);
 
+// Whether the law moves a body: one with a neck.
+[[nodiscard]] inline bool nods(const BodyModel& body) {
+  return body.find_dof(JointKind::neck, FreedomKind::flexion).has_value();
+}
+
 // Of what the gaze wants of a head, the share that it turns: a head broader than the shoulders
 // would come down on the arms that reach.
 [[nodiscard]] double head_share(const BodyModel& body);
@@ -142,11 +147,11 @@ class PostureLaw {
         ease_(problem.ease),
         gaze_arrives_(kGazeArrives - problem.gaze_lead) {
     const BodyModel& body = *problem.body;
-    if (!problem.posture_law || !body.find_dof("neck.flexion")) return;
+    if (!problem.posture_law || !nods(body)) return;
     find_head(problem);
     find_back(body);
     find_trunk(problem);
-    for (const char* side : {"left_", "right_"}) find_arm(problem, side);
+    for (const Side side : {Side::left, Side::right}) find_arm(problem, side);
   }
 
   [[nodiscard]] bool empty() const { return !looks_ && arms_.empty() && back_.empty(); }
@@ -204,15 +209,16 @@ class PostureLaw {
 
   void find_head(const ReachProblem& problem) {
     const BodyModel& body = *problem.body;
-    const auto neck = body.find_dof("neck.flexion");
+    const auto neck = body.find_dof(JointKind::neck, FreedomKind::flexion);
     if (!problem.gaze || !neck) return;
     looks_ = true;
     target_ = to_scalar<S>(*problem.gaze);
     chest_ = body.dof(*neck).parent;
-    const double each = (body.find_dof("head.flexion") ? 0.5 : 1.0) * head_share(body);
-    for (const char* joint : {"neck", "head"}) {
-      const auto nod = body.find_dof(std::string(joint) + ".flexion");
-      const auto turn = body.find_dof(std::string(joint) + ".rotation");
+    const double each =
+        (body.find_dof(JointKind::head, FreedomKind::flexion) ? 0.5 : 1.0) * head_share(body);
+    for (const JointKind joint : {JointKind::neck, JointKind::head}) {
+      const auto nod = body.find_dof(joint, FreedomKind::flexion);
+      const auto turn = body.find_dof(joint, FreedomKind::rotation);
       if (!nod || !turn) continue;
       head_ = *nod;
       nods_.push_back(freedom(body, *nod, each));
@@ -221,15 +227,13 @@ class PostureLaw {
   }
 
   void find_back(const BodyModel& body) {
-    // a copy: the table itself would be shared between SIMD sets
-    constexpr std::pair<const char*, double> kBends[] = {
-        {"spine.flexion", kSpineRanges[0].flexion},
-        {"chest.flexion", kSpineRanges[1].flexion},
-        {"upper_chest.flexion", kSpineRanges[2].flexion}};
-    for (const auto& [name, share] : kBends) {
-      const auto bend = body.find_dof(name);
+    // copies: the tables themselves would be shared between SIMD sets
+    constexpr auto kJoints = kBackJoints;
+    constexpr auto kRanges = kSpineRanges;
+    for (std::size_t j = 0; j < kJoints.size(); ++j) {
+      const auto bend = body.find_dof(kJoints[j], FreedomKind::flexion);
       if (!bend) return back_.clear();
-      back_.push_back(freedom(body, *bend, share));
+      back_.push_back(freedom(body, *bend, kRanges[j].flexion));
     }
     pelvis_ = body.dof(static_cast<int>(back_.front().dof)).parent;
     const double load = min(body.load(), kBackLoadMost);
@@ -253,12 +257,14 @@ class PostureLaw {
     }
   }
 
-  void find_arm(const ReachProblem& problem, const std::string& side) {
+  void find_arm(const ReachProblem& problem, Side side) {
     const BodyModel& body = *problem.body;
-    const auto dof = [&](const char* name) { return body.find_dof(side + name); };
-    const auto flexion = dof("shoulder.flexion");
-    const auto abduction = dof("shoulder.abduction");
-    const auto rotation = dof("shoulder.rotation");
+    const auto dof = [&](JointKind joint, FreedomKind freedom) {
+      return body.find_dof(joint, freedom, side);
+    };
+    const auto flexion = dof(JointKind::shoulder, FreedomKind::flexion);
+    const auto abduction = dof(JointKind::shoulder, FreedomKind::abduction);
+    const auto rotation = dof(JointKind::shoulder, FreedomKind::rotation);
     if (!flexion || !abduction || !rotation) return;
     Arm arm;
     arm.free = true;
@@ -266,22 +272,22 @@ class PostureLaw {
       const int link = body.effector(goal.effector).link;
       arm.free = arm.free && !body.moves(*flexion, link);
     }
-    arm.side = static_cast<T>(side == "left_" ? 1.0 : -1.0);
+    arm.side = static_cast<T>(side == Side::left ? 1.0 : -1.0);
     arm.parent = body.dof(*flexion).parent;
     arm.upper = *rotation;
     arm.flexion = freedom(body, *flexion);
     arm.abduction = freedom(body, *abduction);
-    if (const auto hand = body.find_effector(side + "hand"); hand && arm.free) {
+    if (const auto hand = body.find_effector(JointKind::hand, side); hand && arm.free) {
       arm.clearance.emplace(body, body.effector(*hand), *abduction);
     }
-    const auto elbow = dof("elbow.flexion");
+    const auto elbow = dof(JointKind::elbow, FreedomKind::flexion);
     arm.has_elbow = elbow.has_value();
     if (elbow) {
       arm.elbow = freedom(body, *elbow);
       arm.elbow.lower = static_cast<T>(min(static_cast<double>(arm.elbow.start), kElbowHangs));
     }
-    const auto elevation = dof("clavicle.elevation");
-    const auto protraction = dof("clavicle.protraction");
+    const auto elevation = dof(JointKind::clavicle, FreedomKind::elevation);
+    const auto protraction = dof(JointKind::clavicle, FreedomKind::protraction);
     arm.has_clavicle = elevation && protraction;
     if (arm.has_clavicle) {
       arm.chest = body.dof(*elevation).parent;

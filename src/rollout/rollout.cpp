@@ -30,10 +30,10 @@ Vec3d ReachGoal::nearest(const Vec3d& at, double inset) const {
 namespace {
 
 TimedPart timed_part(const Dof& dof) {
-  const std::string& joint = dof.part.joint;
-  if (joint == "knee") return TimedPart::knees;
-  if (joint == "hip" || joint == "ankle") return TimedPart::hips;
-  const bool back = joint == "spine" || joint == "chest" || joint == "upper_chest";
+  const JointKind joint = dof.part.joint_kind;
+  if (joint == JointKind::knee) return TimedPart::knees;
+  if (joint == JointKind::hip || joint == JointKind::ankle) return TimedPart::hips;
+  const bool back = std::find(kBackJoints.begin(), kBackJoints.end(), joint) != kBackJoints.end();
   return back ? TimedPart::spine : TimedPart::arms;
 }
 
@@ -47,10 +47,10 @@ std::vector<std::size_t> timed_parts(const BodyModel& body) {
 
 std::vector<LegFlexions> leg_flexions(const BodyModel& body) {
   std::vector<LegFlexions> legs;
-  for (const std::string side : {"right_", "left_"}) {
-    const auto knee = body.find_dof(side + "knee.flexion");
-    const auto hip = body.find_dof(side + "hip.flexion");
-    const auto ankle = body.find_dof(side + "ankle.flexion");
+  for (const Side side : {Side::right, Side::left}) {
+    const auto knee = body.find_dof(JointKind::knee, FreedomKind::flexion, side);
+    const auto hip = body.find_dof(JointKind::hip, FreedomKind::flexion, side);
+    const auto ankle = body.find_dof(JointKind::ankle, FreedomKind::flexion, side);
     if (knee && hip && ankle) legs.push_back({index(*knee), index(*hip), index(*ankle)});
   }
   return legs;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <shigusa/human_body.hpp>
 
 namespace shigusa {
@@ -20,6 +21,41 @@ TEST(JointName, TellsSideJointAndFreedom) {
   EXPECT_EQ(parse_joint_name("right_hand").side, Side::right);
   EXPECT_EQ(parse_joint_name("right_hand").freedom, "");
   EXPECT_EQ(parse_joint_name("").joint, "");
+}
+
+// Each kind's word is read back as that kind, on either side or none.
+TEST(JointName, EachKindHasItsWord) {
+  for (const EnumWord<JointKind>& joint : kEnumWords<JointKind>) {
+    for (const EnumWord<FreedomKind>& freedom : kEnumWords<FreedomKind>) {
+      for (const std::string side : {"", "left_", "right_"}) {
+        const std::string name = side + std::string(joint.word) + "." + std::string(freedom.word);
+        EXPECT_TRUE(parse_joint_name(name).is(joint.value, freedom.value)) << name;
+      }
+    }
+  }
+  for (const char* other : {"", "tail.wagging", "left_hand_grip", "legs.contraction"}) {
+    EXPECT_TRUE(parse_joint_name(other).is(JointKind::other, FreedomKind::other)) << other;
+  }
+}
+
+// A freedom that people have a word for is found by its kind alone, as by its name.
+TEST(JointName, EachFreedomOfAPersonIsFoundByItsPlace) {
+  for (const BodyModel& body : {human_body({.heels = true}), full_body(), half_body()}) {
+    for (int d = 0; d < body.dof_count(); ++d) {
+      const JointPlace& part = body.dof(d).part;
+      EXPECT_NE(part.joint_kind, JointKind::other) << body.dof(d).name;
+      EXPECT_EQ(body.find_dof(part.joint_kind, part.freedom_kind, part.side), d);
+      const std::vector<int> sides = body.dofs_of(part.joint_kind, part.freedom_kind);
+      EXPECT_EQ(std::count(sides.begin(), sides.end(), d), 1) << body.dof(d).name;
+    }
+    for (const Effector& hand : body.effectors()) {
+      EXPECT_EQ(body.find_effector(JointKind::hand, *hand.part.side),
+                body.find_effector(hand.name));
+    }
+    EXPECT_FALSE(body.find_dof(JointKind::knee, FreedomKind::flexion));
+    EXPECT_FALSE(body.find_dof(JointKind::knee, FreedomKind::rotation, Side::left));
+    EXPECT_TRUE(body.dofs_of(JointKind::other, FreedomKind::other).empty());
+  }
 }
 
 TEST(JointName, TellsTheLimb) {
