@@ -7,8 +7,6 @@
 #include <array>
 #include <cctype>
 
-#include "body/joint_name.hpp"
-
 namespace shigusa {
 namespace {
 

@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 
-#include "body/joint_name.hpp"
 #include "formats/xml.hpp"
 #include "show_page.hpp"
 #include "show_plot.hpp"

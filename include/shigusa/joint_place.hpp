@@ -5,6 +5,7 @@
 #include <optional>
 #include <shigusa/words.hpp>
 #include <string>
+#include <string_view>
 
 namespace shigusa {
 
@@ -94,5 +95,8 @@ struct JointPlace {
     return joint_kind == a_joint && freedom_kind == a_freedom;
   }
 };
+
+/// The place that the name of a joint, freedom, node or effector tells: "left_hip.flexion".
+[[nodiscard]] JointPlace parse_joint_name(std::string_view name);
 
 }  // namespace shigusa

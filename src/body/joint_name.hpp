@@ -7,9 +7,6 @@
 
 namespace shigusa {
 
-// The part of the body that the name of a joint, freedom or effector tells.
-[[nodiscard]] JointPlace parse_joint_name(std::string_view name);
-
 // "left_" or "right_".
 [[nodiscard]] std::string side_prefix(Side side);
 
