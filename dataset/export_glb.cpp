@@ -130,7 +130,7 @@ bool can_be_glb(const FormatInfo& info) {
 // Fails where no task of the plan has a character whose file can leave.
 Result<void> check_own(const DatasetPlan& plan) {
   const bool built_in = plan.character_files().empty();
-  if (built_in && is_built_with(NeededLibrary::zlib)) return {};
+  if (built_in && has_mannequin()) return {};
   for (const std::string& file : plan.character_files()) {
     const auto format = format_of_file(file);
     if (format && can_be_glb(info_of(*format))) return {};

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "next_step.hpp"
+#include "picture.hpp"
 #include "usage.hpp"
 
 namespace shigusa::app {
@@ -274,6 +275,7 @@ Result<void> apply_character_options(const CharacterOptions& options, CharacterS
 Result<ExportSettings> export_settings(const FileOptions& options, const CharacterSpec& spec,
                                        ExportSettings usual) {
   SHG_TRY(check_files_of_robot(options, spec));
+  usual.from_svg = picture_from;
   usual.one_file = options.one_file;
   usual.rate = options.fps.value_or(usual.rate);
   usual.clip = options.clip;

@@ -11,7 +11,6 @@
 #include <shigusa/parallel.hpp>
 #include <shigusa/progress.hpp>
 #include <shigusa/result.hpp>
-#include <shigusa/strip_figure.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -104,9 +103,6 @@ void add_file_options(CLI::App& command, FileOptions& options, const FileHelp& h
 [[nodiscard]] Result<SimdSet> simd_named(const std::string& name);
 // Their names as a form.
 [[nodiscard]] std::string simd_choices();
-
-// The format that a picture's file has by its ending.
-[[nodiscard]] Result<FigureFormat> picture_format(const std::filesystem::path& path);
 
 // Part of a clip: "FIRST:LAST", or all of it where the text is empty.
 struct FrameRange {

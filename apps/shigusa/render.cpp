@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "next_step.hpp"
 #include "number_range.hpp"
+#include "picture.hpp"
 #include "usage.hpp"
 
 namespace shigusa::app {
@@ -44,7 +45,7 @@ Result<int> render(const RenderOptions& options) {
   settings.first_frame = frames.first;
   if (frames.last) settings.last_frame = *frames.last;
   SHG_TRY_ASSIGN(const SkeletonMotion motion, with_hint(read_bvh(clip), clip_hint(clip)));
-  SHG_TRY_ASSIGN(const FigureFormat format, picture_format(out));
+  SHG_TRY_ASSIGN(const FileFormat format, picture_format(out));
   std::error_code ignored;
   if (std::filesystem::equivalent(clip, out, ignored)) {
     return fail(ErrorCode::invalid_argument,
@@ -60,9 +61,10 @@ Result<int> render(const RenderOptions& options) {
          fmt::format("no whole person: {}; drawn as it stands, +Y up, 1 unit = {:g} m", *no_person,
                      settings.metres_per_unit));
   }
-  const Result<std::string> picture = draw_strip(motion, {}, settings, format);
-  if (!picture) return fail(picture.error().code, picture.error().to_string(), options.clip);
-  SHG_TRY(write_file(out, *picture));
+  const Result<std::string> svg = draw_strip(motion, {}, settings);
+  if (!svg) return fail(svg.error().code, svg.error().to_string(), options.clip);
+  SHG_TRY_ASSIGN(const std::string picture, picture_from(*svg, format));
+  SHG_TRY(write_file(out, picture));
   print_out("{}\n", out.string());
   return kDone;
 }
@@ -83,16 +85,6 @@ Result<FrameRange> parse_frames(const std::string& text) {
   return fail(ErrorCode::invalid_argument,
               "'" + text.substr(0, 80) + "' is not FIRST:LAST, two frames from 0, such as 0:120",
               "--frames");
-}
-
-Result<FigureFormat> picture_format(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  if (ending == ".svg") return FigureFormat::svg;
-  if (ending == ".png") return FigureFormat::png;
-  if (ending == ".pdf") return FigureFormat::pdf;
-  return fail(ErrorCode::invalid_argument,
-              "a picture's name must end in .svg, .png or .pdf; this ends in '" + ending + "'",
-              path.string());
 }
 
 void add_render(CLI::App& app, int& exit_code) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "picture.hpp"
 #include "usage.hpp"
 
 namespace shigusa::app {
@@ -71,8 +72,9 @@ Result<int> show(const ShowOptions& options) {
   SHG_TRY_ASSIGN(std::string page, motion_page(shown, options.heading));
   files.emplace_back(options.out, std::move(page));
   for (const std::string& picture : options.pictures) {
-    SHG_TRY_ASSIGN(const FigureFormat format, picture_format(picture));
-    SHG_TRY_ASSIGN(std::string drawn, result_strips(shown, format));
+    SHG_TRY_ASSIGN(const FileFormat format, picture_format(picture));
+    SHG_TRY_ASSIGN(const std::string svg, result_strips(shown));
+    SHG_TRY_ASSIGN(std::string drawn, picture_from(svg, format));
     files.emplace_back(picture, std::move(drawn));
   }
   for (const auto& [path, bytes] : files) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <shigusa/result_file.hpp>
 #include <shigusa/words.hpp>
 #include <string>
@@ -38,6 +39,10 @@ inline constexpr std::array kEnumWords<JointNames>{
     EnumWord{JointNames::own, "own"}, EnumWord{JointNames::mixamo, "mixamo"},
     EnumWord{JointNames::unreal, "unreal"}, EnumWord{JointNames::humanik, "humanik"}};
 
+/// Makes a PNG or a PDF of a strip figure's SVG, on any thread: a program's own function, as the
+/// library draws SVG alone.
+using PictureMaker = std::function<Result<std::string>(const std::string& svg, FileFormat format)>;
+
 /// How a result is written to a folder.
 struct ExportSettings {
   std::vector<FileFormat> formats;  ///< of each candidate
@@ -50,6 +55,7 @@ struct ExportSettings {
   JointNames names = JointNames::own;  ///< as FileSettings::names
   bool in_place = false;               ///< as FileSettings::in_place
   bool only_this_clip = false;         ///< as FileSettings::only_this_clip
+  PictureMaker from_svg{};             ///< as FileSettings::from_svg
 };
 
 /// A result that was written.
@@ -89,6 +95,7 @@ struct FileSettings {
   bool in_place = false;
   /// The animations that a character's file has are left out of its GLB.
   bool only_this_clip = false;
+  PictureMaker from_svg{};  ///< makes PNG and PDF, which are refused without it
 };
 
 /// A candidate's motion at a rate (Hz), as files of it have it: planted feet stay and the goals'

@@ -32,13 +32,6 @@ enum class NeededFile {
   vrm,   ///< VRM alone
 };
 
-/// The libraries that a build may lack, and with them the formats that need one.
-enum class NeededLibrary {
-  none,   ///< every build has it
-  cairo,  ///< draws PNG and PDF
-  zlib,   ///< unpacks the mannequin
-};
-
 /// The facts of a format. All code that reads, writes, lists or describes files goes by this table;
 /// a format that is written has a function write_as (src/document/export_file.hpp), one of people a
 /// function read_person (src/character/character_file.hpp).
@@ -60,10 +53,9 @@ struct FormatInfo {
   std::size_t max_bytes = 0;  ///< of a file that is read
   /// The character's file that writing needs.
   NeededFile needs = NeededFile::none;
-  /// The library that reading or writing needs.
-  NeededLibrary library = NeededLibrary::none;
-  /// Built-in bodies leave in it as the mannequin, where it is asked for and zlib is there.
-  bool mannequin = false;
+  bool from_svg = false;   ///< made of the SVG by a program that can (FileSettings::from_svg)
+  bool mannequin = false;  ///< built-in bodies leave in it as the mannequin (has_mannequin), where
+                           ///< it is asked for
 };
 
 /// Bytes.
@@ -102,14 +94,14 @@ inline constexpr std::array kFileFormats{
                .media_type = "image/png",
                .about = "The strip figure as a picture of pixels, which takes the longest to make.",
                .written = true,
-               .library = NeededLibrary::cairo},
+               .from_svg = true},
     FormatInfo{.format = FileFormat::pdf,
                .word = "pdf",
                .endings = {".pdf"},
                .media_type = "application/pdf",
                .about = "The strip figure as a page.",
                .written = true,
-               .library = NeededLibrary::cairo},
+               .from_svg = true},
     FormatInfo{.format = FileFormat::glb,
                .word = "glb",
                .endings = {".glb", ".gltf"},
@@ -182,8 +174,8 @@ inline constexpr auto kEnumWords<FileFormat> = words_of_table(kFileFormats, &For
   return needed == NeededFile::none || (needed == NeededFile::vrm ? vrm : gltf);
 }
 
-/// Whether this build has the library.
-[[nodiscard]] bool is_built_with(NeededLibrary library);
+/// Whether this build has the mannequin, which zlib unpacks.
+[[nodiscard]] bool has_mannequin();
 
 /// The ending of a file's name in lower case: ".bvh".
 [[nodiscard]] std::string file_ending(const std::string& name);

@@ -34,9 +34,8 @@ struct ShownResult {
 [[nodiscard]] Result<std::string> motion_page(std::span<const ShownResult> results,
                                               std::string_view heading = {});
 
-/// The strip figure of the first candidate of each result under each other, with the titles as
-/// captions. Fails as draw_strips does.
-[[nodiscard]] Result<std::string> result_strips(std::span<const ShownResult> results,
-                                                FigureFormat format);
+/// The strip figure of the first candidate of each result under each other as SVG, with the titles
+/// as captions. Fails as draw_strips does.
+[[nodiscard]] Result<std::string> result_strips(std::span<const ShownResult> results);
 
 }  // namespace shigusa

@@ -10,13 +10,6 @@
 
 namespace shigusa {
 
-/// The formats that a figure can be written in.
-enum class FigureFormat {
-  svg,  ///< curves, by our own writer: the same bytes everywhere
-  png,  ///< pixels, by cairo
-  pdf,  ///< a page, by cairo
-};
-
 /// A limb of a figure.
 enum class Limb {
   left_arm,   ///< of the figure's left side
@@ -55,7 +48,6 @@ struct StripSettings {
   int last_frame = -1;  ///< -1: the clip's last
 
   double width_mm = 170.0;  ///< a page's; the height follows
-  double png_dpi = 300.0;   ///< pixels per inch of PNG
 
   double azimuth_deg = 50.0;    ///< viewer's place: 0 in front, positive towards the figure's right
   double elevation_deg = 10.0;  ///< viewer above the horizon
@@ -81,8 +73,8 @@ struct StripSettings {
                                                     StripSettings& settings);
 
 /// The strip figure of the paper's figures 4 to 7: a motion as poses from left to right over time
-/// on one floor line, in parallel projection. As SVG, the same input gives the same bytes in every
-/// build; as PNG and PDF, which need a build with cairo, with the same libraries.
+/// on one floor line, in parallel projection, as SVG: the same input gives the same bytes in every
+/// build.
 ///
 /// Limbs, trunk, head and feet get an anatomical look where the humanoid bones are known; any other
 /// node is drawn as a plain bone, dark near the viewer and light away from it. A figure that stays
@@ -94,10 +86,10 @@ struct StripSettings {
 ///
 /// Fails when a setting is out of its range (the message tells it), when the motion has no frame or
 /// no node, when a position is not finite, when an overlay is neither empty nor as long as the
-/// clip, when the caption is not UTF-8, or when this build cannot write the format.
+/// clip, or when the caption is not UTF-8.
 [[nodiscard]] Result<std::string> draw_strip(const SkeletonMotion& motion,
                                              const StripOverlay& overlay,
-                                             const StripSettings& settings, FigureFormat format);
+                                             const StripSettings& settings);
 
 /// A motion, and how its strip is drawn on a page of several.
 struct MotionStrip {
@@ -115,8 +107,7 @@ inline constexpr std::size_t kPageMaxStrips = 12;
 ///
 /// Fails as `draw_strip` does, with the strip's place in front of the message ("strip 2: …",
 /// counted from 1); where there is no strip or more than kPageMaxStrips; and where the settings
-/// differ in `width_mm` or `png_dpi`, which are the page's.
-[[nodiscard]] Result<std::string> draw_strips(const std::vector<MotionStrip>& strips,
-                                              FigureFormat format);
+/// differ in `width_mm`, which is the page's.
+[[nodiscard]] Result<std::string> draw_strips(const std::vector<MotionStrip>& strips);
 
 }  // namespace shigusa

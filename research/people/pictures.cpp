@@ -48,7 +48,7 @@ Result<std::string> reach_page(const Compared& c) {
   if (!c.fitted.back().clip.angles.empty()) {
     add("fitted", track_of(c.reach, c.fitted.back().clip));
   }
-  return draw_strips(strips, FigureFormat::svg);
+  return draw_strips(strips);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ Result<std::string> side_strip(const Recorded& reach, const Track& track) {
   MotionStrip strip = made_strip(reach, track);
   strip.settings.azimuth_deg = 90.0;
   strip.settings.elevation_deg = 0.0;
-  return draw_strips({strip}, FigureFormat::svg);
+  return draw_strips({strip});
 }
 
 Result<std::vector<NamedPicture>> people_pictures(const std::vector<Compared>& compared) {

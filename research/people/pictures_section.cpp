@@ -9,7 +9,7 @@
 #include <shigusa/generate.hpp>
 #include <shigusa/human_body.hpp>
 
-#include "draw/strip_figure_svg.hpp"
+#include "draw/strip_figure_canvas.hpp"
 #include "dynamics/centre_of_mass.hpp"
 #include "graph.hpp"
 #include "kinematics/skeleton_motion.hpp"
@@ -20,8 +20,8 @@ namespace shigusa::bench {
 namespace {
 
 using strip::Align;
+using strip::Canvas;
 using strip::Colour;
-using strip::SvgCanvas;
 
 constexpr double kWidth = 482.0;  // points, a page's
 constexpr double kText = 7.5;
@@ -126,7 +126,7 @@ struct PathRow {
   const char* band_name;
 };
 
-void draw_paths(SvgCanvas& canvas, double top, const PathRow& row) {
+void draw_paths(Canvas& canvas, double top, const PathRow& row) {
   constexpr double kFigureScale = 82.0;  // points a metre
   constexpr double kHeight = 178.0;
   SideView view(canvas, {72.0, top + kHeight}, kFigureScale);
@@ -162,8 +162,6 @@ void draw_paths(SvgCanvas& canvas, double top, const PathRow& row) {
   }
 }
 
-std::string finished(SvgCanvas& canvas) { return canvas.finish().value(); }
-
 std::string hand_paths(const Maker& maker, const std::vector<RecordedCurve>& curves) {
   std::vector<NamedMade> low;
   low.push_back({"floor, 30 cm ahead", maker.one_hand(0.15, 0.12, 0.30)});
@@ -183,7 +181,7 @@ std::string hand_paths(const Maker& maker, const std::vector<RecordedCurve>& cur
     return found;
   };
   constexpr double kRow = 214.0;
-  SvgCanvas canvas(kWidth, 2.0 * kRow);
+  Canvas canvas(kWidth, 2.0 * kRow);
   draw_paths(canvas, 4.0,
              {low,
               1,
@@ -199,14 +197,14 @@ std::string hand_paths(const Maker& maker, const std::vector<RecordedCurve>& cur
                       {"D: reach up one hand (fruit)", "D, a fruit overhead"}}),
               {-0.07, -0.03},
               "people: -.07 to -.03"});
-  return finished(canvas);
+  return canvas.finish();
 }
 
 std::string heights(const Maker& maker) {
   constexpr std::array kHeights{5, 12, 19, 28, 38, 48, 57, 66, 76};  // cm
   constexpr double kScale = 82.0;
   constexpr double kFloor = 168.0;
-  SvgCanvas canvas(kWidth, 330.0);
+  Canvas canvas(kWidth, 330.0);
   std::vector<GraphPoint> trunk, knee;
   for (std::size_t i = 0; i < kHeights.size(); ++i) {
     const Made made = maker.both_hands(0.01 * kHeights[i], 0.40);
@@ -232,7 +230,7 @@ std::string heights(const Maker& maker) {
   for (const GraphPoint& point : knee) graph.dot(point, kMade[1]);
   canvas.text({356.0, 230.0}, "trunk, hips to shoulders", kText, kMade[0], Align::left);
   canvas.text({356.0, 242.0}, "knee", kText, kMade[1], Align::left);
-  return finished(canvas);
+  return canvas.finish();
 }
 
 std::string distances(const Maker& maker) {
@@ -240,7 +238,7 @@ std::string distances(const Maker& maker) {
   constexpr double kScale = 96.0;
   constexpr double kFloor = 190.0;
   constexpr double kFoot = 0.26;  // m
-  SvgCanvas canvas(kWidth, 232.0);
+  Canvas canvas(kWidth, 232.0);
   for (std::size_t i = 0; i < kDistances.size(); ++i) {
     const Made made = maker.one_hand(0.1, 0.26, 0.01 * kDistances[i]);
     const double x = 62.0 + 160.0 * static_cast<double>(i);
@@ -264,7 +262,7 @@ std::string distances(const Maker& maker) {
                             100.0 * forward / kFoot),
                 kText, kInk, Align::centre);
   }
-  return finished(canvas);
+  return canvas.finish();
 }
 
 // Of a quantity, the share of its whole change that is done.
@@ -295,7 +293,7 @@ Result<std::string> timing(const Maker& maker, const std::vector<RecordedCurve>&
   for (const SidePoint& wrist : men->wrist) height.push_back(wrist.up);
   const std::array<std::vector<double>, 3> theirs{men->trunk, men->knee, height};
   constexpr std::array kNames{"trunk", "knee", "height of the hands"};
-  SvgCanvas canvas(kWidth, 160.0);
+  Canvas canvas(kWidth, 160.0);
   for (std::size_t q = 0; q < kNames.size(); ++q) {
     Graph graph(canvas, {{34.0 + 154.0 * static_cast<double>(q), 26.0}, 120.0, 96.0},
                 {"share of the time", {0.0, 0.25, 0.5, 0.75, 1.0}},
@@ -303,7 +301,7 @@ Result<std::string> timing(const Maker& maker, const std::vector<RecordedCurve>&
     graph.line(shares(men->time, theirs[q]), kPeople, 2.2);
     graph.line(shares(time, ours[q]), kMade[q], 1.6);
   }
-  return finished(canvas);
+  return canvas.finish();
 }
 
 // The recorded man's reach from standing, and the best-scored one in its place.

@@ -23,7 +23,7 @@ std::string endings_for() {
 }
 
 bool leaves_as_mannequin(const CharacterSpec& character, const FormatInfo& info) {
-  return info.mannequin && is_built_in(character) && is_built_with(NeededLibrary::zlib);
+  return info.mannequin && is_built_in(character) && has_mannequin();
 }
 
 }  // namespace

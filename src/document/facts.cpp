@@ -104,17 +104,11 @@ Json format_to_json(const FormatInfo& format) {
   for (const std::string_view ending : format.endings) {
     if (!ending.empty()) endings.push_back(ending);
   }
-  const bool here = is_built_with(format.library);
-  return {{"name", format.word},
-          {"about", format.about},
-          {"endings", std::move(endings)},
-          {"media_type", format.media_type},
-          {"person", here && format.person},
-          {"robot", here && format.robot},
-          {"clip", here && format.clip},
-          {"written", here && format.written},
-          {"rated", format.rated},
-          {"needs", needs_to_json(format)},
+  return {{"name", format.word},           {"about", format.about},
+          {"endings", std::move(endings)}, {"media_type", format.media_type},
+          {"person", format.person},       {"robot", format.robot},
+          {"clip", format.clip},           {"written", format.written && !format.from_svg},
+          {"rated", format.rated},         {"needs", needs_to_json(format)},
           {"max_bytes", format.max_bytes}};
 }
 

@@ -24,7 +24,8 @@ std::string from_folder(const fs::path& character, const fs::path& folder) {
 }
 
 FileSettings file_settings(const ExportSettings& settings) {
-  return {settings.rate, settings.clip, settings.names, settings.in_place, settings.only_this_clip};
+  return {settings.rate,     settings.clip,           settings.names,
+          settings.in_place, settings.only_this_clip, settings.from_svg};
 }
 
 // Makes the files of one format, those of some candidates side by side: as many at once as threads,

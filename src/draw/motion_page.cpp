@@ -231,7 +231,7 @@ Result<std::string> motion_page(std::span<const ShownResult> results, std::strin
   return fmt::format("{}<script>{}</script>\n</body></html>\n", page, kPageScript);
 }
 
-Result<std::string> result_strips(std::span<const ShownResult> results, FigureFormat format) {
+Result<std::string> result_strips(std::span<const ShownResult> results) {
   std::vector<MotionStrip> strips;
   for (const ShownResult& shown : results) {
     const Candidate& first = shown.generation.candidates.front();
@@ -240,7 +240,7 @@ Result<std::string> result_strips(std::span<const ShownResult> results, FigureFo
         fmt::format("{}: {}, {}", title_of(shown), posture_words(first.final_posture),
                     word_of(first.judgement.verdict));
   }
-  return draw_strips(strips, format);
+  return draw_strips(strips);
 }
 
 }  // namespace shigusa

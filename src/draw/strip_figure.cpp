@@ -16,27 +16,22 @@ constexpr double kBelowText = 0.4 * kText;  // what letters reach below their ba
 constexpr double kAboveLegend = 1.7 * kText;
 constexpr double kBetweenStrips = 9.0;
 
-constexpr double kMaxPixels = 1e8;
-
 // Strips under each other, all at one scale.
 class Page {
  public:
-  explicit Page(const StripSettings& settings)
-      : width_(settings.width_mm * kPointsPerMm), pixels_per_point_(settings.png_dpi / 72.0) {}
+  explicit Page(const StripSettings& settings) : width_(settings.width_mm * kPointsPerMm) {}
 
   [[nodiscard]] Result<void> add(const SkeletonMotion& motion, const StripOverlay& overlay,
                                  const StripSettings& settings);
   // Of one strip or more.
-  [[nodiscard]] Result<std::string> draw(FigureFormat format);
+  [[nodiscard]] std::string draw();
 
  private:
   void place();
   // Returns where the strip ends.
   [[nodiscard]] double place(PlacedStrip& placed, double top) const;
-  [[nodiscard]] Result<void> check_pixels() const;
 
   double width_;
-  double pixels_per_point_;
   std::vector<PlacedStrip> strips_;
   double metre_ = 0.0;   // points
   double legend_ = 0.0;  // its base line
@@ -73,54 +68,33 @@ void Page::place() {
   height_ = legend_ + kBelowText + kMargin;
 }
 
-Result<void> Page::check_pixels() const {
-  const double pixels = width_ * height_ * pixels_per_point_ * pixels_per_point_;
-  if (pixels <= kMaxPixels) return {};
-  return fail(ErrorCode::invalid_argument,
-              fmt::format("{} gives {:.3g} pixels; at most {:g} allowed",
-                          strips_.front().settings->png_dpi, pixels, kMaxPixels),
-              "png_dpi");
-}
-
-Result<std::string> Page::draw(FigureFormat format) {
+std::string Page::draw() {
   place();
-  if (format == FigureFormat::png) {
-    SHG_TRY(check_pixels());
-  }
-  SHG_TRY_ASSIGN(const auto canvas, make_canvas(format, width_, height_, pixels_per_point_));
-  for (const PlacedStrip& placed : strips_) paint_strip(*canvas, placed, width_);
-  paint_legend(*canvas, strips_, legend_);
-  paint_scale_bar(*canvas, metre_, width_, legend_);
-  return canvas->finish();
+  Canvas canvas(width_, height_);
+  for (const PlacedStrip& placed : strips_) paint_strip(canvas, placed, width_);
+  paint_legend(canvas, strips_, legend_);
+  paint_scale_bar(canvas, metre_, width_, legend_);
+  return canvas.finish();
 }
 
-// A page has one width and, as PNG, one density.
-Result<void> check_page(const StripSettings& first, const StripSettings& settings) {
-  const struct {
-    const char* name;
-    double value, first;
-  } shared[] = {{"width_mm", settings.width_mm, first.width_mm},
-                {"png_dpi", settings.png_dpi, first.png_dpi}};
-  for (const auto& field : shared) {
-    if (field.value == field.first) continue;
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("{} given and {} for strip 1; the strips of a page share it",
-                            field.value, field.first),
-                field.name);
-  }
-  return {};
+Result<void> check_width(double first, double width) {
+  if (width == first) return {};
+  return fail(
+      ErrorCode::invalid_argument,
+      fmt::format("{} given and {} for strip 1; the strips of a page share it", width, first),
+      "width_mm");
 }
 
 }  // namespace
 
 Result<std::string> draw_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
-                               const StripSettings& settings, FigureFormat format) {
+                               const StripSettings& settings) {
   Page page(settings);
   SHG_TRY(page.add(motion, overlay, settings));
-  return page.draw(format);
+  return page.draw();
 }
 
-Result<std::string> draw_strips(const std::vector<MotionStrip>& strips, FigureFormat format) {
+Result<std::string> draw_strips(const std::vector<MotionStrip>& strips) {
   if (strips.empty() || strips.size() > kPageMaxStrips) {
     return fail(ErrorCode::invalid_argument,
                 fmt::format("{} given; 1 to {} allowed", strips.size(), kPageMaxStrips), "strips");
@@ -129,13 +103,14 @@ Result<std::string> draw_strips(const std::vector<MotionStrip>& strips, FigureFo
   Page page(first);
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const MotionStrip& strip = strips[i];
-    Result<void> added = i == 0 ? Result<void>{} : check_page(first, strip.settings);
+    Result<void> added =
+        i == 0 ? Result<void>{} : check_width(first.width_mm, strip.settings.width_mm);
     if (added) added = page.add(strip.motion, strip.overlay, strip.settings);
     if (added) continue;
     const Error& error = added.error();
     return fail(error.code, error.message, fmt::format("strip {}: {}", i + 1, error.place));
   }
-  return page.draw(format);
+  return page.draw();
 }
 
 }  // namespace shigusa

@@ -7,11 +7,6 @@
 
 #include "core/index.hpp"
 #include "core/text.hpp"
-#include "strip_figure_svg.hpp"
-
-#ifdef SHIGUSA_HAS_CAIRO
-#include "strip_figure_cairo.hpp"
-#endif
 
 namespace shigusa::strip {
 namespace {
@@ -136,18 +131,6 @@ std::vector<Arc> hull_outline(std::span<const Disc> all) {
     outline.pop_back();
   }
   return outline;
-}
-
-Result<std::unique_ptr<Canvas>> make_canvas(FigureFormat format, double width, double height,
-                                            double pixels_per_point) {
-  if (format == FigureFormat::svg) return std::make_unique<SvgCanvas>(width, height);
-#ifdef SHIGUSA_HAS_CAIRO
-  return std::make_unique<CairoCanvas>(format, width, height, pixels_per_point);
-#else
-  (void)pixels_per_point;
-  return fail(ErrorCode::unsupported, "this build has no cairo, which draws PNG and PDF; use svg",
-              "strip figure");
-#endif
 }
 
 }  // namespace shigusa::strip

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <shigusa/strip_figure.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,8 +26,8 @@ struct Colour {
 
 enum class Align { left, centre, right };
 
-// Width of a line of UTF-8 text in DejaVu Sans at a font size, points: by a table, so that each
-// format and each build has the same layout.
+// Width of a line of UTF-8 text in DejaVu Sans at a font size, points: by a table, so that
+// each build has the same layout.
 [[nodiscard]] double text_width(std::string_view text, double size);
 
 // Whether the table has all its letters: those of ASCII. Others count as wide ones.
@@ -49,30 +47,40 @@ struct Arc {
 // turn about the disc that holds all others.
 [[nodiscard]] std::vector<Arc> hull_outline(std::span<const Disc> discs);
 
-// A white page of one of the formats.
+// A white page as SVG, in points. In few bytes, and the same ones in every build: each element
+// states no more than what differs from its group, and strokes of one look that follow each other
+// are one path. There are no names and no style sheet, which would meet those of a page that holds
+// several figures. Text stays text, in a font that the viewer has, at the width that it has in
+// DejaVu Sans.
 class Canvas {
  public:
-  virtual ~Canvas() = default;
+  Canvas(double width, double height);
 
   // The convex hull of discs, filled, with a white rim of the given width around it.
-  virtual void hull(std::span<const Disc> discs, Colour fill, double rim = 0.0) = 0;
-  virtual void ring(Disc disc, Colour colour, double width) = 0;
+  void hull(std::span<const Disc> discs, Colour fill, double rim = 0.0);
+  void ring(Disc disc, Colour colour, double width);
   // A line through the points with round ends; `dash` is the length of dashes and gaps, 0 for none.
-  virtual void line(std::span<const Point> points, Colour colour, double width,
-                    double dash = 0.0) = 0;
+  void line(std::span<const Point> points, Colour colour, double width, double dash = 0.0);
   // A disc in black and white quarters, as centres of mass are marked in drawings.
-  virtual void quartered(Disc disc, Colour colour) = 0;
+  void quartered(Disc disc, Colour colour);
   // `at` is on the base line.
-  virtual void text(Point at, const std::string& text, double size, Colour colour, Align align) = 0;
+  void text(Point at, const std::string& text, double size, Colour colour, Align align);
 
-  // The file's bytes; the canvas is of no use afterwards. Fails when a library refused, for lack
-  // of memory for instance.
-  [[nodiscard]] virtual Result<std::string> finish() = 0;
+  // The file's bytes; the canvas is of no use afterwards.
+  [[nodiscard]] std::string finish();
+
+ private:
+  void dot(const Disc& disc);
+  void stroke(Colour colour, double width, double dash, const std::string& data);
+  void add(const std::string& look, const std::string& data);
+  void end_path();
+  void end_texts();
+
+  std::string svg_;
+  // the path that is not in svg_ yet: more of its look may follow
+  std::string look_;
+  std::string data_;
+  std::string text_look_;  // of the open group of texts; empty: none is open
 };
-
-// Width and height in points: SvgCanvas, or CairoCanvas for PNG and PDF. Fails with
-// ErrorCode::unsupported on those where this build has no cairo.
-[[nodiscard]] Result<std::unique_ptr<Canvas>> make_canvas(FigureFormat format, double width,
-                                                          double height, double pixels_per_point);
 
 }  // namespace shigusa::strip

@@ -29,7 +29,6 @@ Result<void> check_settings(const StripSettings& settings, std::size_t nodes) {
     double value, low, high;
   } ranges[] = {{"poses", static_cast<double>(settings.poses), 1, kStripMaxPoses},
                 {"width_mm", settings.width_mm, 100, 2000},
-                {"png_dpi", settings.png_dpi, 20, 1200},
                 {"azimuth_deg", settings.azimuth_deg, -360, 360},
                 {"elevation_deg", settings.elevation_deg, -30, 80},
                 {"metres_per_unit", settings.metres_per_unit, 1e-6, 1e6},

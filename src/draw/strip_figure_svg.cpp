@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "strip_figure_svg.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -9,6 +7,7 @@
 #include <shigusa/scalar.hpp>
 
 #include "core/text.hpp"
+#include "strip_figure_canvas.hpp"
 
 namespace shigusa::strip {
 namespace {
@@ -183,7 +182,7 @@ std::string hull_data(std::span<const Disc> discs) {
 
 }  // namespace
 
-SvgCanvas::SvgCanvas(double width, double height)
+Canvas::Canvas(double width, double height)
     : svg_(fmt::format(
           "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
           "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}pt\" height=\"{1}pt\" "
@@ -195,7 +194,7 @@ SvgCanvas::SvgCanvas(double width, double height)
 
 // The rim is painted over the edge of a piece that is larger by half of it, so that each piece is
 // one element of any viewer's SVG.
-void SvgCanvas::hull(std::span<const Disc> discs, Colour fill, double rim) {
+void Canvas::hull(std::span<const Disc> discs, Colour fill, double rim) {
   if (discs.empty()) return;
   if (!(rim > 0.0)) {
     if (discs.size() == 1 && fill.rgb == kGroupColour.rgb && discs[0].radius > 0.5 * kGroupWidth) {
@@ -213,26 +212,26 @@ void SvgCanvas::hull(std::span<const Disc> discs, Colour fill, double rim) {
 }
 
 // A white disc within the group's rim.
-void SvgCanvas::dot(const Disc& disc) {
+void Canvas::dot(const Disc& disc) {
   end_texts();
   end_path();
   svg_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", number(disc.centre.x),
                       number(disc.centre.y), number(disc.radius - 0.5 * kGroupWidth));
 }
 
-void SvgCanvas::stroke(Colour colour, double width, double dash, const std::string& data) {
+void Canvas::stroke(Colour colour, double width, double dash, const std::string& data) {
   const std::string dashes =
       dash > 0.0 ? fmt::format(" stroke-dasharray=\"{}\"", number(dash)) : std::string();
   add(" fill=\"none\"" + stated("stroke", colour) + stated_width(width) + dashes, data);
 }
 
-void SvgCanvas::ring(Disc disc, Colour colour, double width) {
+void Canvas::ring(Disc disc, Colour colour, double width) {
   PathData data;
   data.circle(disc);
   stroke(colour, width, 0.0, data.text());
 }
 
-void SvgCanvas::line(std::span<const Point> points, Colour colour, double width, double dash) {
+void Canvas::line(std::span<const Point> points, Colour colour, double width, double dash) {
   if (points.empty()) return;
   PathData data;
   data.move_to(points[0]);
@@ -243,7 +242,7 @@ void SvgCanvas::line(std::span<const Point> points, Colour colour, double width,
   stroke(colour, width, dash, data.text());
 }
 
-void SvgCanvas::quartered(Disc disc, Colour colour) {
+void Canvas::quartered(Disc disc, Colour colour) {
   const Disc halo{disc.centre, 1.25 * disc.radius};
   hull(std::span(&halo, 1), {0xffffff}, 0.0);
   PathData data;
@@ -257,7 +256,7 @@ void SvgCanvas::quartered(Disc disc, Colour colour) {
   ring(disc, colour, 0.25 * disc.radius);
 }
 
-void SvgCanvas::text(Point at, const std::string& text, double size, Colour colour, Align align) {
+void Canvas::text(Point at, const std::string& text, double size, Colour colour, Align align) {
   constexpr std::array<const char*, 3> kAnchor{"", " text-anchor=\"middle\"",
                                                " text-anchor=\"end\""};
   end_path();
@@ -278,24 +277,24 @@ void SvgCanvas::text(Point at, const std::string& text, double size, Colour colo
 
 // Paths of one look become one path where that paints the same: fills that go around the same way,
 // and strokes.
-void SvgCanvas::add(const std::string& look, const std::string& data) {
+void Canvas::add(const std::string& look, const std::string& data) {
   end_texts();
   if (look != look_) end_path();
   look_ = look;
   data_ += data;
 }
 
-void SvgCanvas::end_path() {
+void Canvas::end_path() {
   if (!data_.empty()) svg_ += fmt::format("<path{} d=\"{}\"/>\n", look_, data_);
   data_.clear();
 }
 
-void SvgCanvas::end_texts() {
+void Canvas::end_texts() {
   if (!text_look_.empty()) svg_ += "</g>\n";
   text_look_.clear();
 }
 
-Result<std::string> SvgCanvas::finish() {
+std::string Canvas::finish() {
   end_path();
   end_texts();
   svg_ += "</g>\n</svg>\n";

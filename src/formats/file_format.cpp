@@ -8,17 +8,6 @@
 namespace shigusa {
 namespace {
 
-#ifdef SHIGUSA_HAS_CAIRO
-constexpr bool kHasCairo = true;
-#else
-constexpr bool kHasCairo = false;
-#endif
-#ifdef SHIGUSA_HAS_MANNEQUIN
-constexpr bool kHasZlib = true;
-#else
-constexpr bool kHasZlib = false;
-#endif
-
 // "a, b and c".
 std::string listed(const std::vector<std::string_view>& words, std::string_view last) {
   std::string text;
@@ -31,8 +20,12 @@ std::string listed(const std::vector<std::string_view>& words, std::string_view 
 
 }  // namespace
 
-bool is_built_with(NeededLibrary library) {
-  return library == NeededLibrary::cairo ? kHasCairo : library != NeededLibrary::zlib || kHasZlib;
+bool has_mannequin() {
+#ifdef SHIGUSA_HAS_MANNEQUIN
+  return true;
+#else
+  return false;
+#endif
 }
 
 std::string file_ending(const std::string& name) {

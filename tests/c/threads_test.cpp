@@ -66,7 +66,7 @@ const std::array<Subject, kThreads>& subjects() {
 std::string all_of(const shigusa_result* result, bool own_skeleton) {
   std::string all;
   for (int32_t k = 1; k <= shigusa_result_candidates(result); ++k) {
-    for (const char* format : {"bvh", "csv", "svg", "png"}) {
+    for (const char* format : {"bvh", "csv", "svg"}) {
       all += text_of(shigusa_result_export, result, k, format);
     }
     all += text_of(shigusa_result_parameters, result, k);

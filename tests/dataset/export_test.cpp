@@ -406,7 +406,7 @@ TEST(Export, RefusesWhatIsNotAllowed) {
 TEST(Export, GlbOfBuiltInBodiesIsTheMannequin) {
   const MadeSet set(plan_with({}));
   const DataExportSettings settings = set.settings(DataFormat::glb);
-  if (!is_built_with(NeededLibrary::zlib)) {
+  if (!has_mannequin()) {
     EXPECT_THAT(refusal(settings), HasSubstr("give a character's file"));
     return;
   }

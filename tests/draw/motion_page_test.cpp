@@ -160,9 +160,9 @@ TEST(MotionPage, StripsHaveTheTitlesAsCaptions) {
   const ResultSample& made = sample();
   const std::vector<ShownResult> shown{{made.task, made.generation, "The first"},
                                        {made.task, made.generation}};
-  const std::string picture = result_strips(shown, FigureFormat::svg).value();
+  const std::string picture = result_strips(shown).value();
   EXPECT_THAT(picture, HasSubstr("<svg"));
-  EXPECT_NE(picture, result_strips(std::span(shown).first(1), FigureFormat::svg).value());
+  EXPECT_NE(picture, result_strips(std::span(shown).first(1)).value());
 }
 
 }  // namespace

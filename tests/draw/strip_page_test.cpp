@@ -6,9 +6,7 @@ namespace {
 
 using namespace strip_support;
 
-std::string page(const std::vector<MotionStrip>& strips) {
-  return draw_strips(strips, FigureFormat::svg).value();
-}
+std::string page(const std::vector<MotionStrip>& strips) { return draw_strips(strips).value(); }
 
 MotionStrip captioned(const SkeletonMotion& motion, const std::string& caption) {
   MotionStrip strip{motion, {}, {}};
@@ -76,7 +74,7 @@ TEST(StripPage, LegendNamesTheMarksOfAllStripsOnce) {
 
 TEST(StripPage, RefusalsNameTheStrip) {
   const auto refused = [](const std::vector<MotionStrip>& strips) {
-    const auto figure = draw_strips(strips, FigureFormat::svg);
+    const auto figure = draw_strips(strips);
     return figure ? "drawn" : figure.error().to_string();
   };
   const MotionStrip good = captioned(standing(1), "");

@@ -98,7 +98,7 @@ inline std::vector<Vec3d> path_of(const SkeletonMotion& motion, const std::strin
 
 inline std::string svg(const SkeletonMotion& motion, const StripOverlay& overlay = {},
                        const StripSettings& settings = {}) {
-  return draw_strip(motion, overlay, settings, FigureFormat::svg).value();
+  return draw_strip(motion, overlay, settings).value();
 }
 
 // A path or a circle: its attributes but for the places, and the ends of its lines and arcs.
@@ -172,7 +172,7 @@ inline double attribute(const std::string& element, const std::string& name) {
   return take_number(text);
 }
 
-// Reads what SvgCanvas writes: absolute starts, then lines and arcs as steps.
+// Reads what Canvas writes: absolute starts, then lines and arcs as steps.
 inline void read_data(const std::string& data, Path& path) {
   char command = 0;
   for (const char* next = data.c_str(); *next != '\0';) {

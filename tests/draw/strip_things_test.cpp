@@ -104,7 +104,7 @@ TEST(StripThings, WhatIsNoThingIsRefused) {
   const auto refused = [](StripThing thing) {
     StripOverlay overlay;
     overlay.things = {std::move(thing)};
-    const auto drawn = draw_strip(standing(1), overlay, {}, FigureFormat::svg);
+    const auto drawn = draw_strip(standing(1), overlay, {});
     return drawn ? std::string() : drawn.error().to_string();
   };
   EXPECT_EQ(refused({{{0, 0, 0}}, 0.1}), "");

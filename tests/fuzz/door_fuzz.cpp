@@ -77,14 +77,13 @@ bool is_quick(const Json& task) {
          !task.contains("generator");
 }
 
-// The formats that a motion can leave in, but for the figures by cairo, which take long.
+// The formats that a motion can leave in.
 const std::vector<std::string>& written_formats() {
   static const std::vector<std::string> formats = [] {
     std::vector<std::string> names;
     const Json facts = Json::parse(text_of(shigusa_facts));
     for (const Json& format : facts.at("formats")) {
-      const std::string name = format.at("name");
-      if (format.at("written") && name != "png" && name != "pdf") names.push_back(name);
+      if (format.at("written")) names.push_back(format.at("name"));
     }
     return names;
   }();

@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Of, AnimationsBesideThree,
 using SecondReadersOfOurOwn = SecondReaders;
 
 TEST_F(SecondReadersOfOurOwn, ReadTheMannequinsOfBuiltInBodies) {
-  if (!is_built_with(NeededLibrary::zlib)) GTEST_SKIP() << "no mannequin in this build";
+  if (!has_mannequin()) GTEST_SKIP() << "no mannequin in this build";
   for (const char* goal : {"right_hand=-0.2,1.1,0.4", "left_hand=0.1,0.3,0.4"}) {
     const ProgramRun run = run_shigusa({"reach", "--goal", goal, "--evaluations", "400",
                                         "--candidates", "2", "--formats", "bvh,glb"},

@@ -28,7 +28,7 @@ test('the engine tells its tables', () => {
   assert.ok(facts.pareto_mixture in facts.mixtures);
   assert.ok(facts.presets.some(({ name }) => name === facts.default_preset));
   const written = new Set(facts.formats.filter((format) => format.written).map(({ name }) => name));
-  assert.ok(written.has('svg') && !written.has('png') && !written.has('pdf'), 'there is no cairo here');
+  assert.ok(written.has('svg') && !written.has('png') && !written.has('pdf'), 'the library draws SVG alone');
   assert.deepEqual(facts.formats.filter((format) => format.robot).map(({ name }) => name), ['urdf', 'mjcf']);
   const [, heaviest] = facts.ranges.load_kg;
   const task = (load_kg) => ({ ...smallTask, goals: [{ ...smallTask.goals[0], load_kg }], evaluations: 8 });

@@ -41,6 +41,7 @@ inline constexpr std::array kResults{
     MessageText{"no_speeds", "a frame time of {:g} s has no speeds; allowed is more than 0"},
     MessageText{"smoothing_range", "is {:g} Hz; allowed is 0, for none, or more"},
     MessageText{"read_alone", "is read alone"},
+    MessageText{"svg_alone", "is made of svg by the command line alone; ask for svg"},
     MessageText{"rate_range", "is {:g} frames a second; allowed are {:g} to {:g}"},
     MessageText{"no_such_freedom", "names a freedom that this body does not have"},
     MessageText{"other_frames", "it has {} frames of {:g} s and not {} of {:g} s"},

@@ -26,7 +26,7 @@ Frame Time: 0.1
     std::fprintf(stderr, "%s\n", motion.error().to_string().c_str());
     return 1;
   }
-  const auto figure = shigusa::draw_strip(*motion, {}, {}, shigusa::FigureFormat::svg);
+  const auto figure = shigusa::draw_strip(*motion, {}, {});
   if (!figure || figure->find("<svg") == std::string::npos) {
     std::fprintf(stderr, "no figure was drawn\n");
     return 1;

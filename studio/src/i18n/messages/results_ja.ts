@@ -23,6 +23,7 @@ export const results: Readonly<Record<string, string>> = {
   no_speeds: 'フレーム時間が {0} 秒では速さを求められません。0 より大きくしてください。',
   smoothing_range: '{0} Hz です。0（なし）以上にしてください。',
   read_alone: '読み込み専用の形式です。',
+  svg_alone: 'コマンドラインだけが SVG から作る形式です。SVG を指定してください。',
   rate_range: '毎秒 {0} フレームです。使えるのは {1}～{2} です。',
   no_such_freedom: 'この体にない自由度が指定されています。',
   other_frames: '{1} 秒のフレームが {0} 個あり、{3} 秒の {2} 個ではありません',
