@@ -7,6 +7,7 @@
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "plan/assignment.hpp"
+#include "plan/plan.hpp"
 #include "task_json.hpp"
 #include "task_values.hpp"
 
