@@ -28,6 +28,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-fno-tree-slp-vectorize)
 endif()
 
+# Flags of what waits for files more than it computes: it compiles in two thirds of the time.
+set(shigusa_quick_build $<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<CONFIG:Release>>:-O1>)
+
 if(SHIGUSA_SANITIZE)
   # without two that take a fifth of the time to compile: the address sanitizer knows the sizes at
   # which object-size guesses, and no class here is cast to another, which vptr watches

@@ -171,6 +171,9 @@ void catch_interrupts();
 void block_ends();
 void wait_for_end();
 
+// A function of a shared library; null where the machine lacks it.
+[[nodiscard]] void* find_function(const char* library, const char* name);
+
 // The program's own file; empty where that cannot be told.
 [[nodiscard]] std::filesystem::path program_path();
 

@@ -12,7 +12,7 @@ namespace shigusa::app {
 [[nodiscard]] Result<FileFormat> picture_format(const std::filesystem::path& path);
 
 // A strip figure's SVG in one of its formats: as it is, or PNG and PDF by librsvg. Fails with
-// ErrorCode::unsupported on these where this build has no librsvg.
+// ErrorCode::unsupported on these where there is no librsvg.
 [[nodiscard]] Result<std::string> picture_from(const std::string& svg, FileFormat format);
 
 }  // namespace shigusa::app

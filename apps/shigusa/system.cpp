@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program's own calls of the operating system: streams, signals, other programs.
+// The program's own calls of the operating system: streams, signals, programs and libraries.
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
@@ -64,6 +65,11 @@ void wait_for_end() {
 std::filesystem::path program_path() {
   std::error_code ignored;
   return std::filesystem::read_symlink("/proc/self/exe", ignored);
+}
+
+void* find_function(const char* library, const char* name) {
+  void* const loaded = dlopen(library, RTLD_NOW);
+  return loaded != nullptr ? dlsym(loaded, name) : nullptr;
 }
 
 void open_browser(std::string address) {

@@ -36,7 +36,9 @@ std::vector<bool> useful_dofs(const ReachProblem& problem) {
 // "hip.flexion" of "left_hip.flexion", "spine.flexion" of all of its joints; arms keep their side
 std::string shared_name(const Dof& dof) {
   const JointPlace& part = dof.part;
-  if (part.joint == "chest" || part.joint == "upper_chest") return "spine." + part.freedom;
+  if (part.joint_kind == JointKind::chest || part.joint_kind == JointKind::upper_chest) {
+    return std::string(word_of(JointKind::spine)) + "." + part.freedom;
+  }
   return part.limb == LimbKind::leg ? part.joint + "." + part.freedom : dof.name;
 }
 
@@ -168,6 +170,18 @@ std::vector<double> ParameterSpace::start() const {
   std::vector<double> point;
   for (const Gene& gene : genes_) point.push_back(gene.of(gene.start));
   return point;
+}
+
+std::vector<int> ParameterSpace::weights_of(JointKind joint, FreedomKind freedom) const {
+  std::vector<int> genes;
+  for (const int d : body_->dofs_of(joint, freedom)) {
+    const Dof& dof = body_->dof(d);
+    const int gene = find(named_ ? shared_name(dof) : dof.name);
+    if (gene >= 0 && std::find(genes.begin(), genes.end(), gene) == genes.end()) {
+      genes.push_back(gene);
+    }
+  }
+  return genes;
 }
 
 int ParameterSpace::find(std::string_view name) const {

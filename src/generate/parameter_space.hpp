@@ -46,6 +46,8 @@ class ParameterSpace {
 
   // Index of the coordinate of that name, or -1.
   [[nodiscard]] int find(std::string_view name) const;
+  // Indices of the coordinates that are weights of that freedom of that joint.
+  [[nodiscard]] std::vector<int> weights_of(JointKind joint, FreedomKind freedom) const;
   // Where a coordinate is when its parameter has that value, held to [0, 1].
   [[nodiscard]] double coordinate(int gene, double value) const;
   // The least value of a gene.

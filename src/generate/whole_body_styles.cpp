@@ -43,9 +43,8 @@ std::span<const StyleRange> bends_of(const Archived* best) {
 
 Niche stiff_knees(const ParameterSpace& space) {
   Niche niche;
-  for (const char* name : {"knee.flexion", "left_knee.flexion", "right_knee.flexion"}) {
-    const int gene = space.find(name);
-    if (gene >= 0) niche.push_back({gene, space.coordinate(gene, kStiffKnee), 1.0});
+  for (const int gene : space.weights_of(JointKind::knee, FreedomKind::flexion)) {
+    niche.push_back({gene, space.coordinate(gene, kStiffKnee), 1.0});
   }
   return niche;
 }

@@ -5,6 +5,7 @@
 
 #include "criteria/built_in_criteria.hpp"
 #include "plan/layer.hpp"
+#include "rollout/posture_law.hpp"
 
 namespace shigusa {
 namespace {
@@ -61,7 +62,7 @@ void add_idle_arm(const BodyModel& body, const BodyLimb& arm, const Layer& alone
     rest.body.dofs.push_back(std::move(dof));
   }
   // a shoulder that PostureLaw draws has no angle of its own to end at
-  const bool drawn = body.find_dof("neck.flexion").has_value();
+  const bool drawn = nods(body);
   for (const FinalRange& range : kFinalRanges) {
     if (drawn && range.dof != &BodyLimb::hinge) continue;
     const Dof& dof = body.dof(arm.*range.dof);
