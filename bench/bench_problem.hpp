@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 #include <shigusa/parameters.hpp>
-#include <shigusa/random.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
+#include <shigusa/run.hpp>
 #include <span>
 #include <string>
 #include <vector>

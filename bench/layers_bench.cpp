@@ -3,7 +3,7 @@
 // once.
 #include <benchmark/benchmark.h>
 
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "bench_problem.hpp"
 #include "count_motions.hpp"

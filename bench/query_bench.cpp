@@ -4,8 +4,8 @@
 
 #include <shigusa/character.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/motion.hpp>
 #include <string>
 #include <string_view>
 

@@ -2,7 +2,7 @@
 // One motion of 60 frames, and whole searches, by SIMD set; what threads bring.
 #include <benchmark/benchmark.h>
 
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "bench_problem.hpp"
 #include "count_motions.hpp"

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <string>
 #include <utility>
 

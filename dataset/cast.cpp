@@ -2,7 +2,7 @@
 #include "cast.hpp"
 
 #include <algorithm>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
 
 namespace shigusa {
 

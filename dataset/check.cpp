@@ -9,12 +9,12 @@
 #include <set>
 #include <shigusa/dataset_check.hpp>
 #include <shigusa/dataset_merge.hpp>
-#include <shigusa/file.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <system_error>
 
 #include "core/hash.hpp"
 #include "core/index.hpp"
+#include "files/file.hpp"
 #include "index_reader.hpp"
 #include "shard_list.hpp"
 #include "shard_statistics.hpp"

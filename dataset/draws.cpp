@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "core/hash.hpp"
 #include "formats/json_reader.hpp"

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <shigusa/body_build.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/request.hpp>
 #include <string>
 #include <string_view>
 

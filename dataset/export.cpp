@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <shigusa/dataset_export.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "export_writer.hpp"
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
 
 #include "export_index.hpp"

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <initializer_list>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <string_view>
 #include <utility>

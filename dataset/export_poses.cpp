@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/limb_cache.hpp>
 
 #include "motion_table.hpp"
 

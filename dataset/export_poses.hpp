@@ -2,8 +2,8 @@
 #pragma once
 
 #include <shigusa/character.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/motion.hpp>
-#include <shigusa/task_file.hpp>
 #include <string>
 #include <vector>
 

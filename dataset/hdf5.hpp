@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <span>
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <vector>
 
 #include "hdf5_source.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <vector>
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <shigusa/dataset.hpp>
-#include <shigusa/file.hpp>
 
+#include "files/file.hpp"
 #include "files/staging.hpp"
 #include "shard_file.hpp"
 #include "task_rows.hpp"

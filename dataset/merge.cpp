@@ -6,12 +6,12 @@
 #include <map>
 #include <optional>
 #include <shigusa/dataset_merge.hpp>
-#include <shigusa/file.hpp>
 #include <span>
 #include <system_error>
 #include <utility>
 
 #include "data_card.hpp"
+#include "files/file.hpp"
 #include "hdf5.hpp"
 #include "index_writer.hpp"
 #include "shard_list.hpp"

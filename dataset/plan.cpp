@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <shigusa/dataset.hpp>
-#include <shigusa/file.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "cast.hpp"
 #include "core/hash.hpp"
 #include "draws.hpp"
+#include "files/file.hpp"
 #include "files/sha256.hpp"
 #include "formats/json_reader.hpp"
 #include "task_rows.hpp"

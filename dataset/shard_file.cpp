@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <shigusa/file.hpp>
 #include <sstream>
 
 #include "files/descriptor.hpp"
+#include "files/file.hpp"
 #include "files/sha256.hpp"
 #include "hdf5.hpp"
 #include "shard_form.hpp"

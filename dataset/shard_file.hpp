@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 #include <shigusa/dataset.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

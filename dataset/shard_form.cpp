@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 #include "core/text.hpp"
 #include "data_rows.hpp"

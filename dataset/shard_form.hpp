@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 
 #include "table.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 #include <shigusa/dataset_show.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <string>
 #include <utility>
 #include <vector>

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cstdint>
-#include <shigusa/vec3.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 
 #include "table.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <shigusa/dataset.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 #include "task_rows.hpp"
 

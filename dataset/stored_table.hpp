@@ -2,7 +2,7 @@
 #pragma once
 
 #include <map>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <vector>
 

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <shigusa/quat.hpp>
-#include <shigusa/vec3.hpp>
+#include <shigusa/math.hpp>
 #include <span>
 #include <string>
 #include <string_view>

@@ -2,7 +2,7 @@
 #include "task_rows.hpp"
 
 #include <chrono>
-#include <shigusa/limb_cache.hpp>
+#include <shigusa/files.hpp>
 
 #include "motion_table.hpp"
 

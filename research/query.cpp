@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 #include <string>
 #include <vector>
 

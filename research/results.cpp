@@ -6,7 +6,7 @@
 #include <chrono>
 #include <fstream>
 #include <iostream>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
 #include <vector>

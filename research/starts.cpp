@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <iostream>
-#include <shigusa/human_body.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 #include "core/check.hpp"
 #include "experiments/goal_search.hpp"

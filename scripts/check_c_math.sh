@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # check_c_math.sh [ROOT [LIBRARY]]: fails when include/ or src/, or the built static LIBRARY, uses a
 # transcendental function of the C library. Those give other bits from one C library to the next;
-# shigusa/scalar.hpp has its own.
+# shigusa/math.hpp has its own.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 library=${2:-}
@@ -10,7 +10,7 @@ library=${2:-}
 files=$(find include src -type f \( -name '*.hpp' -o -name '*.h' -o -name '*.cpp' \) | LC_ALL=C sort)
 [ -n "$files" ] || { echo "check_c_math: no sources below $(pwd)" >&2; exit 1; }
 
-ours='asin|acos|atan2'   # scalar.hpp declares these: only the C library's are refused
+ours='asin|acos|atan2'   # math.hpp declares these: only the C library's are refused
 theirs='sin|cos|tan|atan|sinh|cosh|tanh|asinh|acosh|atanh|sincos|exp|exp2|expm1|log|log2|log10'
 theirs="$theirs|log1p|pow|cbrt|hypot|erf|erfc|tgamma|lgamma"
 not_word='([^A-Za-z0-9_]|$)'

@@ -11,7 +11,7 @@
 #include <exception>
 #include <shigusa/dataset.hpp>
 #include <shigusa/dataset_merge.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <string>
 
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 
 #include "commands.hpp"
+#include "core/parse_number.hpp"
 #include "next_step.hpp"
 #include "picture.hpp"
 #include "usage.hpp"

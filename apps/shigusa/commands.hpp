@@ -7,10 +7,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <shigusa/export.hpp>
-#include <shigusa/parallel.hpp>
-#include <shigusa/progress.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/run.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/human_body.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/motion.hpp>
 
 #include "manual.hpp"
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <shigusa/dataset.hpp>
 #include <shigusa/dataset_merge.hpp>
-#include <shigusa/limb_cache.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/files.hpp>
 
 #include "commands.hpp"
 #include "dataset_commands.hpp"

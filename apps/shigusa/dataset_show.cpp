@@ -3,10 +3,10 @@
 
 #include <memory>
 #include <shigusa/dataset_show.hpp>
-#include <shigusa/file.hpp>
 
 #include "commands.hpp"
 #include "dataset_commands.hpp"
+#include "files/file.hpp"
 #include "usage.hpp"
 
 namespace shigusa::app {

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <shigusa/file.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 
 #include "commands.hpp"
+#include "files/file.hpp"
 #include "manual.hpp"
 #include "next_step.hpp"
 #include "usage.hpp"

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <shigusa/dataset.hpp>
-#include <shigusa/file_format.hpp>
-#include <shigusa/result_file.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/formats.hpp>
 #include <vector>
 
 namespace shigusa::app {

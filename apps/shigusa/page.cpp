@@ -4,9 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <shigusa/file.hpp>
 #include <system_error>
 #include <utility>
+
+#include "files/file.hpp"
 
 namespace shigusa::app {
 namespace {

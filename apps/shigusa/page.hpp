@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <map>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 
 namespace shigusa::app {

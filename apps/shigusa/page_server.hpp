@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string_view>
 #include <vector>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <filesystem>
-#include <shigusa/file_format.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/formats.hpp>
 #include <string>
 
 namespace shigusa::app {

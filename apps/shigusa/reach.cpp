@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <shigusa/limb_cache.hpp>
-#include <shigusa/parallel.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/run.hpp>
 
 #include "commands.hpp"
 #include "next_step.hpp"

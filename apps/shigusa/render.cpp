@@ -3,12 +3,12 @@
 
 #include <filesystem>
 #include <memory>
-#include <shigusa/bvh.hpp>
-#include <shigusa/file.hpp>
-#include <shigusa/strip_figure.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/draw.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/formats.hpp>
 
 #include "commands.hpp"
+#include "files/file.hpp"
 #include "next_step.hpp"
 #include "number_range.hpp"
 #include "picture.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 #include <shigusa/dataset.hpp>
-#include <shigusa/task.hpp>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/request.hpp>
 
 #include "commands.hpp"
 #include "usage.hpp"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <memory>
-#include <shigusa/score_clip.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/score.hpp>
 
 #include "commands.hpp"
 #include "table.hpp"

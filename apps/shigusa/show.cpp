@@ -5,14 +5,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <shigusa/draw.hpp>
 #include <shigusa/edit.hpp>
-#include <shigusa/file.hpp>
-#include <shigusa/motion_page.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "commands.hpp"
+#include "files/file.hpp"
 #include "picture.hpp"
 #include "usage.hpp"
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/result_words.hpp>
+#include <shigusa/draw.hpp>
 #include <type_traits>
 
 #include "commands.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <shigusa/score_clip.hpp>
+#include <shigusa/score.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
 

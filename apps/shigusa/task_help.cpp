@@ -2,7 +2,7 @@
 // The options of a task, as the command line adds and describes them.
 #include <fmt/format.h>
 
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 
 #include "commands.hpp"
 #include "usage.hpp"

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <shigusa/error.hpp>
 #include <shigusa/goal.hpp>
-#include <shigusa/words.hpp>
 #include <utility>
 
+#include "core/parse_number.hpp"
 #include "next_step.hpp"
 
 namespace shigusa::app {

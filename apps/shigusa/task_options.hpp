@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "problem/request_fields.hpp"
+
 namespace CLI {
 class App;
 }  // namespace CLI

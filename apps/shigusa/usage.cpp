@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 
 #include "commands.hpp"
+#include "core/parse_number.hpp"
 
 namespace shigusa::app {
 namespace {

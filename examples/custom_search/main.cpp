@@ -4,7 +4,7 @@
 // library's.
 #include <algorithm>
 #include <cstdio>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
 

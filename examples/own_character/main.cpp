@@ -1,47 +1,26 @@
 // SPDX-License-Identifier: MIT
-// A character's file in memory becomes a body, and a motion leaves on the character's own skeleton.
+// A character from its file, a reach, and the motion on the character's own skeleton.
 #include <cstdio>
-#include <shigusa/file.hpp>
 #include <shigusa/shigusa.hpp>
-#include <utility>
 
-namespace {
-
-int fail(const shigusa::Error& error) {
-  std::fprintf(stderr, "%s\n", error.to_string().c_str());
-  return 2;
+int complain(const shigusa::Error& error) {
+  return std::fprintf(stderr, "%s\n", error.to_string().c_str()), 2;
 }
 
-}  // namespace
-
 int main(int argc, char** argv) {
-  if (argc != 2) return std::fprintf(stderr, "usage: example_own_character hero.glb\n"), 2;
-  auto bytes = shigusa::read_text_file(argv[1], shigusa::kCharacterMaxBytes);
-  if (!bytes) return fail(bytes.error());
-
-  // the bytes may come from anywhere; the name tells what kind of file they are
-  shigusa::CharacterSpec hero;
-  hero.source = std::filesystem::path(argv[1]).filename().string();
-  if (const auto loaded = shigusa::load_character(std::move(*bytes), hero); !loaded) {
-    return fail(loaded.error());
-  }
-  for (const std::string& doubt : hero.doubts) std::printf("note: %s\n", doubt.c_str());
-
-  auto body = shigusa::build_character(hero);
-  if (!body) return fail(body.error());
-  const double stature = body->stature();
-  shigusa::Task task(std::move(*body));
+  const auto hero = shigusa::open_character({.source = argc > 1 ? argv[1] : "human"});
+  if (!hero) return complain(hero.error());
+  for (const std::string& doubt : hero->spec.doubts) std::printf("note: %s\n", doubt.c_str());
+  const double stature = hero->body.stature();
+  shigusa::Task task(hero->body);
   task.goals = {{"right_hand", {-0.15 * stature, 0.4 * stature, 0.3 * stature}}};
   const auto result = shigusa::generate(task);
-  if (!result) return fail(result.error());
-
-  for (const auto& [format, name] : {std::pair{shigusa::FileFormat::glb, "reach.glb"},
-                                     {shigusa::FileFormat::bvh, "reach.bvh"}}) {
-    if (!shigusa::check_formats(hero, {format})) continue;  // a BVH has no mesh
-    const auto file = shigusa::export_candidate(hero, task, result->candidates[0], format);
-    if (!file) return fail(file.error());
-    if (!shigusa::write_file(name, *file)) return 1;
-    std::printf("%s: score %.4f\n", name, result->candidates[0].score.total);
+  if (!result) return complain(result.error());
+  std::printf("score %.4f\n", result->candidates[0].score.total);
+  for (const char* file : {"reach.bvh", "reach.glb"}) {
+    const auto saved = shigusa::save(file, hero->spec, task, result->candidates[0]);
+    // a file of a skeleton alone leaves as BVH alone
+    if (!saved) std::printf("%s: %s\n", file, saved.error().to_string().c_str());
   }
   return 0;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The smallest use of shigusa: a body, a goal, and the motions that get there.
 #include <cstdio>
-#include <shigusa/file.hpp>
 #include <shigusa/shigusa.hpp>
 
 int main() {
@@ -15,6 +14,5 @@ int main() {
     std::printf("score %.4f, hand %.3f mm from its goal\n", candidate.score.total,
                 1e3 * candidate.goals[0].error);
   }
-  const auto bvh = shigusa::export_candidate(task, result->candidates[0], shigusa::FileFormat::bvh);
-  return bvh && shigusa::write_file("reach.bvh", *bvh) ? 0 : 1;
+  return shigusa::save("reach.bvh", {.source = "full_body"}, task, result->candidates[0]) ? 0 : 1;
 }

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/progress.hpp>
-#include <shigusa/result_file.hpp>
+#include <shigusa/run.hpp>
 #include <span>
 #include <string>
 #include <string_view>

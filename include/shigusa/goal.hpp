@@ -2,11 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/body_model.hpp>
-#include <shigusa/field.hpp>
-#include <shigusa/quat.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/vec3.hpp>
+#include <shigusa/body.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/math.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,35 +31,6 @@ struct Obstacle {
   double radius = 0.0;  ///< m, ≥ 0, beyond the size on all sides
 };
 
-/// The fields of an obstacle.
-template <>
-inline constexpr FieldTable kFields<Obstacle>{
-    "obstacle",
-    "A box with round edges: without size_m a sphere, with size along one axis a capsule.",
-    std::tuple{
-        Field{"name", &Obstacle::name, "For messages.", {.written = always}},
-        Field{"position_m",
-              &Obstacle::position,
-              "Its middle.",
-              {.low = -kGoalRange,
-               .high = kGoalRange,
-               .required = true,
-               .mirroring = Mirroring::other_side,
-               .written = always}},
-        Field{"size_m",
-              &Obstacle::size,
-              "Along its own axes.",
-              {.high = kGoalRange, .written = always}},
-        Field{"radius_m",
-              &Obstacle::radius,
-              "Of its round edges, beyond the size on all sides.",
-              {.high = kGoalRange, .written = always}},
-        Field{"rotation_xyzw",
-              &Obstacle::rotation,
-              "A unit quaternion.",
-              {.mirroring = Mirroring::other_side, .written = always}},
-    }};
-
 /// The place of a support that is the thigh of the hand's own side.
 inline constexpr std::string_view kThighPlace = "thigh";
 
@@ -71,22 +40,6 @@ struct Support {
   std::string on{kThighPlace};         ///< kThighPlace, or an obstacle's name
   friend bool operator==(const Support&, const Support&) = default;
 };
-
-/// The fields of a support.
-template <>
-inline constexpr FieldTable kFields<Support>{
-    "support", "A hand without a goal, and what it rests on.",
-    std::tuple{
-        Field{"effector",
-              &Support::effector,
-              "left_hand or right_hand.",
-              {.required = true, .mirroring = Mirroring::other_side, .written = always}},
-        Field{"on",
-              &Support::on,
-              "thigh: that of the hand's own side, a little above the knee; or the name of an "
-              "obstacle.",
-              {.required = true, .written = always}},
-    }};
 
 inline constexpr double kToleranceMax = 10.0;  ///< m
 
@@ -98,29 +51,6 @@ struct GoalAxis {
   Vec3d direction{0, 1, 0};  ///< in the world; of any length but 0
   friend bool operator==(const GoalAxis&, const GoalAxis&) = default;
 };
-
-/// The fields of a goal's axis.
-template <>
-inline constexpr FieldTable kFields<GoalAxis>{
-    "goal_axis", "An axis of the effector and the direction that it is to have.",
-    std::tuple{
-        Field{"axis",
-              &GoalAxis::axis,
-              "In the effector's own frame; of hands also by a word.",
-              {.low = -kGoalRange,
-               .high = kGoalRange,
-               .required = true,
-               .mirroring = Mirroring::other_side,
-               .written = always}},
-        Field{"direction",
-              &GoalAxis::direction,
-              "In the world.",
-              {.low = -kGoalRange,
-               .high = kGoalRange,
-               .required = true,
-               .mirroring = Mirroring::other_side,
-               .written = always}},
-    }};
 
 /// The final state of one effector.
 struct Goal {
@@ -135,60 +65,6 @@ struct Goal {
   Vec3d tolerance{};
   friend bool operator==(const Goal&, const Goal&) = default;
 };
-
-/// The fields of a goal.
-template <>
-inline constexpr FieldTable kFields<Goal>{
-    "goal", "The final place of one effector, and how it is turned there.",
-    std::tuple{
-        Field{"effector",
-              &Goal::effector,
-              "right_hand, left_foot, head, hips or another joint of the body: left or right "
-              "shoulder, elbow, wrist, hip, knee, foot, toes, clavicle; spine, chest, neck; or the "
-              "name of another node.",
-              {.required = true, .mirroring = Mirroring::other_side, .written = always}},
-        Field{"position_m",
-              &Goal::position,
-              "In the world.",
-              {.low = -kGoalRange,
-               .high = kGoalRange,
-               .required = true,
-               .mirroring = Mirroring::other_side,
-               .written = always}},
-        Field{"load_kg",
-              &Goal::load,
-              "The mass that a hand with a goal holds all the way.",
-              {.high = kLoadMax,
-               .option = "--load",
-               .form = "EFFECTOR=KILOGRAMS",
-               .group = OptionGroup::goal,
-               .brief = "Mass that a hand with a goal holds all the way"}},
-        Field{"rotation_xyzw",
-              &Goal::rotation,
-              "How the effector is turned at the end, a unit quaternion: from the world's axes, "
-              "which its own are where the body stands upright facing +Z with arms hanging and "
-              "thumbs ahead.",
-              {.option = "--rotation",
-               .form = "EFFECTOR=X,Y,Z,W",
-               .group = OptionGroup::goal,
-               .brief = "How the effector is turned at the end: a unit quaternion",
-               .rare = true,
-               .mirroring = Mirroring::other_side}},
-        Field{"axis",
-              &Goal::axis,
-              "In place of a rotation: an axis of the effector and the direction that it is to "
-              "have; the effector may turn about it.",
-              {.mirroring = Mirroring::other_side}},
-        Field{"tolerance_m",
-              &Goal::tolerance,
-              "Half the sides, along the world's axes, of a box about the goal: anywhere in it "
-              "will do.",
-              {.high = kToleranceMax,
-               .option = "--tolerance",
-               .form = "EFFECTOR=X,Y,Z",
-               .group = OptionGroup::goal,
-               .brief = "Half the sides of a box about the goal where any place will do"}},
-    }};
 
 /// An axis of a hand by its word, in the hand's frame (see GoalAxis): "palm" where it faces,
 /// "thumb" along what it grips, to the thumb's side, "fingers" where they point. Fails on other

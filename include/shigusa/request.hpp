@@ -4,14 +4,16 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <shigusa/body.hpp>
 #include <shigusa/criteria.hpp>
-#include <shigusa/field.hpp>
+#include <shigusa/error.hpp>
 #include <shigusa/goal.hpp>
-#include <shigusa/layered_settings.hpp>
+#include <shigusa/parameters.hpp>
+#include <shigusa/run.hpp>
 #include <shigusa/search.hpp>
-#include <shigusa/words.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace shigusa {
@@ -131,40 +133,54 @@ inline constexpr std::array kEnumWords<FingerPlay>{
     EnumWord{FingerPlay::none, "none"},
 };
 
-/// The plain data of a task: all that its file says beside the character. Its table of fields,
-/// below, says what each member is.
+/// The plain data of a task: all that its file holds beside the character. Ranges are checked by
+/// generate(), whose errors state them.
 struct Request {
-  /// The final places of effectors, each of another one.
+  /// Final states of effectors, at most one of each effector and kGoalsMax in all.
   std::vector<Goal> goals{};
-  std::optional<Vec3d> look_at{};  ///< m, world
-  /// Names of feet, the base among them. A foot that lifts does so by kFootLift.
+  /// m, world: the point that the eyes look at; empty: the first goal of a limb, or the middle of
+  /// two hands' goals.
+  std::optional<Vec3d> look_at{};
+  /// Names of the feet that stay on the floor, at least one; empty: all feet without a goal. A foot
+  /// that has neither a name here nor a goal lifts.
   std::optional<std::vector<std::string>> contacts{};
-  /// Things that the criterion `collision` sees.
+  /// Obstacles that the criterion `collision` measures, at most kObstaclesMax.
   std::vector<Obstacle> obstacles{};
-  /// Hands that may rest on something, each another one.
+  /// Hands without a goal that may rest on something, at most one support of each hand.
   std::vector<Support> supports{};
-  std::optional<double> duration{};  ///< s
-  double ease = 0.0;                 ///< see its field
-  double gaze_lead = 0.0;            ///< share of the duration
-  /// The way in which parameters are searched.
+  /// s, kTaskDurationMin..kTaskDurationMax; empty: by the distance.
+  std::optional<double> duration{};
+  /// -kEaseMax..kEaseMax: above 0 the first half is quicker, below 0 the second; 0 is the minimum
+  /// jerk. Not of presets with layers.
+  double ease = 0.0;
+  /// kGazeLeadLeast..kGazeLeadMost: share of the duration by which the head turns earlier than
+  /// people's, below 0 later. Of the presets flat and human.
+  double gaze_lead = 0.0;
+  /// The parameters that are searched, and how; adopt_preset changes it with its criteria.
   Preset preset = Preset::flat;
-  /// The parameters of the first layer, of layered presets.
+  /// The parameters of the first layer, of presets with layers.
   LayerReading layer_reading = LayerReading::shared_contractions;
-  /// The preset's own when not given.
+  /// The search algorithm; empty: the preset's own.
   std::optional<SearchMethod> search{};
-  bool pareto = false;  ///< see pareto_criteria
-  /// The criteria that score its motions.
+  /// Whether candidates are a front of the criteria, of which none is better by all of them;
+  /// adopt_pareto sets it. Of the preset flat.
+  bool pareto = false;
+  /// The criteria that score motions.
   CriteriaSettings criteria = traits_of(Preset::flat).criteria();
-  std::vector<std::string> fixed_assignments{};              ///< "squat_deg=60"
-  MotionGenerator generator = MotionGenerator::weighted_ik;  ///< the other not of layered presets
-  int phases = 1;                             ///< 1; motions of two phases are no longer made
-  FingerPlay finger_play = FingerPlay::grip;  ///< of characters that have fingers
-  /// The same seed gives the same motions.
+  /// Parameters that the search keeps: "squat_deg=60", "right_elbow.flexion.locked=true".
+  std::vector<std::string> fixed_assignments{};
+  /// The method that makes motions from parameters; nlp_ik not of presets with layers.
+  MotionGenerator generator = MotionGenerator::weighted_ik;
+  /// 1; kPhasesMax of old tasks, which are refused.
+  int phases = 1;
+  /// The motion of the character's fingers, where it has some.
+  FingerPlay finger_play = FingerPlay::grip;
+  /// The seed of all random numbers: the same seed gives the same motions.
   std::uint64_t seed = 0;
-  /// The most candidates that are delivered.
+  /// The most candidates that are delivered, 1..1000.
   int candidates = traits_of(Preset::flat).candidates;
-  /// Without it the paper's genetic algorithm runs until it converges, and the others score
-  /// usual_evaluations.
+  /// The most motions that the search scores, from kPaperPopulation; empty: the paper's genetic
+  /// algorithm runs until it converges, other algorithms score usual_evaluations.
   std::optional<int> evaluations{};
 };
 
@@ -173,213 +189,55 @@ void adopt_preset(Request& request, const Preset& preset);
 /// Asks for a front of the criteria or for none; a front brings its own mixture of them.
 void adopt_pareto(Request& request, const bool& pareto);
 
-/// The fields of a request.
-template <>
-inline constexpr FieldTable kFields<Request>{
-    "task",
-    "A request: a body and the final places of its hands, feet or other joints. Metres, kilograms, "
-    "seconds, radians; +Y up, the body faces +Z, its left is +X, origin on the floor between the "
-    "feet.",
-    std::tuple{
-        Field{"goals",
-              &Request::goals,
-              "The final places of effectors, such as right_hand, head, hips, left_elbow, "
-              "right_knee, left_foot or any joint that `shigusa body` names: metres, +Y up, the "
-              "body faces +Z, its left is +X. One for each effector at most; one at least is "
-              "given, or a foot is left out of contacts.",
-              {.high = kGoalsMax,
-               .option = "--goal",
-               .form = "EFFECTOR=X,Y,Z",
-               .group = OptionGroup::goal,
-               .brief = "Final place of a hand, foot, head or other joint, in metres",
-               .mirroring = Mirroring::other_side,
-               .written = always}},
-        Field{"look_at_m",
-              &Request::look_at,
-              "The point that the eyes are on; when not given, the first goal of a limb, or "
-              "between two hands'.",
-              {.low = -kGoalRange,
-               .high = kGoalRange,
-               .option = "--look-at",
-               .form = "X,Y,Z",
-               .group = OptionGroup::goal,
-               .brief = "Point that the eyes are on (default: the goal)",
-               .mirroring = Mirroring::other_side}},
-        Field{"contacts",
-              &Request::contacts,
-              "Feet that stay on the floor, one at least; all without a goal when not given. A "
-              "foot that is not named and has no goal lifts.",
-              {.option = "--contacts",
-               .form = "left_foot,right_foot",
-               .group = OptionGroup::goal,
-               .brief = "Feet that stay on the floor; a foot that is not named lifts",
-               .mirroring = Mirroring::other_side}},
-        Field{"obstacles",
-              &Request::obstacles,
-              "Things that nothing of the body should pass through; the command line knows boxes, "
-              "by their middle and size in metres.",
-              {.high = kObstaclesMax,
-               .option = "--obstacle",
-               .form = "NAME=X,Y,Z,SX,SY,SZ",
-               .group = OptionGroup::around,
-               .brief = "Box to keep out of: its middle and its size in metres",
-               .mirroring = Mirroring::other_side}},
-        Field{"support",
-              &Request::supports,
-              "Of the preset flat: hands without a goal that may rest on the thigh, or on an "
-              "obstacle by its name, and do where it pays. What they press with, from 0 to 0.25 of "
-              "the body's weight, is a parameter, such as left_hand.support; below 0 the hand "
-              "stays free.",
-              {.high = kSupportsMax,
-               .option = "--support",
-               .form = "HAND=PLACE",
-               .group = OptionGroup::around,
-               .brief = "Free hand that may rest on the thigh or on an obstacle",
-               .mirroring = Mirroring::other_side}},
-        Field{"duration_s",
-              &Request::duration,
-              "Seconds of the motion; from the distance when not given.",
-              {.low = kTaskDurationMin,
-               .high = kTaskDurationMax,
-               .option = "--duration",
-               .form = "SECONDS",
-               .group = OptionGroup::motion,
-               .brief = "Of the motion (default: from the distance)"}},
-        Field{
-            "ease",
-            &Request::ease,
-            "How early the motion makes its way: above 0 it is quicker in its first half and slows "
-            "down for longer, below 0 it is slow to begin; 0, as people move, when not given. Not "
-            "of presets with layers.",
-            {.low = -kEaseMax,
-             .high = kEaseMax,
-             .option = "--ease",
-             .form = "SHARE",
-             .group = OptionGroup::motion,
-             .brief = "Quicker to begin above 0, slower below (default 0)",
-             .rare = true}},
-        Field{"gaze_lead",
-              &Request::gaze_lead,
-              "The share of the duration by which the head turns earlier to what is looked at, or "
-              "later below 0, than people's do; 0 when not given. Of the presets flat and human.",
-              {.low = kGazeLeadLeast,
-               .high = kGazeLeadMost,
-               .option = "--gaze-lead",
-               .form = "SHARE",
-               .group = OptionGroup::motion,
-               .brief = "How much earlier the head turns than people's do (default 0)",
-               .rare = true}},
-        Field{"preset",
-              &Request::preset,
-              "paper, as published; flat, when not given: all parameters at once, within joint "
-              "limits; layers: the paper's hierarchy, first trunk and limb lengths, then arms; or "
-              "human: trunk and limb lengths, then the elbows' swivel, then free arms. Criteria, "
-              "search and number of candidates are its own where nothing else is said.",
-              {.option = "--preset",
-               .group = OptionGroup::search,
-               .brief = "Parameters, criteria and search together (default flat)",
-               .written = always,
-               .adopt = adopt_preset}},
-        Field{"layer_reading",
-              &Request::layer_reading,
-              "Of the presets layers and human, the meaning of the paper's 14 parameters of the "
-              "whole body: shared_contractions, when not given: 12 weights and 2 contractions, or "
-              "contraction_a_limb: 10 and 4.",
-              {.option = "--layer-reading",
-               .group = OptionGroup::search,
-               .brief = "What the paper's 14 parameters of the whole body are",
-               .rare = true,
-               .written =
-                   [](const Request& request) {
-                     return traits_of(request.preset).layers.has_value();
-                   }}},
-        Field{"search",
-              &Request::search,
-              "The algorithm; the preset's own when not given.",
-              {.option = "--search",
-               .group = OptionGroup::search,
-               .brief = "Algorithm (default: the preset's)",
-               .rare = true}},
-        Field{"pareto",
-              &Request::pareto,
-              "Of the preset flat: candidates are a front of the criteria, motions of which none "
-              "is better by all of them; criteria are then the mixture pareto where nothing else "
-              "is said.",
-              {.option = "--pareto",
-               .group = OptionGroup::search,
-               .brief = "Deliver a front of the criteria (preset flat)",
-               .rare = true,
-               .adopt = adopt_pareto}},
-        Field{"criteria",
-              &Request::criteria,
-              "The mixture that motions are scored by: paper, default or pareto, or in files "
-              "weights and scales; the preset's own when not given.",
-              {.option = "--criteria",
-               .group = OptionGroup::search,
-               .brief = "Mixture that motions are scored by (default: the preset's)",
-               .written = always}},
-        Field{"fixed",
-              &Request::fixed_assignments,
-              "Parameters that the search leaves as given, such as squat_deg=60 or "
-              "right_shoulder.flexion.locked=true (as --set of edit).",
-              {.option = "--fix",
-               .form = "NAME=VALUE",
-               .group = OptionGroup::search,
-               .brief = "Parameter that the search leaves as given: squat_deg=60",
-               .mirroring = Mirroring::assignments}},
-        Field{"generator",
-              &Request::generator,
-              "The maker of motions from parameters: weighted_ik when not given, or nlp_ik, "
-              "constrained minimisation in each frame, ten times slower.",
-              {.option = "--generator",
-               .group = OptionGroup::search,
-               .brief = "Maker of motions from parameters (default weighted_ik)",
-               .rare = true}},
-        Field{"phases",
-              &Request::phases,
-              "1: motions have one phase. Old tasks with 2 are refused with what to write.",
-              {.low = 1, .high = kPhasesMax}},
-        Field{
-            "finger_play",
-            &Request::finger_play,
-            "Of a character with fingers, by the presets flat and human: grip, when not given: a "
-            "reaching hand opens "
-            "on the way and closes to a relaxed grip, the other is relaxed; or none: fingers stay "
-            "as the file has them.",
-            {.option = "--finger-play",
-             .group = OptionGroup::motion,
-             .brief = "none leaves fingers as the file has them (default grip)",
-             .rare = true}},
-        Field{"seed",
-              &Request::seed,
-              "Same seed, same bytes; 0 when not given.",
-              {.high = UINT64_MAX,
-               .option = "--seed",
-               .form = "N",
-               .group = OptionGroup::search,
-               .brief = "Same seed, same bytes (default 0)",
-               .written = always}},
-        Field{"candidates",
-              &Request::candidates,
-              "Candidates to deliver, at most; the preset's own number when not given.",
-              {.low = 1,
-               .high = 1000,
-               .option = "--candidates",
-               .form = "N",
-               .group = OptionGroup::search,
-               .brief = "Motions to deliver at most (default: the preset's)",
-               .written = always}},
-        Field{"evaluations",
-              &Request::evaluations,
-              "Motions that the search may score: it starts again, with other random numbers, "
-              "until they are used up. When not given, it runs once.",
-              {.low = kPaperPopulation,
-               .high = 1'000'000'000,
-               .option = "--evaluations",
-               .form = "N",
-               .group = OptionGroup::search,
-               .brief = "Motions that the search may score (default: it runs once)",
-               .rare = true}},
-    }};
+/// A foot that neither stands nor has a goal lifts by this (m).
+inline constexpr double kFootLift = 0.10;
+
+/// A request on a body, with the settings of its run: `generate` takes it. Another preset's
+/// criteria and number of candidates come by with_preset.
+struct Task : Request {
+  /// The request on that body.
+  explicit Task(BodyModel of, Request asked = {})
+      : Request(std::move(asked)), body(std::move(of)) {}
+
+  BodyModel body;               ///< in its start posture
+  SearchFunction own_search{};  ///< in the place of the named ones, when given; not of layers
+  GeneticSettings genetic{};    ///< of the searches paper_ga and log_ga, which take the task's seed
+  /// The values of fixed_assignments, decoded: the search leaves them as they are.
+  std::optional<FixedParameters> fixed{};
+  /// Of the preset flat: motions that are known to be good for tasks like this one, as
+  /// Candidate::parameters of a body with the same freedoms. The search scores them first and
+  /// begins beside the best, as it does with its own table of such motions; 16 of them take that
+  /// table's place, fewer are put before it. None changes nothing.
+  std::vector<Parameters> starts{};
+  int most_runs = 10;        ///< of the preset paper, see generate; ≥ 1
+  LayeredSettings layers{};  ///< of layered presets
+  BatchSettings batch{};     ///< SIMD set and threads; change no result
+};
+
+/// Motions that are scored for a task that does not say how many, but for the paper's search.
+[[nodiscard]] int usual_evaluations(const Task& task);
+
+/// The search of a task: the method that it names, or its preset's.
+[[nodiscard]] SearchMethod search_of(const Task& task);
+
+/// The task by a preset, with its criteria and number of candidates.
+[[nodiscard]] Task with_preset(Task task, Preset preset);
+
+/// The criteria that the task's motions are scored by: its own, with the eyes on look_at, or on the
+/// first goal of a limb, or between those of two hands, where nothing else is said.
+[[nodiscard]] CriteriaSettings task_criteria(const Task& task);
+
+/// The parameters of the motions that a request's preset makes for its goals on a body. Fails where
+/// a preset of several layers does not know the body, a goal or supports.
+[[nodiscard]] Result<ParameterList> parameter_list(const BodyModel& body, const Request& request);
+
+/// Whether some posture of the task's body on its feet meets the goals: a quick look that may miss
+/// one. Fails where a foot or a goal is not one that motions can have.
+[[nodiscard]] Result<bool> seems_in_reach(const Task& task);
+
+/// Notes on goals of hands that may be an oversight: in the body's own head or a foot, where these
+/// are at the start, below the floor (y < 0), or nearer to it than the hand is thick. They refuse
+/// nothing.
+[[nodiscard]] std::vector<Message> goal_notes(const Task& task);
 
 }  // namespace shigusa

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 #include "goal_search.hpp"
 #include "problem/make_problem.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "goal_search.hpp"
 #include "nlp/nlp_rollout.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <shigusa/generate.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "goal_search.hpp"
 #include "plot.hpp"

@@ -2,7 +2,7 @@
 #include "goal_search.hpp"
 
 #include <algorithm>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "problem/make_problem.hpp"
 #include "problem/reachability.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <shigusa/request.hpp>
 #include <shigusa/search.hpp>
-#include <shigusa/task.hpp>
 
 #include "generate/parameter_space.hpp"
 #include "rollout/batch_rollout.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <string_view>
 #include <vector>
 

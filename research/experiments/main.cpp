@@ -11,7 +11,7 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "report.hpp"
 #include "rollout/batch_rollout.hpp"

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 #include "core/index.hpp"
 #include "generate/candidate.hpp"

@@ -3,9 +3,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/limb_cache.hpp>
+#include <shigusa/human.hpp>
 
 #include "core/check.hpp"
 #include "paper/limb_library.hpp"

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <shigusa/generate.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "generate/posture_meter.hpp"
 #include "goal_search.hpp"

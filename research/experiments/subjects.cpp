@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "subjects.hpp"
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "core/check.hpp"
 #include "independent_reach.hpp"

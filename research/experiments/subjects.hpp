@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <shigusa/body_model.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/body.hpp>
+#include <shigusa/run.hpp>
 #include <string>
 #include <vector>
 

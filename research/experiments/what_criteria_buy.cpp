@@ -9,9 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
-#include <shigusa/file.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "../people/evenness.hpp"
 #include "../people/jolt_meter.hpp"
@@ -19,6 +18,7 @@
 #include "../people/random_tasks.hpp"
 #include "core/check.hpp"
 #include "criteria/built_in_criteria.hpp"
+#include "files/file.hpp"
 #include "plan/assignment.hpp"
 #include "plan/plan.hpp"
 #include "report.hpp"

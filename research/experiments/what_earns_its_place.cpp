@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "goal_search.hpp"
 #include "report.hpp"

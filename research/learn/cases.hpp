@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <optional>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 #include <shigusa/motion.hpp>
 
 // Figures that people's motions are measured by, read off one motion.

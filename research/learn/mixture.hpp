@@ -2,7 +2,7 @@
 #pragma once
 
 #include <shigusa/criteria.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <span>
 #include <string>
 #include <string_view>

@@ -2,12 +2,12 @@
 #include <charconv>
 #include <iostream>
 #include <map>
-#include <shigusa/file.hpp>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 #include <sstream>
 
 #include "../people/record.hpp"
 #include "cases.hpp"
+#include "files/file.hpp"
 
 namespace shigusa::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 #include "../experiments/report.hpp"
 #include "measures.hpp"

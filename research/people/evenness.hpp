@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 #include <string>
 
 namespace shigusa::bench {

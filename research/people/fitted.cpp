@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fitted.hpp"
 
-#include <shigusa/result_file.hpp>
+#include <shigusa/files.hpp>
 
 #include "core/check.hpp"
 #include "measures.hpp"

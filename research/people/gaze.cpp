@@ -5,9 +5,9 @@
 
 #include <array>
 #include <cmath>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/parallel.hpp>
-#include <shigusa/task_file.hpp>
+#include <shigusa/run.hpp>
 
 #include "../experiments/report.hpp"
 #include "criteria/head.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 #include <shigusa/motion.hpp>
 
 #include "criteria/jolts.hpp"

@@ -7,7 +7,7 @@
 #include <array>
 #include <map>
 #include <shigusa/generate.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "../experiments/report.hpp"
 #include "jolt_meter.hpp"

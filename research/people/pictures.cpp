@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/strip_figure.hpp>
+#include <shigusa/draw.hpp>
 
 #include "character/character_rig.hpp"
 #include "kinematics/skeleton_motion.hpp"

@@ -7,7 +7,7 @@
 #include <array>
 #include <functional>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "draw/strip_figure_canvas.hpp"
 #include "dynamics/centre_of_mass.hpp"

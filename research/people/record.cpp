@@ -3,10 +3,10 @@
 
 #include <array>
 #include <charconv>
-#include <shigusa/bvh.hpp>
-#include <shigusa/file.hpp>
+#include <shigusa/formats.hpp>
 
 #include "character/character_rig.hpp"
+#include "files/file.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
 #include "tab_table.hpp"

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <shigusa/character.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 #include <string>
 #include <vector>
 

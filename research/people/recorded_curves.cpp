@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "recorded_curves.hpp"
 
-#include <shigusa/file.hpp>
-
+#include "files/file.hpp"
 #include "tab_table.hpp"
 
 namespace shigusa::bench {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <shigusa/parallel.hpp>
-#include <shigusa/score_clip.hpp>
+#include <shigusa/run.hpp>
+#include <shigusa/score.hpp>
 
 #include "problem/make_problem.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <shigusa/file.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
+#include "files/file.hpp"
 #include "tab_table.hpp"
 
 namespace shigusa::bench {

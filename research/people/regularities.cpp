@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <shigusa/file.hpp>
 #include <vector>
 
 #include "../experiments/report.hpp"
+#include "files/file.hpp"
 
 namespace shigusa::bench {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 
 namespace shigusa::bench {

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
-#include <shigusa/result.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/parse_number.hpp"
 
 namespace shigusa::bench {
 

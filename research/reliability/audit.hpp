@@ -2,8 +2,8 @@
 #pragma once
 
 #include <map>
-#include <shigusa/motion_measures.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/criteria.hpp>
+#include <shigusa/request.hpp>
 #include <string>
 #include <vector>
 

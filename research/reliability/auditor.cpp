@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <ctime>
 #include <mutex>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 namespace shigusa::bench {
 namespace {

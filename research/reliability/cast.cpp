@@ -2,8 +2,8 @@
 #include "cast.hpp"
 
 #include <algorithm>
-#include <shigusa/file.hpp>
 
+#include "files/file.hpp"
 #include "support/fbx_file.hpp"
 #include "support/gltf_file.hpp"
 #include "support/mjcf_file.hpp"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
 #include <string>
 #include <vector>
 

@@ -3,9 +3,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <shigusa/quat.hpp>
-#include <shigusa/random.hpp>
-#include <shigusa/vec3.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/run.hpp>
 #include <vector>
 
 namespace shigusa::bench {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 #include <vector>
 

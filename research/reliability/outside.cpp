@@ -2,8 +2,8 @@
 #include "outside.hpp"
 
 #include <cmath>
-#include <shigusa/bvh.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/formats.hpp>
 
 #include "character/character_rig.hpp"
 #include "document/character_export.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <map>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/task_file.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <shigusa/quat.hpp>
+#include <shigusa/math.hpp>
 #include <sstream>
 #include <stdexcept>
 

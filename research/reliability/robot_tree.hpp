@@ -3,7 +3,7 @@
 
 #include <map>
 #include <optional>
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

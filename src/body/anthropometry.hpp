@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <shigusa/body_build.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/body.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 

@@ -2,7 +2,7 @@
 #include "body/body_constants.hpp"
 
 #include <algorithm>
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 
 namespace shigusa {
 namespace {

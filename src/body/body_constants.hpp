@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
 #include <vector>
 
 namespace shigusa {

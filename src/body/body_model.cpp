@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 #include <utility>
 
 #include "body/body_constants.hpp"

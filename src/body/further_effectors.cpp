@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 #include <utility>
 
 #include "body/joint_name.hpp"

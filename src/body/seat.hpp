@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 
 namespace shigusa {
 

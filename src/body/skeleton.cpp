@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 
 #include "core/check.hpp"
 #include "core/index.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/message.hpp>
-#include <shigusa/vec3.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <shigusa/error.hpp>
 #include <shigusa/goal.hpp>
-#include <shigusa/words.hpp>
 
 #include "body/joint_name.hpp"
 #include "core/say.hpp"

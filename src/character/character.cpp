@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <shigusa/character.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 
 #include "character_file.hpp"
 #include "character_heels.hpp"
@@ -216,6 +216,12 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
     if (!first) first = attached.error();
   }
   return tl::unexpected(*first);
+}
+
+Result<Character> open_character(CharacterSpec spec, const std::filesystem::path& folder) {
+  SHG_TRY(measure_character(spec, folder));
+  SHG_TRY_ASSIGN(BodyModel body, build_character(spec));
+  return Character{std::move(spec), std::move(body)};
 }
 
 Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_both) {

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <shigusa/file.hpp>
-
 #include "core/check.hpp"
 #include "core/say.hpp"
+#include "files/file.hpp"
 #include "formats/by_format.hpp"
 #include "formats/fbx.hpp"
 #include "formats/gltf_animation.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <shigusa/character.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/motion.hpp>
 
 #include "measure/measure_person.hpp"
 

@@ -3,9 +3,8 @@
 
 #include <filesystem>
 #include <memory>
-#include <shigusa/bvh.hpp>
 #include <shigusa/character.hpp>
-#include <shigusa/file_format.hpp>
+#include <shigusa/formats.hpp>
 #include <string>
 #include <string_view>
 #include <utility>

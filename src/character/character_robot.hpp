@@ -2,7 +2,7 @@
 #pragma once
 
 #include <shigusa/character.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 
 #include "core/index.hpp"
 #include "human/landmark_points.hpp"

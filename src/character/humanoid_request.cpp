@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <shigusa/file.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 
 #include "core/say.hpp"
+#include "files/file.hpp"
 #include "human/landmark_points.hpp"
 #include "rig/likeness.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 
 #include "formats/json_reader.hpp"
 #include "human/landmark_points.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"

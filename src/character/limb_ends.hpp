@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/message.hpp>
+#include <shigusa/error.hpp>
 #include <span>
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include <functional>
 #include <optional>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 #include <vector>
 
 #include "character_file.hpp"

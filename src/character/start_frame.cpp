@@ -2,7 +2,7 @@
 #include "start_frame.hpp"
 
 #include <algorithm>
-#include <shigusa/motion_measures.hpp>
+#include <shigusa/criteria.hpp>
 
 #include "core/say.hpp"
 #include "dynamics/clip_dynamics.hpp"

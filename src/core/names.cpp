@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 #include <vector>
 
 #include "core/say.hpp"

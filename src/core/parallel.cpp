@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <vector>
 
 #include "core/check.hpp"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "core/parse_number.hpp"
+
 #include <charconv>
 #include <cstdlib>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 
 #include "c_locale.hpp"

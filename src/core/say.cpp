@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/say.hpp"
 
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 
 #include "core/check.hpp"
 

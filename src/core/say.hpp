@@ -7,7 +7,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <shigusa/message.hpp>
+#include <shigusa/error.hpp>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>

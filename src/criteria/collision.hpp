@@ -3,7 +3,6 @@
 
 #include <shigusa/criteria.hpp>
 #include <shigusa/motion.hpp>
-#include <shigusa/motion_measures.hpp>
 #include <string>
 #include <vector>
 

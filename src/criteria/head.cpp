@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "criteria/head.hpp"
 
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 
 namespace shigusa {
 

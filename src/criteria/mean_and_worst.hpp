@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 

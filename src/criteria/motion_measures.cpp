@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/motion_measures.hpp>
+#include <shigusa/criteria.hpp>
 
 #include "criteria/collision.hpp"
 #include "criteria/limit_excess.hpp"

@@ -2,7 +2,7 @@
 #include "criteria/posture_points.hpp"
 
 #include <algorithm>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 
 #include "dynamics/centre_of_mass.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 #include <shigusa/criteria.hpp>
 #include <vector>
 

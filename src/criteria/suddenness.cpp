@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/motion_measures.hpp>
+#include <shigusa/criteria.hpp>
 
 #include "criteria/jolts.hpp"
 #include "criteria/replay.hpp"

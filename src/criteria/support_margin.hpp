@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/motion_measures.hpp>
+#include <shigusa/criteria.hpp>
 #include <vector>
 
 #include "criteria/motion_frame.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 #include <shigusa/criteria.hpp>
 #include <vector>
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/bvh.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/formats.hpp>
 #include <shigusa/motion.hpp>
 
 #include "body/joint_name.hpp"

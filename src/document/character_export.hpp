@@ -2,8 +2,8 @@
 #pragma once
 
 #include <shigusa/character.hpp>
-#include <shigusa/export.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/request.hpp>
 #include <string>
 
 #include "glb_export.hpp"

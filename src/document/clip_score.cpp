@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/bvh.hpp>
+#include <shigusa/formats.hpp>
 #include <shigusa/motion.hpp>
-#include <shigusa/score_clip.hpp>
+#include <shigusa/score.hpp>
 
 #include "body/anthropometry.hpp"
 #include "character/character_file.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/score_clip.hpp>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/score.hpp>
 
 #include "formats/message_json.hpp"
 #include "measures_json.hpp"

@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/export.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/files.hpp>
 
 #include "character/character_rig.hpp"
 #include "core/say.hpp"
 #include "export_file.hpp"
+#include "files/file.hpp"
 #include "formats/by_format.hpp"
 #include "formats/json_reader.hpp"
 #include "kinematics/held_resample.hpp"
@@ -174,6 +175,16 @@ Result<std::string> export_candidate(const CharacterSpec& character, const Task&
 Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
                                      FileFormat format, const FileSettings& settings) {
   return export_candidate(CharacterSpec{}, task, candidate, format, settings);
+}
+
+Result<void> save(const std::filesystem::path& path, const CharacterSpec& character,
+                  const Task& task, const Candidate& candidate, const FileSettings& settings) {
+  const std::string ending = file_ending(path.string());
+  SHG_TRY_ASSIGN(const std::vector<FileFormat> formats,
+                 parse_formats(ending.empty() ? "no ending" : ending.substr(1)));
+  SHG_TRY_ASSIGN(const std::string bytes,
+                 export_candidate(character, task, candidate, formats[0], settings));
+  return write_file(path, bytes);
 }
 
 Result<std::string> export_all(const CharacterSpec& character, const Task& task,

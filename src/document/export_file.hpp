@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/export.hpp>
-#include <shigusa/facts.hpp>
-#include <shigusa/goal.hpp>
-#include <shigusa/result_file.hpp>
-#include <shigusa/skeleton.hpp>
+#include "document/facts.hpp"
 
+#include <shigusa/files.hpp>
+#include <shigusa/goal.hpp>
+#include <shigusa/motion.hpp>
+
+#include "character/character_fields.hpp"
 #include "core/messages.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "formats/json_text.hpp"
 #include "formats/message_json.hpp"
 #include "joint_names.hpp"
+#include "problem/request_fields.hpp"
 
 namespace shigusa {
 namespace {

@@ -2,14 +2,16 @@
 #pragma once
 
 #include <concepts>
-#include <shigusa/field.hpp>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "character/character_fields.hpp"
+#include "core/field.hpp"
 #include "core/say.hpp"
 #include "formats/json_reader.hpp"
 #include "formats/message_json.hpp"
+#include "problem/request_fields.hpp"
 
 namespace shigusa {
 

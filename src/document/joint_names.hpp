@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/export.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/motion.hpp>
 #include <span>
 #include <string_view>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
-#include <shigusa/file.hpp>
-#include <shigusa/limb_cache.hpp>
+#include <shigusa/files.hpp>
 #include <system_error>
+
+#include "files/file.hpp"
 
 namespace shigusa {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mannequin_export.hpp"
 
-#include <shigusa/body_build.hpp>
+#include <shigusa/human.hpp>
 
 #include "core/index.hpp"
 #include "in_place.hpp"

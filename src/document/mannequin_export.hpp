@@ -2,7 +2,7 @@
 #pragma once
 
 #include <shigusa/character.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "draw/mannequin.hpp"
 #include "glb_export.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/verdict.hpp>
+#include <shigusa/generate.hpp>
 
 #include "formats/json_text.hpp"
 

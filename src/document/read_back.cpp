@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/bvh.hpp>
+#include <shigusa/formats.hpp>
 
 #include "character/character_places.hpp"
 #include "character/character_rig.hpp"

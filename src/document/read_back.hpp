@@ -2,8 +2,8 @@
 #pragma once
 
 #include <functional>
-#include <shigusa/result_file.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/motion.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdlib>
-#include <shigusa/export.hpp>
-#include <shigusa/parallel.hpp>
-#include <shigusa/result_file.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/run.hpp>
 
 #include "character/character_rig.hpp"
 #include "character_export.hpp"

@@ -3,8 +3,8 @@
 
 #include <chrono>
 #include <filesystem>
-#include <shigusa/result.hpp>
-#include <shigusa/result_file.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/files.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

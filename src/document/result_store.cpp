@@ -2,12 +2,12 @@
 // Results in folders: what programs with files do, and pages do not.
 #include <algorithm>
 #include <cerrno>
-#include <shigusa/export.hpp>
-#include <shigusa/file.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/run.hpp>
 
 #include "core/index.hpp"
 #include "export_file.hpp"
+#include "files/file.hpp"
 #include "result_folder.hpp"
 
 namespace shigusa {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <shigusa/file.hpp>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
 
 #include "body/joint_name.hpp"
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
+#include "files/file.hpp"
 #include "plan/assignment.hpp"
 #include "plan/plan.hpp"
 #include "task_json.hpp"

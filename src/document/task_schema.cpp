@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/goal.hpp>
 
+#include "character/character_fields.hpp"
 #include "character/landmarks_json.hpp"
 #include "criteria/built_in_criteria.hpp"
+#include "problem/request_fields.hpp"
 #include "task_values.hpp"
 
 namespace shigusa {

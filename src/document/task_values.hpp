@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
 
 #include "field_json.hpp"
 

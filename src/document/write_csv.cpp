@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/quat.hpp>
+#include <shigusa/math.hpp>
 #include <utility>
 
 #include "export_file.hpp"

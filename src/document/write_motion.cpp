@@ -2,7 +2,7 @@
 // Files that hold the motion of nodes.
 #include <fmt/format.h>
 
-#include <shigusa/bvh.hpp>
+#include <shigusa/formats.hpp>
 
 #include "character/character_rig.hpp"
 #include "character_export.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/strip_figure.hpp>
+#include <shigusa/draw.hpp>
 
 #include "core/say.hpp"
 #include "draw/candidate_strip.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/draw.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/strip_figure.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 #include <vector>
 
 namespace shigusa {

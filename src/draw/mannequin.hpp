@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 #include <vector>
 
 #include "mannequin_fit.hpp"

@@ -3,7 +3,7 @@
 
 #include <map>
 #include <optional>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 #include <string>
 #include <vector>
 

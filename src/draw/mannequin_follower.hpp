@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/quat.hpp>
+#include <shigusa/math.hpp>
 
 #include "mannequin_mesh.hpp"
 

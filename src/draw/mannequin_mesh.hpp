@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <shigusa/vec3.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 #include <vector>
 

@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/motion_page.hpp>
-#include <shigusa/result_words.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/draw.hpp>
+#include <shigusa/math.hpp>
 
 #include "candidate_strip.hpp"
 #include "core/say.hpp"

@@ -7,8 +7,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <shigusa/motion_page.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/draw.hpp>
+#include <shigusa/math.hpp>
 
 #include "body/joint_name.hpp"
 #include "candidate_strip.hpp"

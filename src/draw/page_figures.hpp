@@ -2,7 +2,7 @@
 #pragma once
 
 #include <shigusa/generate.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 #include <string>
 
 namespace shigusa {

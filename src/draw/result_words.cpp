@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <shigusa/result_words.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/draw.hpp>
+#include <shigusa/math.hpp>
 
 #include "body/joint_name.hpp"
 #include "core/text.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <shigusa/scalar.hpp>
-#include <shigusa/strip_figure.hpp>
+#include <shigusa/draw.hpp>
+#include <shigusa/math.hpp>
 
 #include "strip_figure_painter.hpp"
 

@@ -2,7 +2,7 @@
 #include "strip_figure_body.hpp"
 
 #include <algorithm>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 #include "core/index.hpp"
 #include "human/landmark_points.hpp"

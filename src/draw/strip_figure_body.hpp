@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <shigusa/strip_figure.hpp>
+#include <shigusa/draw.hpp>
 #include <vector>
 
 namespace shigusa::strip {

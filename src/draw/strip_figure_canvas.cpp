@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 #include "core/index.hpp"
 #include "core/text.hpp"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 #include "core/index.hpp"
 

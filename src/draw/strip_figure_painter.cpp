@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa::strip {
 namespace {

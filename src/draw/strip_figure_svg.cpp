@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 #include "core/text.hpp"
 #include "strip_figure_canvas.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa::strip {
 namespace {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/strip_figure.hpp>
+#include <shigusa/draw.hpp>
 
 #include "measure/measure_person.hpp"
 #include "rig/find_humanoid.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string_view>
 #include <utility>
 

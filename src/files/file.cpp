@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "files/file.hpp"
+
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <shigusa/file.hpp>
 #include <system_error>
 
 #include "staging.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/bvh.hpp>
+#include <shigusa/formats.hpp>
 
 namespace shigusa {
 

@@ -5,15 +5,16 @@
 #include <array>
 #include <charconv>
 #include <optional>
-#include <shigusa/bvh.hpp>
-#include <shigusa/file.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/formats.hpp>
 #include <vector>
 
 #include "bvh_positions.hpp"
 #include "core/index.hpp"
+#include "core/parse_number.hpp"
 #include "core/say.hpp"
 #include "core/text.hpp"
+#include "files/file.hpp"
 #include "node_names.hpp"
 
 namespace shigusa {

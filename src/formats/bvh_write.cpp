@@ -5,7 +5,7 @@
 #include <array>
 #include <iterator>
 #include <optional>
-#include <shigusa/bvh.hpp>
+#include <shigusa/formats.hpp>
 #include <vector>
 
 #include "core/check.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/file_format.hpp>
+#include <shigusa/formats.hpp>
 #include <utility>
 
 namespace shigusa {

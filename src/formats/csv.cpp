@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 #include <string_view>
 
 namespace shigusa {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <shigusa/quat.hpp>
+#include <shigusa/math.hpp>
 #include <string_view>
 
 #include "fbx_records.hpp"

@@ -7,9 +7,10 @@
 #include <charconv>
 #include <cstring>
 #include <optional>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 #include <utility>
 
+#include "core/parse_number.hpp"
 #include "core/say.hpp"
 #include "core/text.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
-#include <shigusa/file_format.hpp>
+#include <shigusa/formats.hpp>
 #include <vector>
 
 #include "core/text.hpp"

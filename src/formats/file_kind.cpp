@@ -3,7 +3,7 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/file_format.hpp>
+#include <shigusa/formats.hpp>
 
 #include "core/say.hpp"
 #include "core/text.hpp"

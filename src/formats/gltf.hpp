@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <shigusa/file_format.hpp>
-#include <shigusa/message.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/formats.hpp>
+#include <shigusa/motion.hpp>
 #include <string>
 #include <string_view>
 #include <utility>

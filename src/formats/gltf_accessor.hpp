@@ -4,7 +4,7 @@
 #include <deque>
 #include <map>
 #include <optional>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <span>
 #include <string>
 #include <string_view>

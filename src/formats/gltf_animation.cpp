@@ -7,10 +7,10 @@
 #include <array>
 #include <charconv>
 #include <limits>
-#include <shigusa/file.hpp>
 
 #include "core/index.hpp"
 #include "core/say.hpp"
+#include "files/file.hpp"
 #include "formats/gltf_json.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_pose.hpp"

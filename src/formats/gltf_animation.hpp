@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <optional>
-#include <shigusa/message.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/result.hpp>
-#include <shigusa/vec3.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/math.hpp>
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/message.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <utility>
 #include <vector>

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <shigusa/quat.hpp>
-#include <shigusa/scalar.hpp>
-#include <shigusa/vec3.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 #include <vector>
 

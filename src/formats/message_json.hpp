@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/message.hpp>
+#include <shigusa/error.hpp>
 #include <span>
 
 #include "formats/json_text.hpp"

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <shigusa/file_format.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/formats.hpp>
 #include <string>
 #include <string_view>
 

@@ -2,9 +2,9 @@
 #include "mjcf_files.hpp"
 
 #include <algorithm>
-#include <shigusa/file.hpp>
 
 #include "core/say.hpp"
+#include "files/file.hpp"
 
 namespace shigusa {
 namespace {

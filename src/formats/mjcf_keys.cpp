@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <shigusa/quat.hpp>
+#include <shigusa/math.hpp>
 
 #include "core/text.hpp"
 

@@ -2,8 +2,8 @@
 #include "mjcf_values.hpp"
 
 #include <algorithm>
-#include <shigusa/quat.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/math.hpp>
 
 #include "core/index.hpp"
 #include "core/say.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
 #include <span>
 #include <string>
 #include <string_view>

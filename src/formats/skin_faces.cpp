@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "formats/skin_faces.hpp"
 
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <span>
 #include <string>
 #include <string_view>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <shigusa/file_format.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/formats.hpp>
 #include <string>
 #include <string_view>
 

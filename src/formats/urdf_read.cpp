@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <map>
-#include <shigusa/quat.hpp>
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
 #include <utility>
 
 #include "body/link_mass.hpp"

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 
+#include "core/parse_number.hpp"
 #include "core/say.hpp"
 #include "core/text.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <utility>
 
 #include "candidate.hpp"

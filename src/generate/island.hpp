@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <shigusa/request.hpp>
 #include <shigusa/search.hpp>
-#include <shigusa/task.hpp>
 #include <span>
 #include <vector>
 

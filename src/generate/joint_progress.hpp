@@ -4,8 +4,8 @@
 #include <atomic>
 #include <deque>
 #include <limits>
-#include <shigusa/progress.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/run.hpp>
 #include <thread>
 
 namespace shigusa {

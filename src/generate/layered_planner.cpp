@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <utility>
 
 #include "candidate.hpp"

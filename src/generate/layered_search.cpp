@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <type_traits>
 #include <utility>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/layered_settings.hpp>
+#include <shigusa/parameters.hpp>
 
 #include "paper/arm_feedback.hpp"
 #include "paper/layered_lanes.hpp"

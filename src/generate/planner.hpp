@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 #include <shigusa/generate.hpp>
-#include <shigusa/progress.hpp>
+#include <shigusa/run.hpp>
 #include <span>
 
 #include "plan/plan.hpp"

@@ -2,7 +2,7 @@
 #include "point_scorer.hpp"
 
 #include <algorithm>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <string_view>
 
 #include "approaches.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "generate/posture_meter.hpp"
 
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 
 #include "body/seat.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/body_model.hpp>
-#include <shigusa/verdict.hpp>
+#include <shigusa/body.hpp>
+#include <shigusa/generate.hpp>
 #include <span>
 
 #include "kinematics/forward_kinematics.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <shigusa/generate.hpp>
-#include <shigusa/progress.hpp>
+#include <shigusa/run.hpp>
 
 #include "planner.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/error.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/message.hpp>
 #include <span>
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 #include "generate/start_table.hpp"
 
 #include <algorithm>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 
 #include "body/anthropometry.hpp"

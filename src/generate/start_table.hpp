@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <shigusa/vec3.hpp>
+#include <shigusa/math.hpp>
 #include <span>
 #include <string_view>
 #include <vector>

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/verdict.hpp>
+#include <shigusa/generate.hpp>
 #include <utility>
 
 #include "dynamics/clip_dynamics.hpp"

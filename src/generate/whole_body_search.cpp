@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "whole_body_search.hpp"
 
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <utility>
 
 #include "core/index.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <deque>
+#include <shigusa/request.hpp>
 #include <shigusa/search.hpp>
-#include <shigusa/task.hpp>
 
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 
 namespace shigusa {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/human_body.hpp>
-#include <shigusa/message.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/human.hpp>
 #include <string>
 #include <vector>
 

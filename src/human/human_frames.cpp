@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "human_frames.hpp"
 
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/anthropometry.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 namespace shigusa {
 

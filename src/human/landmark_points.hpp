@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <shigusa/landmarks.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/motion.hpp>
 
 namespace shigusa {
 

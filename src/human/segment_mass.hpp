@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 
 #include "body/anthropometry.hpp"
 #include "body/link_mass.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 
 namespace shigusa {
 

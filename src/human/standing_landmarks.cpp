@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/human_body.hpp>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/anthropometry.hpp"
 #include "landmark_points.hpp"

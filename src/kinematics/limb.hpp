@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/mat3.hpp>
+#include <shigusa/math.hpp>
 
 #include "core/check.hpp"
 

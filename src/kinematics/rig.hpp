@@ -2,10 +2,9 @@
 #pragma once
 
 #include <array>
-#include <shigusa/body_model.hpp>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/body.hpp>
+#include <shigusa/human.hpp>
 #include <shigusa/motion.hpp>
-#include <shigusa/skeleton.hpp>
 #include <vector>
 
 #include "measure/measure_person.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 #include <shigusa/motion.hpp>
-#include <shigusa/skeleton.hpp>
 
 namespace shigusa {
 

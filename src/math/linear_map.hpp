@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <shigusa/mat3.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/mat3.hpp>
-#include <shigusa/quat.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 

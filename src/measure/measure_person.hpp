@@ -3,10 +3,9 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/landmarks.hpp>
-#include <shigusa/message.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/motion.hpp>
 #include <span>
 #include <string>
 #include <vector>

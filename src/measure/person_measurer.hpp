@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <shigusa/landmarks.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/motion.hpp>
 #include <span>
 #include <utility>
 

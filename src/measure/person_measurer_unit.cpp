@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "core/say.hpp"
 #include "person_measurer.hpp"

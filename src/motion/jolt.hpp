@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/math.hpp>
 #include <shigusa/motion.hpp>
-#include <shigusa/scalar.hpp>
 
 namespace shigusa {
 

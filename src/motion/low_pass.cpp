@@ -2,7 +2,7 @@
 #include "motion/low_pass.hpp"
 
 #include <algorithm>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 namespace {

@@ -2,7 +2,7 @@
 #include "nlp/variable_metric.hpp"
 
 #include <algorithm>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 #include "core/check.hpp"
 #include "core/index.hpp"

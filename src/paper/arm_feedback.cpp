@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <memory>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "body/capsules.hpp"
 #include "core/index.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <shigusa/layered_settings.hpp>
+#include <shigusa/parameters.hpp>
 #include <span>
 
 #include "paper/arm_motion.hpp"

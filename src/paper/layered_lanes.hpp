@@ -3,7 +3,7 @@
 
 #include <functional>
 #include <memory>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <span>
 #include <vector>
 

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 #include <utility>
 
+#include "core/parse_number.hpp"
 #include "core/say.hpp"
 #include "plan/parameter_info.hpp"
 

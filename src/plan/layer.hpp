@@ -2,7 +2,7 @@
 #pragma once
 
 #include <shigusa/criteria.hpp>
-#include <shigusa/layered_settings.hpp>
+#include <shigusa/parameters.hpp>
 #include <span>
 #include <string>
 #include <string_view>

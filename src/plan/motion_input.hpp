@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/math.hpp>
 #include <shigusa/parameters.hpp>
-#include <shigusa/scalar.hpp>
 #include <span>
 #include <vector>
 

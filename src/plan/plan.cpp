@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 #include <utility>
 
 #include "body/posture_modes.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/error.hpp>
 #include <shigusa/goal.hpp>
-#include <shigusa/result.hpp>
 #include <span>
 #include <string>
 #include <vector>

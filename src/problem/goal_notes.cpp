@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <shigusa/landmarks.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/request.hpp>
 #include <string_view>
 
 #include "body/capsules.hpp"

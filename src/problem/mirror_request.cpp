@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "body/joint_name.hpp"
+#include "problem/request_fields.hpp"
 
 namespace shigusa {
 namespace {

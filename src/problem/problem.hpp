@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 #include <utility>
 
 #include "plan/plan.hpp"

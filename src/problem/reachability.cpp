@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "dynamics/centre_of_mass.hpp"
 #include "kinematics/penetration.hpp"

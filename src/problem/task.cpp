@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 #include <utility>
 
 #include "core/say.hpp"

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <shigusa/error.hpp>
 #include <shigusa/goal.hpp>
-#include <shigusa/words.hpp>
 #include <utility>
 
 #include "body/joint_name.hpp"

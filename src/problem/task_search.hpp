@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 
 #include "problem.hpp"
 

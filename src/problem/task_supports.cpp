@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/landmarks.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/human.hpp>
 #include <utility>
 
 #include "body/capsules.hpp"

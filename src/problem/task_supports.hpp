@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 #include <vector>
 
 #include "kinematics/forward_kinematics.hpp"

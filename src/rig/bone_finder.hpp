@@ -3,8 +3,8 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/result.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/motion.hpp>
 #include <utility>
 #include <vector>
 

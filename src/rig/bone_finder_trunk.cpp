@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/anthropometry.hpp"
 #include "bone_finder.hpp"

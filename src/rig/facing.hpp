@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 
 #include "skeleton_tree.hpp"
 

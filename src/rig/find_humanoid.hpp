@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/result.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/motion.hpp>
 #include <span>
 #include <vector>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body_model.hpp>
-#include <shigusa/skeleton.hpp>
-#include <shigusa/transform.hpp>
+#include <shigusa/body.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/motion.hpp>
 #include <span>
 #include <string>
 #include <string_view>

@@ -4,8 +4,8 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <shigusa/message.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/motion.hpp>
 #include <string>
 #include <string_view>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/landmarks.hpp>
-#include <shigusa/message.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/human.hpp>
 #include <string>
 
 namespace shigusa {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/message.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/motion.hpp>
 
 #include "skeleton_tree.hpp"
 

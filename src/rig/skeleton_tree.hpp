@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 #include <span>
 #include <vector>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <shigusa/skeleton.hpp>
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/motion.hpp>
 #include <vector>
 
 namespace shigusa {

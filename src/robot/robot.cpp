@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/motion.hpp>
 #include <utility>
 
 #include "core/index.hpp"

@@ -3,10 +3,10 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/body_model.hpp>
-#include <shigusa/landmarks.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/body.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/motion.hpp>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 #include <string>
 #include <vector>
 

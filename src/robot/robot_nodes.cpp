@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/anthropometry.hpp"
 #include "core/index.hpp"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/body_model.hpp>
-#include <shigusa/message.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/body.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 #include <vector>
 
 #include "core/index.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "core/check.hpp"
 #include "lane_scorer.hpp"

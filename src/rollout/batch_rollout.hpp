@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rollout/posture_law.hpp"
 
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/posture_modes.hpp"
 #include "kinematics/weighted_ik.hpp"

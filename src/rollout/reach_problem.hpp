@@ -3,7 +3,7 @@
 
 #include <array>
 #include <optional>
-#include <shigusa/body_model.hpp>
+#include <shigusa/body.hpp>
 #include <shigusa/motion.hpp>
 #include <string>
 #include <vector>

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <shigusa/random.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/run.hpp>
 #include <shigusa/search.hpp>
 #include <utility>
 

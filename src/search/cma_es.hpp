@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <shigusa/search.hpp>
 #include <vector>
 

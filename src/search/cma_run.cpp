@@ -2,7 +2,7 @@
 #include "cma_run.hpp"
 
 #include <algorithm>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 #include <utility>
 
 #include "normal.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <span>
 #include <vector>
 

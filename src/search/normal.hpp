@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/random.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/run.hpp>
 
 namespace shigusa {
 

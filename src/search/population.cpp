@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 #include <utility>
 
 namespace shigusa {

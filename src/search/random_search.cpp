@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <shigusa/search.hpp>
 #include <utility>
 

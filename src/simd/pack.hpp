@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 #include <utility>
 #ifdef __SSE__
 #include <immintrin.h>

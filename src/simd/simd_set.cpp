@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <string>
 #include <utility>
 #include <vector>

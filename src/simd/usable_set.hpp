@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 namespace shigusa {
 

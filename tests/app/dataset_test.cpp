@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 
 #include <chrono>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <thread>
 
 #include "formats/json_text.hpp"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "app/result_checks.hpp"
 #include "support/bodies.hpp"

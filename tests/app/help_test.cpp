@@ -10,6 +10,7 @@
 #include <shigusa/request.hpp>
 #include <sstream>
 
+#include "problem/request_fields.hpp"
 #include "support/run_program.hpp"
 #include "support/work_folder.hpp"
 

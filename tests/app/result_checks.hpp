@@ -54,7 +54,7 @@ class StoredRun {
 
 inline constexpr double kMillimetre = 1e-3;
 // Tolerances between numbers of the summary and of the files: a BVH moves no origin of a
-// human body by more (bvh.hpp).
+// human body by more (formats.hpp).
 inline constexpr double kWritten = 1e-6;
 
 // Each planted foot stays within 1 mm and 0.1° of its place, by the file's own kinematics, and the

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/landmarks.hpp>
-#include <shigusa/vec3.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/math.hpp>
 #include <vector>
 
 namespace shigusa {

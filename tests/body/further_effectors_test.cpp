@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/stance.hpp"
 #include "support/bodies.hpp"

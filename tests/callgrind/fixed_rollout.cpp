@@ -3,8 +3,8 @@
 // BODY is half_body or full_body, HOW is double or a SIMD set.
 #include <cstdio>
 #include <cstdlib>
-#include <shigusa/human_body.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 #include <string_view>
 
 #include "rollout/batch_rollout.hpp"

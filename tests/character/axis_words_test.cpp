@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/goal.hpp>
-#include <shigusa/vec3.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 namespace {

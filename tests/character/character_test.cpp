@@ -2,12 +2,12 @@
 // Characters that nobody here made: they start as they were recorded, and keep every promise.
 #include <gmock/gmock.h>
 
-#include <shigusa/body_build.hpp>
-#include <shigusa/export.hpp>
-#include <shigusa/file.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/human.hpp>
 
 #include "character/character_file.hpp"
 #include "core/check.hpp"
+#include "files/file.hpp"
 #include "formats/gltf_skin.hpp"
 #include "human/at_ease.hpp"
 #include "measure/measure_person.hpp"

@@ -2,8 +2,8 @@
 // Layers on characters that nobody here made.
 #include <gtest/gtest.h>
 
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/task_file.hpp>
 
 #include "generate/layered_approaches.hpp"
 #include "support/layered.hpp"

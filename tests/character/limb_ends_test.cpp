@@ -6,7 +6,7 @@
 
 #include <functional>
 #include <shigusa/character.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "character/character_rig.hpp"
 #include "document/character_export.hpp"

@@ -5,7 +5,7 @@
 
 #include <functional>
 #include <shigusa/character.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "character/character_rig.hpp"
 #include "character/landmarks_json.hpp"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
 
 #include "formats/mjcf.hpp"

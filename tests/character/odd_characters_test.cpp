@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <functional>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "character/character_rig.hpp"
 #include "core/index.hpp"

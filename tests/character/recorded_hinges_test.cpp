@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/character.hpp>
-#include <shigusa/file.hpp>
+
+#include "files/file.hpp"
 
 namespace shigusa {
 namespace {

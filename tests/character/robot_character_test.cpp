@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/edit.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
 
 #include "kinematics/forward_kinematics.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
 #include <sstream>
 

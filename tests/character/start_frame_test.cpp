@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <bit>
-#include <shigusa/bvh.hpp>
+#include <shigusa/formats.hpp>
 
 #include "character/character_file.hpp"
 #include "character/character_rig.hpp"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <bit>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "character/character_rig.hpp"
 #include "document/character_export.hpp"

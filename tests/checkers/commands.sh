@@ -76,7 +76,7 @@ mkdir -p "$tree/apps" "$tree/bindings" "$tree/tests" "$tree/examples" "$tree/ben
 passes 'a good format' in_project "$tree/scripts/format" --check
 write src/a.cpp 'bad layout'
 fails_with '' 'a bad format' in_project "$tree/scripts/format" --check
-rm "$tree/src/a.cpp" "$tree/include/shigusa/result.hpp"
+rm "$tree/src/a.cpp" "$tree/include/shigusa/error.hpp"
 fails_with 'no sources' 'a format of nothing' in_project "$tree/scripts/format" --check
 
 # the same bytes

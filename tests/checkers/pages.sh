@@ -23,9 +23,9 @@ fi
 # the paper's map
 fresh
 write tests/core/good_test.cpp 'f'
-write docs/paper_map.md '| 3 | a thing | `f` in `result.hpp`; `inline` | `core/good_test.cpp` |'
+write docs/paper_map.md '| 3 | a thing | `f` in `error.hpp`; `inline` | `core/good_test.cpp` |'
 accepts check_paper_map.sh
-refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `g` in `result.hpp` | |' 'no g in result.hpp'
+refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `g` in `error.hpp` | |' 'no g in error.hpp'
 refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `gone` | |' 'no gone in the sources'
 refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `f` in `core/gone.hpp` | |' 'no file core/gone.hpp'
 refuses check_paper_map.sh docs/paper_map.md '| 3 | a thing | `f` | `core/gone_test.cpp` |' 'no file core/gone_test.cpp'

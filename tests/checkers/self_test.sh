@@ -14,7 +14,7 @@ failures=0
 fresh() {
   rm -rf "${tree:?}"/*
   mkdir -p "$tree/include" "$tree/src"
-  write include/shigusa/result.hpp '// SPDX-License-Identifier: MIT' '#include <string>' \
+  write include/shigusa/error.hpp '// SPDX-License-Identifier: MIT' '#include <string>' \
     '#include <tl/expected.hpp>' 'namespace shigusa {' 'inline double f(double x) { return x; }' '}'
 }
 

@@ -11,5 +11,5 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/${FOLDER} -B ${WORK_DIR}/build
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/consumer)
 if(EXISTS ${WORK_DIR}/build/readme)
-  run(${WORK_DIR}/build/readme)
+  run(${CMAKE_COMMAND} -E chdir ${WORK_DIR} build/readme)
 endif()

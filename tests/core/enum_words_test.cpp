@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 
 namespace shigusa {
 enum class Fruit { apple, pear, quince };

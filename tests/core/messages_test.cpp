@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 
 #include "core/say.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 #include <vector>
 
 namespace shigusa {

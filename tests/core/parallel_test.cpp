@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 #include <stdexcept>
 #include <thread>
 #include <vector>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "core/parse_number.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -7,7 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <shigusa/words.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 
 #include "core/c_locale.hpp"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <shigusa/progress.hpp>
+#include <shigusa/run.hpp>
 
 namespace shigusa {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <vector>
 
 #include "statistics.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 
 namespace shigusa {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "support/motions.hpp"
 #include "support/penalty_by.hpp"

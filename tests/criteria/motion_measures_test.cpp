@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/motion_measures.hpp>
+#include <shigusa/criteria.hpp>
 
 #include "support/motions.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <set>
-#include <shigusa/quat.hpp>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/math.hpp>
 
 #include "body/anthropometry.hpp"
 

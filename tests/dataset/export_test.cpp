@@ -8,6 +8,7 @@
 #include <shigusa/dataset_export.hpp>
 #include <sstream>
 
+#include "core/parse_number.hpp"
 #include "dataset/export_caption.hpp"
 #include "dataset/export_poses.hpp"
 #include "dataset/plans.hpp"

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 #include <shigusa/dataset_merge.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <system_error>
 
 #include "dataset/index_reader.hpp"

@@ -2,7 +2,7 @@
 // Motions on the character's own skeleton, judged by the files' own forward kinematics.
 #include <gmock/gmock.h>
 
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "character/character_rig.hpp"
 #include "document/schema_check.hpp"

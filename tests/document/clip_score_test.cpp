@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <shigusa/bvh.hpp>
-#include <shigusa/export.hpp>
-#include <shigusa/random.hpp>
-#include <shigusa/score_clip.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/formats.hpp>
+#include <shigusa/run.hpp>
+#include <shigusa/score.hpp>
 
 #include "kinematics/skeleton_motion.hpp"
 #include "support/work_folder.hpp"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "files/sha256.hpp"
 #include "support/work_folder.hpp"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "document/facts.hpp"
+
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <shigusa/export.hpp>
-#include <shigusa/facts.hpp>
+#include <shigusa/files.hpp>
 
 #include "criteria/built_in_criteria.hpp"
 

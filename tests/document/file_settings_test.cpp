@@ -2,8 +2,8 @@
 // Names of joints and clips in files, and motions without what the hips travel.
 #include <gmock/gmock.h>
 
-#include <shigusa/bvh.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/formats.hpp>
 
 #include "document/in_place.hpp"
 #include "document/joint_names.hpp"

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/task_file.hpp>
 
 #include "character/character_rig.hpp"
 #include "rig/finger_bones.hpp"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <shigusa/result_file.hpp>
+#include <shigusa/files.hpp>
 
 #include "document/result_sample.hpp"
 #include "document/schema_check.hpp"

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/limb_cache.hpp>
+#include <shigusa/human.hpp>
 #include <thread>
 
 #include "support/work_folder.hpp"

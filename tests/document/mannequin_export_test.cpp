@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/task_file.hpp>
 
 #include "support/exported_glb.hpp"
 

@@ -6,8 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <shigusa/result_file.hpp>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
 
 #include "support/named_values.hpp"
 

@@ -3,7 +3,7 @@
 // BVH's own forward kinematics.
 #include <gtest/gtest.h>
 
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "motion/minimum_jerk.hpp"
 #include "problem/make_problem.hpp"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
 
 #include "support/gltf_file.hpp"

@@ -3,7 +3,7 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "body/posture_modes.hpp"
 #include "document/result_sample.hpp"

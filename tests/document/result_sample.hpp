@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
-#include <shigusa/result_file.hpp>
+#include <shigusa/files.hpp>
 #include <utility>
 
 namespace shigusa::testing_support {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <shigusa/file.hpp>
 #include <string>
 
 #include "core/check.hpp"
+#include "files/file.hpp"
 
 namespace shigusa::testing_support {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <shigusa/result_file.hpp>
+#include <shigusa/files.hpp>
 
 #include "document/schema_check.hpp"
 #include "document/task_samples.hpp"

@@ -5,9 +5,11 @@
 
 #include <bit>
 #include <cstdint>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
 
+#include "character/character_fields.hpp"
 #include "criteria/built_in_criteria.hpp"
+#include "problem/request_fields.hpp"
 #include "support/bodies.hpp"
 
 // Random tasks, and whether two are the same to the last bit.

@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <functional>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
 
 #include "character/character_rig.hpp"

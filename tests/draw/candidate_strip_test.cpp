@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "human/at_ease.hpp"
 

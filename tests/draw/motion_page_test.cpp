@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <shigusa/motion_page.hpp>
+#include <shigusa/draw.hpp>
 
 #include "document/result_sample.hpp"
 #include "draw/candidate_strip.hpp"

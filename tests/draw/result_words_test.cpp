@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/result_words.hpp>
+#include <shigusa/draw.hpp>
 
 #include "criteria/built_in_criteria.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 
 #include "draw/strip_figure_canvas.hpp"

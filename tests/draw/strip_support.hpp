@@ -8,8 +8,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
-#include <shigusa/scalar.hpp>
-#include <shigusa/strip_figure.hpp>
+#include <shigusa/draw.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "dynamics/contact_forces.hpp"
 #include "support/bodies.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <shigusa/edit.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
 
 #include "character/character_rig.hpp"

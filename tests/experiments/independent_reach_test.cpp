@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 
 #include "experiments/subjects.hpp"
 #include "problem/make_problem.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/generate.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "experiments/goal_search.hpp"
 #include "experiments/pagmo_runs.hpp"

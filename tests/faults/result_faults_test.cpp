@@ -8,7 +8,7 @@
 
 #include <chrono>
 #include <set>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <thread>
 
 #include "document/result_folder.hpp"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "files/file.hpp"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
@@ -12,7 +14,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <shigusa/file.hpp>
 #include <string>
 #include <thread>
 #include <vector>

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <locale>
-#include <shigusa/bvh.hpp>
+#include <shigusa/formats.hpp>
 #include <sstream>
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "formats/gltf.hpp"
 #include "support/fbx_file.hpp"

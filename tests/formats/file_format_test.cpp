@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <shigusa/file_format.hpp>
+#include <shigusa/formats.hpp>
 
 namespace shigusa {
 namespace {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 
 #include "formats/glb.hpp"
 #include "formats/gltf_json.hpp"

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/bvh.hpp>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/formats.hpp>
+#include <shigusa/human.hpp>
 #include <string_view>
 
 #include "measure/measure_person.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 #include <string_view>
 
 #include "formats/fbx.hpp"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/human.hpp>
 #include <span>
 #include <string_view>
 

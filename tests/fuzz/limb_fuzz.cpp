@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 #include <string_view>
 
 #include "paper/limb_library.hpp"

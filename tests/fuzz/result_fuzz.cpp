@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/result_file.hpp>
+#include <shigusa/files.hpp>
 #include <string>
 #include <string_view>
 

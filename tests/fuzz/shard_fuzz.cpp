@@ -12,12 +12,12 @@
 #include <shigusa/dataset_merge.hpp>
 #include <shigusa/dataset_read.hpp>
 #include <shigusa/dataset_show.hpp>
-#include <shigusa/file.hpp>
 #include <string>
 #include <string_view>
 
 #include "dataset/data_rows.hpp"
 #include "dataset/index_reader.hpp"
+#include "files/file.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <shigusa/bvh.hpp>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/formats.hpp>
 #include <string_view>
 
 #include "kinematics/skeleton_motion.hpp"

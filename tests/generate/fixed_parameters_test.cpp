@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/result_file.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/shigusa.hpp>
 
 #include "generate/parameter_space.hpp"

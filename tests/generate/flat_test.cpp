@@ -5,7 +5,7 @@
 
 #include <set>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "generate/archive.hpp"
 #include "generate/parameter_space.hpp"

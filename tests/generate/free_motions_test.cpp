@@ -3,8 +3,8 @@
 // kernel's.
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 #include "plan/plan.hpp"
 #include "support/flesh.hpp"

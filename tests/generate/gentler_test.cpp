@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 #include "generate/delivery.hpp"
 #include "generate/other_durations.hpp"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 #include "generate/approaches.hpp"
 #include "generate/candidate.hpp"

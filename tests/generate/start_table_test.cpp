@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 #include <string>
 
 #include "body/anthropometry.hpp"

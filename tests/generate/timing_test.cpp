@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 namespace shigusa {
 namespace {

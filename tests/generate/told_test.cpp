@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 namespace shigusa {
 namespace {

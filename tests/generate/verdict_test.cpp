@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
-#include <shigusa/verdict.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/human.hpp>
 
 #include "dynamics/clip_dynamics.hpp"
 #include "human/landmark_points.hpp"

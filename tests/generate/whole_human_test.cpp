@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "generate/archive.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/anthropometry.hpp"
 #include "human/landmark_points.hpp"

@@ -2,7 +2,7 @@
 // To which side knees and elbows bend, where the limb is nearly straight or the foot says little.
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 #include <string>
 
 namespace shigusa {

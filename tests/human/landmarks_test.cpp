@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <shigusa/bvh.hpp>
-#include <shigusa/landmarks.hpp>
+#include <shigusa/formats.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/anthropometry.hpp"
 #include "human/human_frames.hpp"

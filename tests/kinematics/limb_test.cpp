@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 #include "kinematics/forward_kinematics.hpp"
 #include "support/bodies.hpp"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/random.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/run.hpp>
 
 namespace shigusa {
 namespace {

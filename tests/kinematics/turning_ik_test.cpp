@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "nlp/nlp_ik.hpp"
 #include "support/bodies.hpp"

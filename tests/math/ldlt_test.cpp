@@ -9,7 +9,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <vector>
 
 namespace shigusa {

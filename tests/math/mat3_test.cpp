@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <initializer_list>
-#include <shigusa/mat3.hpp>
+#include <shigusa/math.hpp>
 
 #include "rotation_samples.hpp"
 

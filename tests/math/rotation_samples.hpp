@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <shigusa/mat3.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/run.hpp>
 
 namespace shigusa::testing_support {
 

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <initializer_list>
 #include <limits>
-#include <shigusa/random.hpp>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/run.hpp>
 
 // The reference is the C library in long double. Where that has 64 bits of precision its own error
 // is below 1e-19 (sin and cos) and 3e-19 (inverse functions up to π): nothing beside the bounds.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 namespace {

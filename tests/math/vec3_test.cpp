@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <limits>
-#include <shigusa/vec3.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 namespace {

@@ -2,7 +2,7 @@
 // A person measured from a mesh, on a figure whose flesh is drawn around its joints.
 #include <gmock/gmock.h>
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/anthropometry.hpp"
 #include "body/skin.hpp"

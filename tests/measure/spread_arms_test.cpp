@@ -2,7 +2,7 @@
 // Postures of the arms in which nobody stands.
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "human/landmark_points.hpp"
 #include "human/stance.hpp"

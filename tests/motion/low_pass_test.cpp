@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "core/check.hpp"
 

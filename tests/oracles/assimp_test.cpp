@@ -5,7 +5,7 @@
 
 #include <assimp/Importer.hpp>
 #include <nlohmann/json.hpp>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 
 #include "support/exported.hpp"
 #include "support/work_folder.hpp"

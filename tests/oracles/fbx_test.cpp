@@ -9,8 +9,8 @@
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
 #include <map>
-#include <shigusa/bvh.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/formats.hpp>
+#include <shigusa/run.hpp>
 #include <string>
 
 #include "core/check.hpp"

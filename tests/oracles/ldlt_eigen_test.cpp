@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "math/ldlt.hpp"
 

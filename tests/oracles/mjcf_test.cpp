@@ -7,11 +7,10 @@
 #include <mujoco/mujoco.h>
 
 #include <memory>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/quat.hpp>
-#include <shigusa/random.hpp>
-#include <shigusa/task_file.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/run.hpp>
 
 #include "core/check.hpp"
 #include "support/mjcf_file.hpp"

@@ -5,9 +5,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <shigusa/export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/task_file.hpp>
 
 #include "dynamics/centre_of_mass.hpp"
 #include "support/robot_file.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 
 #include "support/layered.hpp"
 #include "support/problems.hpp"

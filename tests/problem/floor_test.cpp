@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <shigusa/generate.hpp>
-#include <shigusa/human_body.hpp>
-#include <shigusa/quat.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/math.hpp>
 
 #include "kinematics/forward_kinematics.hpp"
 

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/request.hpp>
 
 #include "kinematics/forward_kinematics.hpp"
 

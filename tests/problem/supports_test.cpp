@@ -2,8 +2,8 @@
 // The places of obstacles that hands rest on.
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/request.hpp>
 
 #include "kinematics/forward_kinematics.hpp"
 #include "problem/task_supports.hpp"

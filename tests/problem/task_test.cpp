@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <shigusa/generate.hpp>
-#include <shigusa/task.hpp>
+#include <shigusa/request.hpp>
 
 #include "problem/make_problem.hpp"
 #include "support/problems.hpp"

@@ -3,10 +3,9 @@
 // understood with nothing said.
 #include <gmock/gmock.h>
 
-#include <shigusa/human_body.hpp>
-#include <shigusa/landmarks.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/motion.hpp>
 
 #include "measure/measure_person.hpp"
 #include "rig/find_humanoid.hpp"

@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include <shigusa/landmarks.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/human.hpp>
 
 #include "measure/measure_person.hpp"
 #include "rig/find_humanoid.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 
 namespace shigusa {
 namespace {

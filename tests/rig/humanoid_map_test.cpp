@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <shigusa/bvh.hpp>
-#include <shigusa/landmarks.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/formats.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/motion.hpp>
 
 #include "measure/measure_person.hpp"
 #include "rig/find_humanoid.hpp"

@@ -3,8 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include <shigusa/skeleton.hpp>
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/motion.hpp>
 
 #include "measure/measure_person.hpp"
 #include "rig/find_humanoid.hpp"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/human_body.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 #include <vector>
 
 #include "kinematics/penetration.hpp"

@@ -2,7 +2,7 @@
 // Motions that are drawn to a posture, on bowed paths.
 #include <gtest/gtest.h>
 
-#include <shigusa/human_body.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/posture_modes.hpp"
 #include "support/lanes.hpp"

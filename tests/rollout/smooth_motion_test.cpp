@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/human_body.hpp>
-#include <shigusa/motion_measures.hpp>
+#include <shigusa/criteria.hpp>
+#include <shigusa/human.hpp>
 
 #include "body/posture_modes.hpp"
 #include "core/index.hpp"

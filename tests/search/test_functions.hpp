@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <shigusa/scalar.hpp>
+#include <shigusa/math.hpp>
 #include <shigusa/search.hpp>
 #include <span>
 #include <vector>

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cinttypes>
 #include <cstdio>
-#include <shigusa/human_body.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 
 #include "rollout/batch_rollout.hpp"
 #include "rollout/reach_problem.hpp"

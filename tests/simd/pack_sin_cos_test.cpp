@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 #include <vector>
 
 #include "simd/lane_counts.hpp"

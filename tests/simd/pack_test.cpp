@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <shigusa/random.hpp>
+#include <shigusa/run.hpp>
 
 #include "simd/lane_counts.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <set>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 namespace shigusa {
 namespace {

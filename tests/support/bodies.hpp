@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/human_body.hpp>
-#include <shigusa/random.hpp>
+#include <shigusa/human.hpp>
+#include <shigusa/run.hpp>
 #include <string>
 #include <vector>
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <shigusa/skeleton.hpp>
-#include <shigusa/vec3.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/motion.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>

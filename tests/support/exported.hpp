@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cmath>
-#include <shigusa/bvh.hpp>
+#include <shigusa/formats.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

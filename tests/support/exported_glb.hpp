@@ -4,8 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <shigusa/quat.hpp>
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

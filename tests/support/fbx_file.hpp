@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
-#include <shigusa/mat3.hpp>
-#include <shigusa/vec3.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 #include <variant>
 #include <vector>

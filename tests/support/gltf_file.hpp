@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <shigusa/bvh.hpp>
+#include <shigusa/formats.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <shigusa/transform.hpp>
+#include <shigusa/math.hpp>
 #include <string>
 #include <vector>
 

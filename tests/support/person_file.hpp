@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/bvh.hpp>
-#include <shigusa/human_body.hpp>
+#include <shigusa/formats.hpp>
+#include <shigusa/human.hpp>
 #include <string>
 
 #include "kinematics/skeleton_motion.hpp"

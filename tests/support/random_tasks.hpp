@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <shigusa/random.hpp>
-#include <shigusa/task_file.hpp>
+#include <shigusa/files.hpp>
+#include <shigusa/run.hpp>
 
 // Random tasks of built-in bodies.
 namespace shigusa::testing_support {

@@ -6,11 +6,11 @@
 
 #include <filesystem>
 #include <map>
-#include <shigusa/file.hpp>
 #include <string>
 #include <string_view>
 
 #include "core/check.hpp"
+#include "files/file.hpp"
 
 namespace shigusa::testing_support {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/character.hpp>
-#include <shigusa/score_clip.hpp>
+#include <shigusa/score.hpp>
 
 #include "door.hpp"
 

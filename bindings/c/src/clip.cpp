@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/score_clip.hpp>
+#include <shigusa/score.hpp>
 
 #include "door.hpp"
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "document/facts.hpp"
 #include "failure.hpp"
 #include "watch.hpp"
 

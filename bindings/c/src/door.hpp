@@ -4,7 +4,7 @@
 #include <shigusa.h>
 
 #include <optional>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <shigusa/shigusa.hpp>
 #include <string>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string_view>
 
 // The last failure of each thread. A thread's place for it is made at its first failure; where

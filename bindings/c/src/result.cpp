@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <shigusa/edit.hpp>
-#include <shigusa/parallel.hpp>
+#include <shigusa/run.hpp>
 
 #include "door.hpp"
 #include "watch.hpp"

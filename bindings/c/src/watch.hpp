@@ -5,7 +5,7 @@
 
 #include <atomic>
 #include <exception>
-#include <shigusa/progress.hpp>
+#include <shigusa/run.hpp>
 
 #include "arithmetic.hpp"
 

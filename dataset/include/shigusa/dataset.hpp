@@ -9,11 +9,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <shigusa/error.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/parallel.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/task_file.hpp>
-#include <shigusa/words.hpp>
+#include <shigusa/run.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

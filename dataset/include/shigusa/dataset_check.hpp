@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <shigusa/parallel.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/run.hpp>
 #include <string>
 #include <vector>
 

@@ -8,10 +8,9 @@
 #include <functional>
 #include <optional>
 #include <shigusa/dataset.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/generate.hpp>
 #include <shigusa/motion.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/verdict.hpp>
-#include <shigusa/words.hpp>
 #include <string>
 #include <string_view>
 

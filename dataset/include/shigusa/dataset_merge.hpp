@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <shigusa/dataset.hpp>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <vector>
 

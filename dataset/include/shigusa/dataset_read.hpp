@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <shigusa/body_build.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/generate.hpp>
 #include <shigusa/goal.hpp>
+#include <shigusa/human.hpp>
 #include <shigusa/parameters.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/task.hpp>
-#include <shigusa/verdict.hpp>
+#include <shigusa/request.hpp>
 #include <span>
 #include <string>
 #include <vector>

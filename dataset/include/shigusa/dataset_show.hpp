@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 
 namespace shigusa {

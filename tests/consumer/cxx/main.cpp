@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <shigusa/bvh.hpp>
-#include <shigusa/strip_figure.hpp>
+#include <shigusa/draw.hpp>
+#include <shigusa/formats.hpp>
 
 // Reads a motion and draws it: the drawing library must have come along with the static library.
 int main() {

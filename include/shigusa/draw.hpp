@@ -3,9 +3,16 @@
 
 #include <cstddef>
 #include <optional>
-#include <shigusa/result.hpp>
-#include <shigusa/skeleton.hpp>
+#include <shigusa/criteria.hpp>
+#include <shigusa/error.hpp>
+#include <shigusa/generate.hpp>
+#include <shigusa/goal.hpp>
+#include <shigusa/math.hpp>
+#include <shigusa/motion.hpp>
+#include <shigusa/request.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shigusa {
@@ -109,5 +116,71 @@ inline constexpr std::size_t kPageMaxStrips = 12;
 /// counted from 1); where there is no strip or more than kPageMaxStrips; and where the settings
 /// differ in `width_mm`, which is the page's.
 [[nodiscard]] Result<std::string> draw_strips(const std::vector<MotionStrip>& strips);
+
+}  // namespace shigusa
+
+/// Results in words, as tables and pages tell them to a person.
+namespace shigusa {
+
+/// "right hand" of "right_hand", "right ankle (inversion)" of "right_ankle.inversion".
+[[nodiscard]] std::string part_words(std::string_view name);
+
+/// A distance in the unit that it is best read in: "8 mm", "12 cm", "1.25 m". `metres` ≥ 0.
+[[nodiscard]] std::string length_words(double metres);
+
+/// A duration that is enough, in tenths of a second, rounded up: "1.3 s" of 1.21 s.
+[[nodiscard]] std::string enough_words(double seconds);
+
+/// A place as the body at its start sees it: "0.25 m left, 0.55 m up, 0.5 m ahead" of (0.25, 0.55,
+/// 0.5) m. Coordinates of 0 are left out, and the floor is named.
+[[nodiscard]] std::string place_words(const Vec3d& place);
+
+/// "right hand to 0.25 m left, 0.55 m up, 0.5 m ahead, holding 5 kg".
+[[nodiscard]] std::string goal_words(const Goal& goal);
+
+/// All that is asked of effectors and feet: "right hand to 0.2 m up; standing on the left foot".
+[[nodiscard]] std::string asked_words(const Request& request);
+
+/// The goals as a title: "Right hand low in front on the left", "Both hands overhead". Heights are
+/// told beside the `stature` (m).
+[[nodiscard]] std::string goals_title(std::span<const Goal> goals, double stature);
+
+/// The thing that a criterion counts, "quick starts and stops" of "joint_acceleration"; of a
+/// criterion of the user's own its name.
+[[nodiscard]] std::string criterion_words(std::string_view name);
+
+/// A verdict as a sentence: "Strains: some of this build could.", "Impossible so fast: 2.1 s would
+/// do."
+[[nodiscard]] std::string verdict_sentence(const Judgement& judgement);
+
+/// A reason as a sentence with the parts' plain names: "The right ankle (flexion) needs 715 N·m at
+/// 0.11 s, 7.9 times its strength of 90."
+[[nodiscard]] std::string reason_sentence(const Reason& reason);
+
+/// The most candidates that a page shows, of all its results together.
+inline constexpr std::size_t kPageMostCandidates = 2000;
+/// The most poses of a motion that a page holds; between them it draws on a straight way.
+inline constexpr int kPagePoses = 61;
+
+/// A result that a page shows. Borrows task and motions.
+struct ShownResult {
+  const Task& task;                  ///< that the motions were found for
+  const GenerateResult& generation;  ///< the motions, as generate or replay_all gives them
+  std::string title{};               ///< UTF-8; empty: the goals in words (goals_title)
+};
+
+/// HTML that shows results on one page, complete in itself: a section for each, with the sentence
+/// of what was asked and its candidates as moving figures, each with its verdict and its score in
+/// words, and the numbers to unfold. The page asks for no other file, works from a disk, follows
+/// the reader's choice of light or dark and of less motion, and is operable by keyboard. It is
+/// drawn by a small script from the figure's points in whole millimetres. Texts from files and
+/// titles stand in it escaped; what is not UTF-8 is replaced. Same results, same bytes. Fails where
+/// there are more candidates than kPageMostCandidates.
+[[nodiscard]] Result<std::string> motion_page(std::span<const ShownResult> results,
+                                              std::string_view heading = {});
+
+/// The strip figure of the first candidate of each result under each other as SVG, with the titles
+/// as captions. Fails as draw_strips does.
+[[nodiscard]] Result<std::string> result_strips(std::span<const ShownResult> results);
 
 }  // namespace shigusa

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <shigusa/result.hpp>
+#include <shigusa/error.hpp>
 #include <string>
 #include <string_view>
 

@@ -5,11 +5,9 @@
 #include <memory>
 #include <optional>
 #include <shigusa/character.hpp>
+#include <shigusa/error.hpp>
 #include <shigusa/generate.hpp>
-#include <shigusa/message.hpp>
 #include <shigusa/motion.hpp>
-#include <shigusa/result.hpp>
-#include <shigusa/skeleton.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

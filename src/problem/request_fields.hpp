@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <shigusa/request.hpp>
+#include <tuple>
+
+#include "core/field.hpp"
+
+namespace shigusa {
+
+// The fields of an obstacle.
+template <>
+inline constexpr FieldTable kFields<Obstacle>{
+    "obstacle",
+    "A box with round edges: without size_m a sphere, with size along one axis a capsule.",
+    std::tuple{
+        Field{"name", &Obstacle::name, "For messages.", {.written = always}},
+        Field{"position_m",
+              &Obstacle::position,
+              "Its middle.",
+              {.low = -kGoalRange,
+               .high = kGoalRange,
+               .required = true,
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+        Field{"size_m",
+              &Obstacle::size,
+              "Along its own axes.",
+              {.high = kGoalRange, .written = always}},
+        Field{"radius_m",
+              &Obstacle::radius,
+              "Of its round edges, beyond the size on all sides.",
+              {.high = kGoalRange, .written = always}},
+        Field{"rotation_xyzw",
+              &Obstacle::rotation,
+              "A unit quaternion.",
+              {.mirroring = Mirroring::other_side, .written = always}},
+    }};
+
+// The fields of a support.
+template <>
+inline constexpr FieldTable kFields<Support>{
+    "support", "A hand without a goal, and what it rests on.",
+    std::tuple{
+        Field{"effector",
+              &Support::effector,
+              "left_hand or right_hand.",
+              {.required = true, .mirroring = Mirroring::other_side, .written = always}},
+        Field{"on",
+              &Support::on,
+              "thigh: that of the hand's own side, a little above the knee; or the name of an "
+              "obstacle.",
+              {.required = true, .written = always}},
+    }};
+
+// The fields of a goal's axis.
+template <>
+inline constexpr FieldTable kFields<GoalAxis>{
+    "goal_axis", "An axis of the effector and the direction that it is to have.",
+    std::tuple{
+        Field{"axis",
+              &GoalAxis::axis,
+              "In the effector's own frame; of hands also by a word.",
+              {.low = -kGoalRange,
+               .high = kGoalRange,
+               .required = true,
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+        Field{"direction",
+              &GoalAxis::direction,
+              "In the world.",
+              {.low = -kGoalRange,
+               .high = kGoalRange,
+               .required = true,
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+    }};
+
+// The fields of a goal.
+template <>
+inline constexpr FieldTable kFields<Goal>{
+    "goal", "The final place of one effector, and how it is turned there.",
+    std::tuple{
+        Field{"effector",
+              &Goal::effector,
+              "right_hand, left_foot, head, hips or another joint of the body: left or right "
+              "shoulder, elbow, wrist, hip, knee, foot, toes, clavicle; spine, chest, neck; or the "
+              "name of another node.",
+              {.required = true, .mirroring = Mirroring::other_side, .written = always}},
+        Field{"position_m",
+              &Goal::position,
+              "In the world.",
+              {.low = -kGoalRange,
+               .high = kGoalRange,
+               .required = true,
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+        Field{"load_kg",
+              &Goal::load,
+              "The mass that a hand with a goal holds all the way.",
+              {.high = kLoadMax,
+               .option = "--load",
+               .form = "EFFECTOR=KILOGRAMS",
+               .group = OptionGroup::goal,
+               .brief = "Mass that a hand with a goal holds all the way"}},
+        Field{"rotation_xyzw",
+              &Goal::rotation,
+              "How the effector is turned at the end, a unit quaternion: from the world's axes, "
+              "which its own are where the body stands upright facing +Z with arms hanging and "
+              "thumbs ahead.",
+              {.option = "--rotation",
+               .form = "EFFECTOR=X,Y,Z,W",
+               .group = OptionGroup::goal,
+               .brief = "How the effector is turned at the end: a unit quaternion",
+               .rare = true,
+               .mirroring = Mirroring::other_side}},
+        Field{"axis",
+              &Goal::axis,
+              "In place of a rotation: an axis of the effector and the direction that it is to "
+              "have; the effector may turn about it.",
+              {.mirroring = Mirroring::other_side}},
+        Field{"tolerance_m",
+              &Goal::tolerance,
+              "Half the sides, along the world's axes, of a box about the goal: anywhere in it "
+              "will do.",
+              {.high = kToleranceMax,
+               .option = "--tolerance",
+               .form = "EFFECTOR=X,Y,Z",
+               .group = OptionGroup::goal,
+               .brief = "Half the sides of a box about the goal where any place will do"}},
+    }};
+
+// The fields of a request.
+template <>
+inline constexpr FieldTable kFields<Request>{
+    "task",
+    "A request: a body and the final places of its hands, feet or other joints. Metres, kilograms, "
+    "seconds, radians; +Y up, the body faces +Z, its left is +X, origin on the floor between the "
+    "feet.",
+    std::tuple{
+        Field{"goals",
+              &Request::goals,
+              "The final places of effectors, such as right_hand, head, hips, left_elbow, "
+              "right_knee, left_foot or any joint that `shigusa body` names: metres, +Y up, the "
+              "body faces +Z, its left is +X. One for each effector at most; one at least is "
+              "given, or a foot is left out of contacts.",
+              {.high = kGoalsMax,
+               .option = "--goal",
+               .form = "EFFECTOR=X,Y,Z",
+               .group = OptionGroup::goal,
+               .brief = "Final place of a hand, foot, head or other joint, in metres",
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+        Field{"look_at_m",
+              &Request::look_at,
+              "The point that the eyes are on; when not given, the first goal of a limb, or "
+              "between two hands'.",
+              {.low = -kGoalRange,
+               .high = kGoalRange,
+               .option = "--look-at",
+               .form = "X,Y,Z",
+               .group = OptionGroup::goal,
+               .brief = "Point that the eyes are on (default: the goal)",
+               .mirroring = Mirroring::other_side}},
+        Field{"contacts",
+              &Request::contacts,
+              "Feet that stay on the floor, one at least; all without a goal when not given. A "
+              "foot that is not named and has no goal lifts.",
+              {.option = "--contacts",
+               .form = "left_foot,right_foot",
+               .group = OptionGroup::goal,
+               .brief = "Feet that stay on the floor; a foot that is not named lifts",
+               .mirroring = Mirroring::other_side}},
+        Field{"obstacles",
+              &Request::obstacles,
+              "Things that nothing of the body should pass through; the command line knows boxes, "
+              "by their middle and size in metres.",
+              {.high = kObstaclesMax,
+               .option = "--obstacle",
+               .form = "NAME=X,Y,Z,SX,SY,SZ",
+               .group = OptionGroup::around,
+               .brief = "Box to keep out of: its middle and its size in metres",
+               .mirroring = Mirroring::other_side}},
+        Field{"support",
+              &Request::supports,
+              "Of the preset flat: hands without a goal that may rest on the thigh, or on an "
+              "obstacle by its name, and do where it pays. What they press with, from 0 to 0.25 of "
+              "the body's weight, is a parameter, such as left_hand.support; below 0 the hand "
+              "stays free.",
+              {.high = kSupportsMax,
+               .option = "--support",
+               .form = "HAND=PLACE",
+               .group = OptionGroup::around,
+               .brief = "Free hand that may rest on the thigh or on an obstacle",
+               .mirroring = Mirroring::other_side}},
+        Field{"duration_s",
+              &Request::duration,
+              "Seconds of the motion; from the distance when not given.",
+              {.low = kTaskDurationMin,
+               .high = kTaskDurationMax,
+               .option = "--duration",
+               .form = "SECONDS",
+               .group = OptionGroup::motion,
+               .brief = "Of the motion (default: from the distance)"}},
+        Field{
+            "ease",
+            &Request::ease,
+            "How early the motion makes its way: above 0 it is quicker in its first half and slows "
+            "down for longer, below 0 it is slow to begin; 0, as people move, when not given. Not "
+            "of presets with layers.",
+            {.low = -kEaseMax,
+             .high = kEaseMax,
+             .option = "--ease",
+             .form = "SHARE",
+             .group = OptionGroup::motion,
+             .brief = "Quicker to begin above 0, slower below (default 0)",
+             .rare = true}},
+        Field{"gaze_lead",
+              &Request::gaze_lead,
+              "The share of the duration by which the head turns earlier to what is looked at, or "
+              "later below 0, than people's do; 0 when not given. Of the presets flat and human.",
+              {.low = kGazeLeadLeast,
+               .high = kGazeLeadMost,
+               .option = "--gaze-lead",
+               .form = "SHARE",
+               .group = OptionGroup::motion,
+               .brief = "How much earlier the head turns than people's do (default 0)",
+               .rare = true}},
+        Field{"preset",
+              &Request::preset,
+              "paper, as published; flat, when not given: all parameters at once, within joint "
+              "limits; layers: the paper's hierarchy, first trunk and limb lengths, then arms; or "
+              "human: trunk and limb lengths, then the elbows' swivel, then free arms. Criteria, "
+              "search and number of candidates are its own where nothing else is said.",
+              {.option = "--preset",
+               .group = OptionGroup::search,
+               .brief = "Parameters, criteria and search together (default flat)",
+               .written = always,
+               .adopt = adopt_preset}},
+        Field{"layer_reading",
+              &Request::layer_reading,
+              "Of the presets layers and human, the meaning of the paper's 14 parameters of the "
+              "whole body: shared_contractions, when not given: 12 weights and 2 contractions, or "
+              "contraction_a_limb: 10 and 4.",
+              {.option = "--layer-reading",
+               .group = OptionGroup::search,
+               .brief = "What the paper's 14 parameters of the whole body are",
+               .rare = true,
+               .written =
+                   [](const Request& request) {
+                     return traits_of(request.preset).layers.has_value();
+                   }}},
+        Field{"search",
+              &Request::search,
+              "The algorithm; the preset's own when not given.",
+              {.option = "--search",
+               .group = OptionGroup::search,
+               .brief = "Algorithm (default: the preset's)",
+               .rare = true}},
+        Field{"pareto",
+              &Request::pareto,
+              "Of the preset flat: candidates are a front of the criteria, motions of which none "
+              "is better by all of them; criteria are then the mixture pareto where nothing else "
+              "is said.",
+              {.option = "--pareto",
+               .group = OptionGroup::search,
+               .brief = "Deliver a front of the criteria (preset flat)",
+               .rare = true,
+               .adopt = adopt_pareto}},
+        Field{"criteria",
+              &Request::criteria,
+              "The mixture that motions are scored by: paper, default or pareto, or in files "
+              "weights and scales; the preset's own when not given.",
+              {.option = "--criteria",
+               .group = OptionGroup::search,
+               .brief = "Mixture that motions are scored by (default: the preset's)",
+               .written = always}},
+        Field{"fixed",
+              &Request::fixed_assignments,
+              "Parameters that the search leaves as given, such as squat_deg=60 or "
+              "right_shoulder.flexion.locked=true (as --set of edit).",
+              {.option = "--fix",
+               .form = "NAME=VALUE",
+               .group = OptionGroup::search,
+               .brief = "Parameter that the search leaves as given: squat_deg=60",
+               .mirroring = Mirroring::assignments}},
+        Field{"generator",
+              &Request::generator,
+              "The maker of motions from parameters: weighted_ik when not given, or nlp_ik, "
+              "constrained minimisation in each frame, ten times slower.",
+              {.option = "--generator",
+               .group = OptionGroup::search,
+               .brief = "Maker of motions from parameters (default weighted_ik)",
+               .rare = true}},
+        Field{"phases",
+              &Request::phases,
+              "1: motions have one phase. Old tasks with 2 are refused with what to write.",
+              {.low = 1, .high = kPhasesMax}},
+        Field{
+            "finger_play",
+            &Request::finger_play,
+            "Of a character with fingers, by the presets flat and human: grip, when not given: a "
+            "reaching hand opens "
+            "on the way and closes to a relaxed grip, the other is relaxed; or none: fingers stay "
+            "as the file has them.",
+            {.option = "--finger-play",
+             .group = OptionGroup::motion,
+             .brief = "none leaves fingers as the file has them (default grip)",
+             .rare = true}},
+        Field{"seed",
+              &Request::seed,
+              "Same seed, same bytes; 0 when not given.",
+              {.high = UINT64_MAX,
+               .option = "--seed",
+               .form = "N",
+               .group = OptionGroup::search,
+               .brief = "Same seed, same bytes (default 0)",
+               .written = always}},
+        Field{"candidates",
+              &Request::candidates,
+              "Candidates to deliver, at most; the preset's own number when not given.",
+              {.low = 1,
+               .high = 1000,
+               .option = "--candidates",
+               .form = "N",
+               .group = OptionGroup::search,
+               .brief = "Motions to deliver at most (default: the preset's)",
+               .written = always}},
+        Field{"evaluations",
+              &Request::evaluations,
+              "Motions that the search may score: it starts again, with other random numbers, "
+              "until they are used up. When not given, it runs once.",
+              {.low = kPaperPopulation,
+               .high = 1'000'000'000,
+               .option = "--evaluations",
+               .form = "N",
+               .group = OptionGroup::search,
+               .brief = "Motions that the search may score (default: it runs once)",
+               .rare = true}},
+    }};
+
+}  // namespace shigusa
