@@ -188,7 +188,7 @@ class Rollout {
     for (int k = 0; k < problem_->goal_corrections; ++k) {
       const auto off = max(missed.path_error, contact_error(missed)) > S(problem_->goal_tolerance);
       if (!any(off)) break;
-      // the remaining error is small, so no lag is needed
+      // the remaining error is small, so it does not raise the damping
       for (IkTarget<S>& target : targets_) target.lag = S(0);
       correct(targets, input.inverse_weights, off);
       missed = measure(frame, targets, turn_share, false);
