@@ -31,8 +31,7 @@ struct CollisionPairs {
     int other = 0;         // capsule or obstacle
     double allowed = 0.0;  // m, positive depth in the start posture
     double give = 0.0;     // m, compliance of the softer of both
-    float near =
-        0.0F;  // m², for parts: squared distance of the midpoints beyond which they cannot touch
+    float near = 0.0F;     // m², of parts: squared distance of midpoints from which they are apart
   };
   std::vector<Pair> parts;      // limbs and parts of the body
   std::vector<Pair> obstacles;  // any capsule and one of `shapes`

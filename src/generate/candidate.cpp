@@ -159,8 +159,7 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
   candidate.path_error = rolled.outcome.path_error;
   for (const Foot& foot : body.feet()) {
     // The base foot is fixed; the other foot's slide was measured during the rollout.
-    const bool alone =
-        approach.supports.empty();  // with supports, the rollout's slide includes the hands
+    const bool alone = approach.supports.empty();  // the rollout's slide includes resting hands
     const double slide = foot.link == kBaseLink ? 0.0
                          : alone                ? rolled.outcome.contact_slide
                                                 : slide_of(body, rolled.motion.clip, foot);

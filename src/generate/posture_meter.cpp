@@ -18,8 +18,7 @@ constexpr double kElbowOut = radians(50.0);
 constexpr double kFolded = radians(110.0);
 constexpr double kBentKnees = radians(25.0);
 constexpr double kElbowIn = radians(-60.0);
-constexpr double kStraightArm =
-    0.05;  // share of the arm's length: least distance of a bent elbow from the line
+constexpr double kStraightArm = 0.05;  // of its length: offset of a bent elbow
 
 using Bone = HumanoidBone;
 constexpr std::array kPlaceBones{

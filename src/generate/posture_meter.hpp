@@ -27,8 +27,7 @@ class PostureMeter {
 
   [[nodiscard]] bool known(std::size_t place) const { return nodes_[place] != nullptr; }
   [[nodiscard]] Vec3d at(std::size_t place) const;
-  [[nodiscard]] Vec3d between(
-      std::size_t left) const;  // midpoint of this place and the next, or one of them
+  [[nodiscard]] Vec3d between(std::size_t left) const;  // midpoint with the next, or either
   [[nodiscard]] std::optional<double> index_now() const;
   [[nodiscard]] double trunk_lean() const;
   [[nodiscard]] double heading() const;

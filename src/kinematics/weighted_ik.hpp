@@ -90,9 +90,8 @@ struct IkWorkspace {
   // not 0.
   struct Block {
     std::span<const int> chain;
-    const Vec3<S>* columns =
-        nullptr;          // (dofs), for those in the chain: m/rad, or the axis for a tilt
-    Element<S> scale{1};  // m/rad equivalent to a tilt; 1 for a position
+    const Vec3<S>* columns = nullptr;  // (dofs), of the chain: m/rad, or a tilt's axis
+    Element<S> scale{1};               // m/rad equivalent to a tilt; 1 for a position
   };
   std::vector<Vec3<S>> columns;  // of positions, and of turns about two axes, (blocks × dofs)
   Block blocks[kMaxIkRows / 3];

@@ -320,8 +320,7 @@ class LayeredRollout {
   std::vector<std::vector<S>> angles_;     // of the frame before, this one and the next
   std::vector<S> drawn_;                   // (dofs) rad, by the law
   std::vector<S> unlocked_;                // (kArmDofs)
-  std::vector<S> freed_ =
-      unlocked_;  // (kArmDofs) inverse weights of an arm with equal weights where freed
+  std::vector<S> freed_ = unlocked_;       // (kArmDofs) inverse weights of a freed arm
   PostureLaw<S> law_;
 };
 

@@ -72,9 +72,8 @@ struct BodyLimb {
 // The moving limbs: legs with a planted foot, the base's first; arms with an effector. A lifted leg
 // moves with the trunk.
 struct BodyLimbs {
-  int trunk = 0;  // link: the pelvis
-  std::vector<int>
-      joints;  // dofs between the trunk and the parents of its arms, in the body's order
+  int trunk = 0;            // link: the pelvis
+  std::vector<int> joints;  // dofs between the trunk and its arms' parents, in the body's order
   std::vector<BodyLimb> legs;
   std::vector<BodyLimb> arms;  // in the order of the body's effectors
 };

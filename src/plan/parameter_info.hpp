@@ -12,10 +12,9 @@ namespace shigusa {
 // Common data of all parameters of one kind.
 struct ParameterKindInfo {
   ParameterKind kind;
-  std::string_view
-      word;             // suffix of the name, "weight" in "right_hip.flexion.weight"; may be empty
-  std::string_view of;  // kind of object with such a parameter
-  bool angle;           // in radians; users may write degrees
+  std::string_view word;  // suffix, "weight" in "right_hip.flexion.weight"; may be empty
+  std::string_view of;    // kind of object with such a parameter
+  bool angle;             // in radians; users may write degrees
   bool of_freedom;  // its name is a dof's, and the joint's name stands for all dofs of the joint
   std::string_view sentence;
   double low{};  // default range of a parameter

@@ -14,9 +14,8 @@
 
 namespace shigusa {
 
-inline constexpr double kReachTolerance = 1e-3;  // m: tolerance of goals and planted feet
-inline constexpr double kTiltTolerance =
-    radians(0.1);  // rad: tolerance of a planted foot's rotation
+inline constexpr double kReachTolerance = 1e-3;         // m: tolerance of goals and planted feet
+inline constexpr double kTiltTolerance = radians(0.1);  // rad: of a planted foot's turn
 inline constexpr double kTurnTolerance = radians(0.5);  // rad: tolerance of goals' orientations
 // Distance (m) equivalent to a goal's turn of 1 rad, by the same share of the tolerance.
 inline constexpr double kTurnLength = kReachTolerance / kTurnTolerance;

@@ -18,8 +18,7 @@ namespace shigusa {
 namespace {
 
 constexpr double kLeastSpread = 1e-8;  // spread of a run's points at which it ends
-constexpr double kLeastFall =
-    1e-3;  // relative to the best score, least decrease that keeps a run going
+constexpr double kLeastFall = 1e-3;    // of the best score, to keep a run going
 
 void check(const SearchProblem& problem, const CmaEsSettings& s) {
   SHG_CHECK(problem.genes <= kCmaMaxGenes,

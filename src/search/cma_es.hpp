@@ -16,16 +16,14 @@ namespace shigusa {
 inline constexpr int kCmaMaxGenes = 500;
 
 struct CmaEsSettings {
-  int evaluations = 1000;    // ≥ 1
-  int population = 0;        // 4..10000; 0: the least multiple of 16 from 4 + 3 ln(genes) on
-  double step = 0.3;         // initial standard deviation of a run, 1e-6..1
-  double polish_step = 0.1;  // the same for a run from the best point, 1e-6..1
-  std::vector<double>
-      scales{};             // (genes) deviations of the first run, relative to `step`; empty: all 1
-  double precision = 1e-9;  // smaller decreases of the best score count as none, ≥ 0
-  bool mirrored = false;    // the second half of a generation mirrors the first
-  int diagonal_until =
-      0;  // evaluations after which the whole of C is learnt, not only its diagonal
+  int evaluations = 1000;        // ≥ 1
+  int population = 0;            // 4..10000; 0: the least multiple of 16 from 4 + 3 ln(genes) on
+  double step = 0.3;             // initial standard deviation of a run, 1e-6..1
+  double polish_step = 0.1;      // the same for a run from the best point, 1e-6..1
+  std::vector<double> scales{};  // (genes) deviations of the first run, in `step`; empty: all 1
+  double precision = 1e-9;       // smaller decreases of the best score count as none, ≥ 0
+  bool mirrored = false;         // the second half of a generation mirrors the first
+  int diagonal_until = 0;        // evaluations after which the whole of C is learnt
   std::uint64_t seed = 0;
   std::uint64_t stream = 0;  // selects other random numbers for the same seed
 };
