@@ -14,7 +14,7 @@
 
 namespace shigusa {
 
-// How a person bends, by the stoop-squat index (FinalPosture).
+// Final bend of a person, by the stoop-squat index (FinalPosture).
 enum class Style { upright, stoop, between, squat };
 inline constexpr std::size_t kStyles = 4;
 [[nodiscard]] Style style_of(const std::optional<double>& stoop_squat_index);

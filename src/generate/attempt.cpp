@@ -34,7 +34,7 @@ constexpr std::uint64_t kOtherNumbers = 0x9e3779b97f4a7c15U;
 
 }  // namespace
 
-// If the task's budget is used up, the candidates are replayed in the longer duration.
+// Replays the candidates in the longer duration if the task's budget is used up.
 std::optional<Attempt> slower_attempt(const Problem& problem, const GenerateResult& found) {
   const std::optional<double> duration = possible_duration(found);
   if (!wants_more(found) || problem.task.duration || !duration) return std::nullopt;
@@ -51,7 +51,7 @@ std::optional<Attempt> longer_attempt(const Problem& problem, const GenerateResu
   return attempt;
 }
 
-// As many motions as the first search: a sixth of the total after all attempts.
+// Repeats the search with as many motions: a sixth of the total after all attempts.
 std::optional<Attempt> other_numbers_attempt(const Problem& problem, const GenerateResult& found) {
   const Task& task = problem.task;
   if (task.evaluations || task.pareto || task.own_search || !wants_more(found)) return std::nullopt;

@@ -34,8 +34,9 @@ class LayeredScorer {
   LayeredScorer(const LayeredProblem& problem, const CriteriaSettings& criteria,
                 const BatchSettings& settings, ChooseArms choose);
 
-  // scores (parameters): the criteria's; if a hand or foot leaves its place, above the worst by the
-  // size of the error. postures: (parameters × dofs) rad, the last frame of each motion, or empty.
+  // Scores motions of the upper layer. scores (parameters): the criteria's; if a hand or foot
+  // leaves its place, above the worst by the size of the error. postures: (parameters × dofs) rad,
+  // the last frame of each motion, or empty.
   void score(std::span<const LayeredValues> parameters, std::span<double> scores,
              std::span<float> postures = {});
 

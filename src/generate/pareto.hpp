@@ -18,9 +18,9 @@ namespace shigusa {
 // The candidates that no other dominates (as good by every criterion and better by one).
 [[nodiscard]] std::vector<Candidate> not_dominated(std::vector<Candidate> candidates);
 
-// At most `most` candidates of a front, spread apart: the best by each criterion, then repeatedly
-// the one farthest from those taken, in penalties normalised by their range. The lowest score comes
-// first.
+// Selects at most `most` candidates of a front, spread apart: the best by each criterion, then
+// repeatedly the one farthest from those taken, in penalties normalised by their range. The lowest
+// score comes first.
 [[nodiscard]] std::vector<Candidate> spread_over(std::vector<Candidate> front, int most);
 
 // Searches on an approach by each mixture, with equal shares of the budget, and stores the front of

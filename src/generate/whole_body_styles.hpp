@@ -25,7 +25,8 @@ class StylePlans {
  public:
   static constexpr int kParts = 6;
 
-  // For a search on a space that outlives it; all plans together have kParts times `part` motions.
+  // Plans for a search on a space that outlives the object; all together have kParts times `part`
+  // motions.
   StylePlans(const ParameterSpace& space, int part) : space_(&space), part_(part) {}
 
   // Styles that begin once the best of the first postures is known (null: none arrives).

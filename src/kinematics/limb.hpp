@@ -24,8 +24,8 @@ template <class S>
 template <class S>
 class BasicHingedLimb {
  public:
-  // first, second (m): from joint to joint, each in its own segment's frame; both are off the x
-  // axis. sign is that of the hinge's dof: +1 if a positive angle turns about +x.
+  // Makes a limb of the segments first, second (m), from joint to joint, each in its own frame and
+  // off the x axis. sign is that of the hinge's dof: +1 if a positive angle turns about +x.
   BasicHingedLimb(const Vec3<S>& first, const Vec3<S>& second, double sign)
       : near_(limb_detail::plane_length(first)),
         far_(limb_detail::plane_length(second)),
@@ -112,7 +112,7 @@ template <class S>
   return atan2(far.y, far.x) - acos(across / max(away, abs(across)));
 }
 
-// angle + 2 π k, the value nearest to `near` (rad); |angle - near| below 1e6.
+// The angle plus whole turns nearest to `near` (rad); |angle - near| below 1e6.
 template <class S>
 [[nodiscard]] S unwrapped(const S& angle, const S& near) {
   return angle + nearest_integer((near - angle) * S(0.5 / kPi)) * S(kTwoPi);

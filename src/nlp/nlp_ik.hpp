@@ -13,9 +13,8 @@ struct NlpIkSettings {
   // Additional weight at a goal's lag of `lag_scale` (m, > 0); grows with the lag squared. ≥ 0.
   double lag_damping = 0.01;
   double lag_scale = 0.1;
-  double limit_approach =
-      0.2;                   // share of the distance to a limit that one posture may cover, (0, 1]
-  double max_change = 0.25;  // rad, largest change of an angle from one posture to the next, > 0
+  double limit_approach = 0.2;  // share of the way to a limit for one posture, (0, 1]
+  double max_change = 0.25;     // rad, largest change of an angle from one posture to the next, > 0
   // Stiffness of the planted feet relative to the goals', 1..1e4. It affects the convergence of the
   // multipliers, not the feet's final position.
   double contact_stiffness = 10.0;

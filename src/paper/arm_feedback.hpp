@@ -33,8 +33,8 @@ struct ArmFeedback {
   std::vector<Capsule> limb;  // of the arm from the elbow on, with its own links
 };
 
-// `clip` is the whole body's motion, with any motion of the arm; `turn` is for a hand with an
-// orientation.
+// Feedback on one goal's arm in a motion. `clip` is the whole body's motion, with any motion of the
+// arm; `turn` is for a hand with an orientation.
 [[nodiscard]] ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal,
                                        const HandPath& path, const Clip& clip,
                                        const HandTurn<double>& turn = {});

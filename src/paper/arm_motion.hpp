@@ -33,9 +33,10 @@ class ArmRollout {
     SHG_CHECK(arm.dof_count() == kArmDofs, "an arm has four freedoms");
   }
 
-  // path (frames) m, of the hand from the shoulder in the trunk's frame, from its position in the
-  // start posture on. inverse_weights (kArmDofs): 0 where locked. angles: (frames × kArmDofs) rad,
-  // the start posture first. Returns the largest distance of the hand from the path (m).
+  // Moves the hand along a path. path (frames) m, of the hand from the shoulder in the trunk's
+  // frame, from its position in the start posture on. inverse_weights (kArmDofs): 0 where locked.
+  // angles: (frames × kArmDofs) rad, the start posture first. Returns the largest distance of the
+  // hand from the path (m).
   S run(std::span<const Vec3<S>> path, std::span<const S> inverse_weights, std::vector<S>& angles) {
     const Effector& hand = arm_->effectors()[0];
     IkTarget<S> target{.link = hand.link, .point = to_scalar<Element<S>>(hand.point)};

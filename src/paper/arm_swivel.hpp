@@ -45,9 +45,10 @@ class SwivelArm {
   // Sets the path of all following runs. path: see ArmRollout::run; turn: of the hand, for an arm
   // with a wrist (kTurningArmDofs).
   void follow(std::span<const Vec3<S>> path, const HandTurn<S>& turn = {});
-  // swivel (rad, positive outwards) is that of the last frame. angles: (frames × dofs of the arm)
-  // rad, the start posture first. Returns the largest distance of the hand from the path (m): the
-  // excess of the path's distance over the arm's range of lengths.
+  // Moves the hand along the path with a swivel. swivel (rad, positive outwards) is that of the
+  // last frame. angles: (frames × dofs of the arm) rad, the start posture first. Returns the
+  // largest distance of the hand from the path (m): the excess of the path's distance over the
+  // arm's range of lengths.
   S run(const S& swivel, std::vector<S>& angles);
 
  private:
@@ -84,7 +85,8 @@ class SwivelArm {
   }
   static Vec3<S> hinge() { return {S(1), S(0), S(0)}; }
 
-  // v, perpendicular to u, after the shortest rotation from u to w; both are unit vectors.
+  // The vector v, perpendicular to u, after the shortest rotation from u to w; both are unit
+  // vectors.
   static Vec3<S> carried(const Vec3<S>& v, const Vec3<S>& u, const Vec3<S>& w) {
     const S both = S(1) + dot(u, w);
     // for half a turn any axis is equally short, so v is kept

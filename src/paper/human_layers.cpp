@@ -29,12 +29,12 @@ constexpr std::array<FinalRange, 3> kFinalRanges{{
 // little by torque.
 CriteriaSettings swivel_criteria() {
   CriteriaSettings criteria = default_criteria();
-  criteria.balance_zone_weight = 0.0;                          // the trunk is held: no balance,
-  criteria.low_back_weight = 0.0;                              // no back,
-  criteria.collision_weight = criteria.pressure_weight = 0.0;  // no feet of an arm alone,
+  criteria.balance_zone_weight = 0.0;                          // no balance with a fixed trunk
+  criteria.low_back_weight = 0.0;                              // no back
+  criteria.collision_weight = criteria.pressure_weight = 0.0;  // no feet on an arm alone
   criteria.coordination_weight = criteria.mass_ahead_weight = 0.0;
   criteria.jolts_weight = 0.0;
-  // and a hand's path and a shoulder independent of the swivel
+  // the hand's path and the shoulder do not depend on the swivel
   criteria.hand_curve_weight = criteria.trunk_travel_weight = 0.0;
   criteria.torque_weight = 0.1;
   return criteria;

@@ -77,9 +77,9 @@ class LayeredBatch {
   LayeredBatch(const LayeredBatch&) = delete;
   LayeredBatch& operator=(const LayeredBatch&) = delete;
 
-  // scores (motions): the criteria's, plus the cost of exceeded limits if they are held; if a hand
-  // or foot leaves its place, above the worst by the size of the error. final_angles: (motions ×
-  // dofs) rad, the last frame of each motion, or empty.
+  // Scores layered motions. scores (motions): the criteria's, plus the cost of exceeded limits if
+  // they are held; if a hand or foot leaves its place, above the worst by the size of the error.
+  // final_angles: (motions × dofs) rad, the last frame of each motion, or empty.
   void score(const LayeredInputs& inputs, const ChooseArms& choose, std::span<double> scores,
              std::span<float> final_angles);
 

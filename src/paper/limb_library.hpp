@@ -39,7 +39,7 @@ struct LimbLibrarySettings {
 // new one.
 class LimbLibrary {
  public:
-  // `arm` is an arm_body.
+  // Makes a library of an arm_body.
   explicit LimbLibrary(BodyModel arm, const LimbLibrarySettings& settings = {});
 
   // The cell nearest to a hand's position (m, from the shoulder, in the trunk's frame).

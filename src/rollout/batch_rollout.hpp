@@ -26,8 +26,8 @@ class BatchRollout {
   BatchRollout(const BatchRollout&) = delete;
   BatchRollout& operator=(const BatchRollout&) = delete;
 
-  // scores (motions), lower is better. final_angles (motions × dofs, rad): the posture at the end
-  // of each motion; may be empty.
+  // Scores a batch of motions. scores (motions), lower is better. final_angles (motions × dofs,
+  // rad): the posture at the end of each motion; may be empty.
   void score(const MotionInputs& inputs, std::span<double> scores,
              std::span<float> final_angles = {});
 

@@ -11,7 +11,7 @@ namespace shigusa {
 class LaneScorer {
  public:
   virtual ~LaneScorer() = default;
-  // At most simd_lanes() motions; scores (motions), final_angles (motions × dofs) or empty.
+  // Scores at most simd_lanes() motions: scores (motions), final_angles (motions × dofs) or empty.
   virtual void score(const MotionInputs& inputs, std::span<double> scores,
                      std::span<float> final_angles) = 0;
 };

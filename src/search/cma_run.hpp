@@ -32,7 +32,7 @@ struct CmaConstants {
 // the scores.
 class CmaRun {
  public:
-  // mean (genes) in [0, 1]; step > 0; population ≥ 4.
+  // Begins a run. mean (genes) in [0, 1]; step > 0; population ≥ 4.
   CmaRun(std::vector<double> mean, double step, int population, CmaShape shape = CmaShape::whole);
 
   // Multiplies the deviation along each coordinate by its scale, before the first sample. scales

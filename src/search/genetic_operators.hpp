@@ -73,7 +73,7 @@ class ConvergenceTest {
  public:
   explicit ConvergenceTest(int unchanged_generations) : needed_(unchanged_generations) {}
 
-  // To be called with the initial population and then after each generation; its genomes must live
+  // Tests convergence after the initial population and after each generation; the genomes must live
   // until the next call.
   [[nodiscard]] bool converged(std::span<const ScoredGenome> population);
 

@@ -122,7 +122,7 @@ template <int N>
   return !any(!condition);
 }
 
-// x rounded to the nearest integer, for |x| below 2^22.
+// The nearest integer to x, for |x| below 2^22.
 template <int N>
 [[nodiscard]] inline Pack<float, N> nearest_integer(const Pack<float, N>& x) {
   // adding and subtracting 1.5·2^23 rounds
@@ -136,7 +136,7 @@ inline constexpr float kSinePolynomial[] = {-0.1666665066920138F, 0.008331978657
 inline constexpr float kCosinePolynomial[] = {0.041666646866331792F, -0.0013887367510006495F,
                                               2.4438450907381384e-5F};
 
-// sin and cos of angles in radians; absolute error below 1.2e-7 for |angle| ≤ 1e4; meaningless
+// Sine and cosine of angles in radians; absolute error below 1.2e-7 for |angle| ≤ 1e4; meaningless
 // beyond; NaN for NaN. Cody-Waite reduction to [-π/4, π/4], then minimax polynomials.
 template <int N>
 [[nodiscard]] inline SinCos<Pack<float, N>> sin_cos(const Pack<float, N>& angle) {
