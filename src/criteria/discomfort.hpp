@@ -19,7 +19,6 @@ inline constexpr double kRestingShare = 0.10;
 // Penalty of joints far from neutral and near the ends of their range, in [0, 1]. Neutral is
 // upright with hanging arms, all angles 0. With u the share of the range from neutral to the limit
 // on that side, 1 at the limit and beyond:
-// on that side, 1 at the limit and beyond:
 //   d(u) = ½ u² + ½ (max(0, u - 0.88) / 0.12)²,   D(t) = mean_i d(u_i(t)),
 //   P = min(1, (½ mean_t D + ½ max_t D) / share).
 // Upper limits depend on the body's couplings. Both terms are those of joint discomfort in

@@ -54,6 +54,7 @@ struct RigMotion {
 // A clip of the body as a motion of the rig: joint positions are exactly the body's, in shigusa's
 // world divided by the rig's unit. (For a mirrored rig they are in the file's own axes, as no
 // rotation undoes a mirror.)
+//
 // Each mapped bone moves rigidly with the link of the body's node of that name, from its rest pose:
 // R_node(t) = R_link(t) R_link(0)ᵀ F_start F_restᵀ R_node(rest), F the segment's frames in the two
 // postures. A bone with a name unknown to the body moves with the bone above it, as do all nodes
@@ -66,6 +67,7 @@ struct RigMotion {
 //
 // Below a non-uniform scale a turned bone would be sheared, which no rotation expresses:
 // translations still place joints and grips exactly.
+//
 // Finger turns are added, see rig_fingers.hpp: no goal and no criterion depends on them.
 [[nodiscard]] RigMotion rig_motion(const BodyModel& body, const Clip& clip, const Rig& rig,
                                    const HandPlay& hands = {});

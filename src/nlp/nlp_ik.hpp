@@ -48,6 +48,7 @@ struct NlpIkOutcome {
 // the same sum as weighted_ik_step's, but with the true kinematics instead of linear ones, and
 // solved to its minimum. The shorter the path between two postures, the more both take the same
 // step.
+//
 //   J, W, ε := Jacobian, the weights' diagonal, damping · mean diagonal of J W⁻¹ Jᵀ at the start
 //   z := √w_i (q_i - q_i,from), initially the last posture's
 //   H := (ε I + W^-½ Jᵀ J W^-½)⁻¹, Gauss and Newton's

@@ -12,6 +12,7 @@ namespace shigusa {
 // Generates a motion from parameters by nonlinear programming (see NlpIk) instead of weighted IK:
 // the same problems, inputs, frames and outcomes as Rollout<double>, so that both can be scored
 // alike.
+//
 //   for each frame:
 //     targets := points of the paths in this frame
 //     reference := the null space's change of posture in this frame, or towards the guide

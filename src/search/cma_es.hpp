@@ -30,6 +30,18 @@ struct CmaEsSettings {
 
 // Covariance matrix adaptation (N. Hansen: The CMA evolution strategy: a tutorial, arXiv
 // 1604.00772), with restarts: the default search.
+//
+//   one run from the problem's start, then again and again
+//     a run from a random mean, with `step`, or, while those from the best have had fewer
+//       evaluations than all others, from the best point seen, with `polish_step`
+//   run: repeat
+//     `population` points := mean + step · L z, with z normal and L Lᵀ = C
+//     bring them into the cube, score them in one call, rank them
+//     mean := weighted mean of the better half; C and step adapt along the two paths
+//   until the best of the run has not fallen by `precision`, nor by a thousandth of itself, for
+//     10 + 12 genes / population generations, or the points lie within 1e-8 of each other, or C has
+//     lost its rank
+//
 // All constants are the tutorial's, including negative weights (active CMA). Two things differ. C =
 // L Lᵀ is Cholesky's factor, not the symmetric root: it is exact in few operations, always in the
 // same order, and only rotates the path of steps (as in O. Krause, D. R. Arbonès, C. Igel: CMA-ES
