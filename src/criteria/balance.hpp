@@ -23,7 +23,6 @@ class Balance {
   explicit Balance(const BodyModel& body, const BalanceSettings& settings = {})
       : support_(to_scalar<S>(support_centre(body))), lean_(settings.lean) {}
 
-  // Clears the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {

@@ -27,7 +27,6 @@ class BalanceZone {
         margin_(static_cast<T>(settings.margin)),
         per_width_(static_cast<T>(0.5 / settings.margin)) {}
 
-  // Clears the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {

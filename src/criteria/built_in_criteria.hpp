@@ -124,7 +124,6 @@ class BuiltInCriteria {
   BuiltInCriteria(const BodyModel& body, const CriteriaSettings& settings)
       : parts_(make_parts(body, settings, Indices{})) {}
 
-  // Clears the frames seen.
   void reset() {
     for_each_part([](auto& part) { part.criterion->reset(); }, parts_);
   }

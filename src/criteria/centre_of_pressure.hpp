@@ -27,7 +27,6 @@ class CentreOfPressure {
       : zone_(body),
         per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {}
 
-  // Clears the frames seen.
   void reset() {
     squares_ = S(0);
     frames_ = 0;

@@ -105,7 +105,6 @@ class Collision {
         per_full_(1.0 / settings.full),
         placed_(body.capsules().size()) {}
 
-  // Clears the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const PlacedFrame<S>& frame) {

@@ -10,13 +10,13 @@
 
 namespace shigusa {
 
-// Knee flexion per lean of a far leaning trunk, for a hand that ends at people's preferred distance
-// from the ankles over the floor (kHandAhead, in statures).
+// Knee flexion per lean of a far leaning trunk, for a hand that ends at kHandAhead, people's
+// preferred distance from the ankles over the floor.
 inline constexpr double kKneeOfTrunk = 1.7;
 // Lean (rad) about which knees begin to follow.
 inline constexpr double kKneesBegin = radians(10);
-// Reduction for a hand that ends nearer to the ankles: the full knee flexion from kHandAhead on,
-// this share of it at distance 0.
+// Distance (statures) of the hand from the ankles from which the knee flexion is full, and the
+// share of it at distance 0.
 inline constexpr double kHandAhead = 0.32;
 inline constexpr double kKneesNear = 0.5;
 // Relative increase of the knee flexion per kilogram of load in the hand: stoops are for light
@@ -45,7 +45,6 @@ class Coordination {
     }
   }
 
-  // Clears the frames seen.
   void reset() { off_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {

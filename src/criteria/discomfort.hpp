@@ -45,7 +45,6 @@ class Discomfort {
     for (const std::size_t d : coupled_.coupled()) ranges_[d].coupled = ranges_[d].per_up > T(0);
   }
 
-  // Clears the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {

@@ -32,7 +32,6 @@ class Feasibility {
     }
   }
 
-  // Clears the frames seen.
   void reset() { worst_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {

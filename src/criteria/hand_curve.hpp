@@ -37,7 +37,6 @@ class HandCurve {
         ends_(sums_),
         per_square_(1.0 / (settings.offset * settings.offset)) {}
 
-  // Clears the frames seen.
   void reset() { frames_ = 0; }
 
   void add(const PlacedFrame<S>& frame) {

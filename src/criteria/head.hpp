@@ -32,7 +32,7 @@ struct HeadPoints {
   double distance = 0.0;  // m, between them in the start posture; 0 if the body lacks one
   bool neck = false;      // whether the head turns on the trunk
 };
-// Finds them by the names of the body's nodes, "head" and "hips".
+// Finds head and pelvis by the names of the body's nodes, "head" and "hips".
 [[nodiscard]] HeadPoints head_points(const BodyModel& body);
 
 // Penalty of a head near or below the pelvis, or unable to look at the goal, in [0, 1]: people who
@@ -58,7 +58,6 @@ class Head {
         free_(points_.neck ? kCosEyesFree : kCosFree),
         per_cosine_(1.0 / (free_ - (points_.neck ? kCosEyesLimit : kCosLimit))) {}
 
-  // Clears the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const PlacedFrame<S>& frame) {

@@ -20,7 +20,6 @@ class JointAcceleration {
   explicit JointAcceleration(const BodyModel&, const JointAccelerationSettings& settings = {})
       : per_acceleration_(1.0 / settings.acceleration) {}
 
-  // Clears the frames seen.
   void reset() {
     sum_ = S(0);
     count_ = 0.0;

@@ -28,7 +28,6 @@ class JointRange {
     reset();
   }
 
-  // Clears the frames seen.
   void reset() {
     for (std::size_t k = 0; k < limits_.size(); ++k) {
       lowest_[k] = S(kUnseen);

@@ -35,7 +35,6 @@ class Jolts {
     }
   }
 
-  // Clears the frames seen.
   void reset() {
     seen_ = false;
     square_ = S(0);

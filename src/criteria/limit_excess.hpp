@@ -18,7 +18,6 @@ class PassedLimits {
   explicit PassedLimits(const BodyModel& body)
       : body_(&body), coupled_(body), most_(body.dofs().size()) {}
 
-  // Clears the frames seen.
   void reset() {
     for (S& most : most_) most = S(0);
   }

@@ -45,7 +45,6 @@ class LowBack {
   explicit LowBack(const BodyModel& body, const LowBackSettings& settings = {})
       : back_(back_constants(body)), per_square_(1.0 / (settings.share * settings.share)) {}
 
-  // Clears the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {

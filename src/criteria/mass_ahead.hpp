@@ -35,7 +35,6 @@ class MassAhead {
         per_drop_(body.stature() > 0.0 ? 1.0 / (kLowReach * body.stature()) : 0.0),
         per_square_(1.0 / (settings.distance * settings.distance)) {}
 
-  // Clears the frames seen.
   void reset() { off_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {

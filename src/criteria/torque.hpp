@@ -25,7 +25,6 @@ class Torque {
     }
   }
 
-  // Clears the frames seen.
   void reset() {
     sum_ = S(0);
     frames_ = 0;

@@ -28,7 +28,6 @@ class TrunkTravel {
   explicit TrunkTravel(const BodyModel& body, const TrunkTravelSettings& settings = {})
       : hands_(goal_hands(body, settings.effectors)), per_distance_(1.0 / settings.distance) {}
 
-  // Clears the frames seen.
   void reset() { off_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {

@@ -23,7 +23,6 @@ class Work {
   explicit Work(const BodyModel& body, const WorkSettings& settings = {})
       : per_full_(1.0 / full_work(body, settings)) {}
 
-  // Clears the frames seen.
   void reset() { work_ = S(0); }
 
   void add(const MotionFrame<S>& frame) {

@@ -65,7 +65,7 @@ void bear_on_hand(const BodyModel& body, const Kinematics<S>& kinematics, const 
   ground.moment = ground.moment - cross(load.at, load.force);
 }
 
-// The same for one frame of a stored motion's hands.
+// Applies bear_on_hand to one frame of a stored motion's hands.
 inline void bear_on_hands(const BodyModel& body, const Kinematics<double>& kinematics,
                           std::span<const RestingHand> hands, std::size_t frame,
                           Wrench<double>& ground, std::span<double> tau) {

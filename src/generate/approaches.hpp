@@ -12,9 +12,9 @@
 
 namespace shigusa {
 
-// The approaches to the goals, in the order in which they are tried until one arrives: a straight
-// hand path; a straight hand path with the null space drawn to a posture known to arrive; that
-// posture alone.
+// The approaches to the goals, in the order in which they are tried until one arrives: a hand path
+// that is straight or goes around the body (not with lifted heels or at the edge of reach); the
+// same path with the null space drawn to a posture known to arrive; that posture alone.
 // `straight`: hand paths stay straight even where they pass through the body.
 [[nodiscard]] std::vector<ReachProblem> approaches_to_goal(ReachProblem problem,
                                                            const ClosestReach& reach,

@@ -22,7 +22,7 @@ struct Bound {
   double low = 0.0;
   double high = 1.0;
 };
-// A part of the space.
+// A part of the space, as bounds of some coordinates.
 using Niche = std::vector<Bound>;
 
 // Initial step of a search over a whole part of the space.

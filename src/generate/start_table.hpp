@@ -17,7 +17,7 @@ namespace shigusa {
 // Digits of a start table: a coordinate of a ParameterSpace in 1/61 of its range.
 inline constexpr std::string_view kStartDigits =
     "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
-// The most coordinates of a row.
+// Largest number of coordinates in a row.
 inline constexpr std::size_t kStartCoordinates = 31;
 
 // A position of the right hand and the coordinates of the best known motion to it.

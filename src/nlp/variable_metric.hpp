@@ -69,7 +69,7 @@ inline constexpr int kMaxMetricVariables = 64;
 // Plain loops in a fixed order over + - * / and sqrt: the same bytes everywhere.
 class VariableMetric {
  public:
-  // 1..kMaxMetricVariables variables.
+  // Makes a minimiser of 1..kMaxMetricVariables variables.
   explicit VariableMetric(int variables);
 
   // Resets H to the identity, with no active limit.

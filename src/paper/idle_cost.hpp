@@ -27,7 +27,6 @@ class IdleCost {
     for (const auto& arm : setup.idle_arms) arms_.push_back({&arm, S(0), S(0)});
   }
 
-  // Clears the frames seen.
   void reset() {
     first_ = true;
     for (Group& group : groups_) group.squares = S(0);

@@ -22,7 +22,7 @@ struct LayeredInputs {
   std::span<const float> arms{};
   bool idle = false;  // includes IdleCost
 
-  // `count` of `motions` from `first` on.
+  // The rows of `count` motions from `first` on, out of `motions`.
   [[nodiscard]] LayeredInputs part(std::size_t first, std::size_t count,
                                    std::size_t motions) const {
     const auto rows = [&](std::span<const float> all) {

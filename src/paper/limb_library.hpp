@@ -24,7 +24,7 @@ inline constexpr double kLimbRadiusMin = 0.35;
 
 struct LimbLibrarySettings {
   LimbSearch search = LimbSearch::ladder;
-  // The lower layer's: joint range and torque.
+  // Criteria of the lower layer: joint range and torque.
   CriteriaSettings criteria = [] {
     CriteriaSettings lower = paper_criteria();
     lower.balance_weight = 0.0;

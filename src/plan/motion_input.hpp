@@ -41,7 +41,7 @@ struct MotionInputs {
                std::span<const float> times)
       : inverse_weights(weights), posture(change), timing(times) {}
 
-  // `count` motions from `first` on, for a body with this number of dofs.
+  // The rows of `count` motions from `first` on, for a body with this number of dofs.
   [[nodiscard]] MotionInputs part(std::size_t first, std::size_t count, std::size_t dofs) const {
     const auto rows = [&](std::span<const float> all, std::size_t columns) {
       return all.empty() ? all : all.subspan(first * columns, count * columns);

@@ -5,15 +5,16 @@
 
 namespace shigusa {
 
-// Haste of a hand's path in its first half over its second (EffectorPath::haste), by recorded
-// people.
+// Haste of a hand's path (EffectorPath::haste), fitted to recorded people: the more it rises, the
+// faster its first half.
 [[nodiscard]] double natural_haste(const EffectorPath& path);
 
-// Share of the duration before a hand leaves for its goal (EffectorPath::begin), by recorded
+// Share of the duration before a hand leaves for its goal (EffectorPath::begin), fitted to recorded
 // people.
 [[nodiscard]] double natural_begin(const EffectorPath& path);
 
-// Timing of the body parts' change of posture in motions along these paths, by recorded people.
+// Timing of the body parts' change of posture in motions along these paths, fitted to recorded
+// people.
 [[nodiscard]] PartWindows natural_windows(std::span<const ReachGoal> goals);
 
 }  // namespace shigusa

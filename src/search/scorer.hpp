@@ -14,7 +14,8 @@ inline constexpr double kWorst = std::numeric_limits<double>::infinity();
 // Scores batches of a search's points within the budget, and keeps the counts and the best point.
 class Scorer {
  public:
-  // PreconditionError for a problem outside the ranges of SearchProblem and a budget below 1.
+  // Throws PreconditionError for a problem outside the ranges of SearchProblem and a budget below
+  // 1.
   Scorer(const SearchProblem& problem, int budget, const Progress& progress);
 
   [[nodiscard]] int genes() const { return problem_.genes; }
