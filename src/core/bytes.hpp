@@ -9,14 +9,14 @@
 
 namespace shigusa {
 
-// Integers as bytes, the lowest first on any machine.
+// Appends an integer as bytes, little-endian on any machine.
 
 template <std::unsigned_integral T>
 void append_bytes(std::string& to, T x) {
   for (std::size_t k = 0; k < sizeof x; ++k) to += static_cast<char>((x >> (8 * k)) & 0xFF);
 }
 
-// The integer at a place of the bytes, which must have it.
+// The little-endian integer at a position of the bytes, which must contain it.
 template <std::unsigned_integral T>
 [[nodiscard]] T integer_at(std::string_view bytes, std::size_t at) {
   T x = 0;

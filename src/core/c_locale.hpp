@@ -5,11 +5,12 @@
 
 namespace shigusa {
 
-// The C library's own locale, in which numbers have a point.
+// The C library's own locale, in which numbers have a decimal point.
 [[nodiscard]] locale_t c_locale();
 
-// While one lives, the C library's functions that its thread calls read and write numbers with a
-// point, whatever locale the program has chosen. For libraries that read numbers by strtod.
+// Sets the C locale for the current thread during its lifetime, so that the C library reads and
+// writes numbers with a decimal point, whatever the program's locale. For libraries that read
+// numbers by strtod.
 class WithinCLocale {
  public:
   WithinCLocale() : before_(uselocale(c_locale())) {}

@@ -7,19 +7,19 @@
 namespace shigusa {
 
 // Throws PreconditionError with "message [condition]". Not inline: a check in the kernel must not
-// bring code of the standard library into files that are compiled for a SIMD set.
+// bring standard library code into files compiled for a SIMD set.
 [[noreturn]] void fail_check(const char* message, const char* condition);
 [[noreturn]] void fail_check(const std::string& message, const char* condition);
 
 }  // namespace shigusa
 
-// Always on. `message` says which precondition, with the value seen.
+// A check in all builds. `message` states the precondition, with the value seen.
 #define SHG_CHECK(condition, message)                             \
   do {                                                            \
     if (!(condition)) ::shigusa::fail_check(message, #condition); \
   } while (false)
 
-// Inner-loop invariants: checked in debug builds only.
+// A check of inner-loop invariants, in debug builds only.
 #ifdef NDEBUG
 #define SHG_ASSERT(condition) ((void)0)
 #else

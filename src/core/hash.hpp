@@ -9,12 +9,12 @@ namespace shigusa {
 // Fowler, Noll and Vo's hash (FNV-1a, 64 bits), the same on any machine.
 class Fnv1a {
  public:
-  // Takes one number in one step: a byte, mostly.
+  // Mixes in one number in one step, usually a byte.
   void mix(std::uint64_t x) { value_ = (value_ ^ x) * 0x100000001B3ULL; }
   void add(std::string_view bytes) {
     for (const char c : bytes) mix(static_cast<unsigned char>(c));
   }
-  // Takes a number's bytes, the lowest first.
+  // Mixes in a number's bytes, little-endian.
   void add(std::uint64_t x) {
     for (int k = 0; k < 8; ++k) mix((x >> (8 * k)) & 0xFF);
   }

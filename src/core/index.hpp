@@ -5,8 +5,8 @@
 
 namespace shigusa {
 
-// A number of the interface, 0 or more, as an index into an array. Always inlined: files that are
-// compiled for a SIMD set must not emit it for others.
+// A non-negative int as an index into an array. Always inlined: files compiled for a SIMD set must
+// not emit it for others.
 [[nodiscard, gnu::always_inline]] constexpr std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }

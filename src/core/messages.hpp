@@ -16,11 +16,11 @@
 
 namespace shigusa::messages {
 
-// The catalogue: every sentence that doubts and failures are made of (core/say.hpp).
+// The catalogue: all sentences of doubts and failures (core/say.hpp).
 inline constexpr std::array<std::span<const MessageText>, 7> kAll{
     kWords, kPeople, kRobots, kFiles, kCharacters, kTasks, kResults};
 
-// The sentence of a key. Called when sayings are compiled, which fails where there is none.
+// The sentence of a key. Evaluated at compile time, which fails for an unknown key.
 [[nodiscard]] consteval MessageText sentence(std::string_view key) {
   for (const std::span<const MessageText>& table : kAll) {
     for (const MessageText& message : table) {

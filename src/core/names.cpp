@@ -9,10 +9,11 @@
 namespace shigusa {
 namespace {
 
-// Names in messages are cut here, so that no input makes a message endless or its work quadratic.
+// Length at which names in messages are cut, to bound messages and work for any input.
 constexpr std::size_t kLongestName = 80;
 
-// Letters to add, drop or change, and neighbours to swap, till one text is the other.
+// Number of letters to add, drop or change, and of neighbours to swap, to turn one text into the
+// other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   const std::size_t width = b.size() + 1;
   std::vector<std::size_t> cost((a.size() + 1) * width);
@@ -31,7 +32,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return cost.back();
 }
 
-// The words of a name: "right", "hand" of "Right-hand".
+// The words of a name: "right", "hand" for "Right-hand".
 std::vector<std::string> words_of(std::string_view name) {
   std::vector<std::string> words(1);
   for (const char c : name) {
@@ -45,7 +46,7 @@ std::vector<std::string> words_of(std::string_view name) {
   return words;
 }
 
-// The first name that has the same words in some order, or else more than these; else empty.
+// The first name with the same words in any order, or else with these and more; else empty.
 std::string_view same_words(std::string_view name, std::span<const std::string> known) {
   const std::vector<std::string> asked = words_of(name);
   if (asked.empty()) return {};
@@ -63,14 +64,15 @@ std::string_view same_words(std::string_view name, std::span<const std::string> 
   return longer;
 }
 
-// Whether a word that was asked for is a word's beginning, or it with a letter in three mistaken.
+// Whether a requested word is the beginning of a word, or equals it with at most a third of the
+// letters wrong.
 bool means(const std::string& asked, const std::string& word) {
   if (asked.size() < 3) return asked == word;
   return word.starts_with(asked) || edit_distance(asked, word) * 3 <= asked.size();
 }
 
-// The first name for each of whose words one was asked, in short or misspelt, and the other way
-// round; or else one with more words; else empty.
+// The first name with as many words as requested, each possibly abbreviated or misspelt, in any
+// order; or else one with more words; else empty.
 std::string_view meant_words(std::string_view name, std::span<const std::string> known) {
   const std::vector<std::string> asked = words_of(name);
   std::string_view longer;
@@ -87,7 +89,8 @@ std::string_view meant_words(std::string_view name, std::span<const std::string>
   return longer;
 }
 
-// The same of the body's other side, where nobody said which: "left_hand" beside "right_hand".
+// The same name on the body's other side, if the side was not given: "left_hand" beside
+// "right_hand".
 std::string_view of_other_side(std::string_view name, std::string_view nearest,
                                std::span<const std::string> known) {
   const std::vector<std::string> asked = words_of(name);

@@ -25,9 +25,9 @@ namespace shigusa {
 namespace {
 
 #ifdef SHIGUSA_THREAD_SANITIZER
-// The thread sanitizer does not see into oneTBB, which orders calls by atomics of its own. This
-// tells it: calls come after what was before parallel_for and before what follows it, and a
-// worker's calls come one after the other. Two workers' calls stay unordered, so their races are
+// Ordering for the thread sanitizer, which cannot see into oneTBB, where atomics order the calls.
+// It declares that calls come after everything before parallel_for and before everything after it,
+// and that a worker's calls are sequential. Two workers' calls stay unordered, so their races are
 // found.
 class Order {
  public:
@@ -68,16 +68,16 @@ struct Order {
 };
 #endif
 
-// Where calls run. A worker takes some tens of microseconds to join one, and looks for more work
-// for a while before it leaves, so arenas are kept; each call has one for itself, as threads that
-// share one would wait for each other's work.
+// Pool of task arenas. A worker takes some tens of microseconds to join an arena, and looks for
+// more work for a while before it leaves, so arenas are kept; each call has its own, as threads
+// that share one would wait for each other's work.
 class Arenas {
  public:
   std::unique_ptr<tbb::task_arena> take(int workers) {
     const std::lock_guard lock(mutex_);
-    if (workers > allowed_) {  // more threads than cores, where they are asked for
+    if (workers > allowed_) {  // more threads than cores, if requested
       allowed_ = workers;
-      control_.reset();  // the least of two would hold
+      control_.reset();  // of two controls the smaller one would apply
       control_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                        index(workers));
     }

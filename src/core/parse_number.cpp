@@ -11,7 +11,7 @@
 namespace shigusa {
 namespace {
 
-// As parse_number, but for what strtod alone would take: blanks in front and hexadecimal digits.
+// Parses as parse_number does, and accepts leading blanks and hexadecimal digits, as strtod does.
 std::optional<double> parse_by_strtod(std::string_view text) {
   const std::string copy(text);
   char* stop = nullptr;
@@ -38,7 +38,7 @@ std::optional<double> parse_number(std::string_view text) {
   const auto [stop, status] = std::from_chars(text.data(), end, value);
   if (stop != end || status == std::errc::invalid_argument) return std::nullopt;
   if (status == std::errc{}) return value;
-    // too large or too small: from_chars does not tell which
+    // too large or too small: from_chars does not distinguish them
 #else
   // the WebAssembly library has no from_chars for double
   if (text.empty() || text.find_first_of("xX") != text.npos ||

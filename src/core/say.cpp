@@ -8,7 +8,7 @@
 namespace shigusa {
 namespace {
 
-// The digits of a number in a hole such as "{:.2f}"; whole numbers have them already.
+// Formats a number by a placeholder such as "{:.2f}"; integers are formatted already.
 void write_digits(std::string_view hole, Message& value) {
   if (!value.number || !value.text.empty()) return;
   value.text = fmt::format(fmt::runtime(hole), *value.number);

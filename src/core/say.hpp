@@ -18,8 +18,8 @@
 
 namespace shigusa {
 
-// Values of a sentence that are lengths, so that a page shows them in the unit that its reader has
-// chosen. The sentence's own text has metres, or millimetres.
+// Lengths as values of a sentence, which a page shows in the unit of the reader's choice. The
+// sentence's own text uses metres, or millimetres.
 struct Metres {
   double value = 0.0;
 };
@@ -27,12 +27,12 @@ struct Millimetres {
   double value = 0.0;
 };
 
-// Whether a value is a number whose digits the hole may tell.
+// Whether a value is a number whose format the placeholder may specify.
 template <class Value>
 inline constexpr bool kHasDigits =
     std::floating_point<Value> || std::same_as<Value, Metres> || std::same_as<Value, Millimetres>;
 
-// Whether a sentence has as many holes as there are values, and digits told of numbers alone.
+// Whether a sentence has as many placeholders as values, with formats for numbers only.
 template <class... Values>
 [[nodiscard]] consteval bool fits(std::string_view text) {
   constexpr std::size_t kCount = sizeof...(Values);
@@ -53,8 +53,8 @@ template <class... Values>
   return holes == kCount;
 }
 
-// A sentence of the catalogue by its key. That there is one, and that its holes take such values,
-// is found when this is compiled.
+// A sentence of the catalogue by its key. Its existence and the types of its placeholders are
+// checked at compile time.
 template <class... Values>
 class Sentence {
  public:
@@ -67,7 +67,7 @@ class Sentence {
   MessageText text_;
 };
 
-// Values before a sentence takes them in; said() gives those of numbers their digits.
+// The value of a placeholder before said() formats its number.
 [[nodiscard]] inline Message hole_value(Message value) { return value; }
 [[nodiscard]] inline Message hole_value(Metres length) {
   Message value;
@@ -100,7 +100,7 @@ template <std::integral Number>
   return value;
 }
 
-// The sentence with these values: its text is what fmt::format makes of them.
+// The sentence with these values: its text is the result of fmt::format.
 [[nodiscard]] Message said(const MessageText& sentence, std::vector<Message> values);
 
 // The message of a sentence of the catalogue: say("load_range", load, most).

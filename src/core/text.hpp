@@ -8,7 +8,8 @@
 
 namespace shigusa {
 
-// ASCII alone, whatever the locale; the blanks are those of JSON and XML.
+// Whether a character is a blank of JSON and XML. These functions are for ASCII only, whatever the
+// locale.
 [[nodiscard]] constexpr bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
@@ -26,18 +27,18 @@ template <class List, class Value>
   return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
 
-// With a capital for its first letter, if that is one of ASCII.
+// The text with its first letter capitalised, if that is ASCII.
 [[nodiscard]] inline std::string capitalised(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
   return text;
 }
 
-// A text within an element of HTML or SVG, or an attribute's quotes: markup's own characters are
-// escaped, those that it does not allow left out, and bytes that are not UTF-8 replaced.
+// A text for the content of an HTML or SVG element, or for a quoted attribute: markup characters
+// are escaped, disallowed ones dropped, and invalid UTF-8 bytes replaced.
 [[nodiscard]] std::string markup_text(std::string_view text);
 
-// Bytes of the UTF-8 character at the start of a text, 0 where there is none. Overlong forms,
-// surrogates and values above U+10FFFF are none: writers of JSON refuse them.
+// Number of bytes of the UTF-8 character at the start of a text, 0 if there is none. Overlong
+// forms, surrogates and values above U+10FFFF are invalid: writers of JSON reject them.
 [[nodiscard]] std::size_t utf8_length(std::string_view text);
 
 }  // namespace shigusa

@@ -10,13 +10,13 @@
 
 namespace shigusa {
 
-// How near the centre of mass's plumb line comes to the edge of the feet's support polygon, or how
-// far it leaves it, in [0, 1]. Anywhere well inside is as good as the middle: people who reach let
-// it wander (Stapley et al., Biological Cybernetics 82 (2000) 161).
-//   p(t) = (margin - d(t)) / (2 margin), held to [0, 1];   P = ½ mean_t p + ½ max_t p,
-// d being the distance to the nearest edge, less than 0 outside: 0 from `margin` inside on, ½ at
-// the edge, 1 from `margin` outside on. Near a corner, outside, d is the distance to the nearest
-// edge's line. A body without feet, or with feet of no size, has no penalty.
+// Penalty of a plumb line from the centre of mass near or beyond the edge of the feet's support
+// polygon, in [0, 1]. Positions well inside are all equal: in people's reaches the plumb line
+// wanders (Stapley et al., Biological Cybernetics 82 (2000) 161).
+//   p(t) = (margin - d(t)) / (2 margin), clamped to [0, 1];   P = ½ mean_t p + ½ max_t p,
+// with d the distance to the nearest edge, negative outside: 0 from `margin` inside on, ½ at the
+// edge, 1 from `margin` outside on. Near a corner, outside, d is the distance to the nearest edge's
+// line. A body without feet, or with feet of no size, has no penalty.
 template <class S>
 class BalanceZone {
  public:
@@ -27,13 +27,12 @@ class BalanceZone {
         margin_(static_cast<T>(settings.margin)),
         per_width_(static_cast<T>(0.5 / settings.margin)) {}
 
-  // Forgets the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {
     const Vec3<S>& c = frame.centre_of_mass;
     const S inside = zone_.inside({c.x, S(1), c.z}, frame.angles);
-    // how far outside the margin, of the edge that it is nearest to
+    // distance outside the margin of the nearest edge
     const S outside = max(S(0), S(margin_) - inside);
     const S share = min(outside * S(per_width_), S(1));
     seen_.add(share);

@@ -26,7 +26,7 @@
 
 namespace shigusa {
 
-// One built-in criterion: its class, its name, and where its weight and its reference scale are.
+// One built-in criterion: its class, its name, its weight, its settings and its reference scale.
 template <template <class> class CriterionOf>
 struct CriterionEntry {
   template <class S>
@@ -34,7 +34,7 @@ struct CriterionEntry {
   using Settings = typename CriterionOf<double>::Settings;
 
   const char* name;    // in scores and in files
-  const char* counts;  // in words for a person: "quick starts and stops"
+  const char* counts;  // for users: "quick starts and stops"
   double CriteriaSettings::*weight_member;
   Settings CriteriaSettings::*settings_member;
   const char* scale_name;  // in files
@@ -55,8 +55,8 @@ struct CriterionEntry {
   }
 };
 
-// All built-in criteria, in the order of a score's terms. Whatever reads, writes, checks or sums
-// them goes by this table.
+// All built-in criteria, in the order of a score's terms. The table that all readers, writers,
+// checks and sums use.
 inline constexpr std::tuple kCriteria{
     CriterionEntry<JointRange>{
         "joint_range", "joints beyond their limits", &CriteriaSettings::joint_range_weight,
@@ -117,14 +117,13 @@ void for_each_criterion(Visitor&& visit) {
   std::apply([&visit](const auto&... entry) { (visit(entry), ...); }, kCriteria);
 }
 
-// The built-in criteria whose weight is above 0, together, frame by frame.
+// The built-in criteria with a weight above 0, evaluated together frame by frame.
 template <class S>
 class BuiltInCriteria {
  public:
   BuiltInCriteria(const BodyModel& body, const CriteriaSettings& settings)
       : parts_(make_parts(body, settings, Indices{})) {}
 
-  // Forgets the frames seen.
   void reset() {
     for_each_part([](auto& part) { part.criterion->reset(); }, parts_);
   }
@@ -132,7 +131,7 @@ class BuiltInCriteria {
   void add(const PlacedFrame<S>& frame) {
     for_each_part([&frame](auto& part) { part.criterion->add(frame); }, parts_);
   }
-  // Where nothing needs placement.
+  // Adds a frame if no criterion needs the body's placement.
   void add(const MotionFrame<S>& frame) {
     SHG_CHECK(!needs_placement(), "a criterion looks at the body's placement");
     const auto show = [&frame](auto& criterion) {
@@ -142,7 +141,7 @@ class BuiltInCriteria {
     for_each_part([&show](auto& part) { show(*part.criterion); }, parts_);
   }
 
-  // Whether one of them looks at the body's placement.
+  // Whether some criterion needs the body's placement.
   [[nodiscard]] bool needs_placement() const {
     bool needs = false;
     const auto ask = [&needs]<class Criterion>(const Criterion&) {
@@ -160,7 +159,7 @@ class BuiltInCriteria {
     return sum;
   }
 
-  // Calls visit(name, weight, penalty) for each in the table's order.
+  // Calls visit(name, weight, penalty) for each criterion in the table's order.
   template <class Visitor>
   void visit_penalties(Visitor&& visit) const {
     for_each_part(
@@ -173,7 +172,7 @@ class BuiltInCriteria {
   struct Part {
     const char* name;
     double weight;
-    std::optional<Criterion> criterion;  // empty where its weight is 0
+    std::optional<Criterion> criterion;  // empty if its weight is 0
   };
   using Indices = std::make_index_sequence<std::tuple_size_v<decltype(kCriteria)>>;
 

@@ -9,12 +9,12 @@
 
 namespace shigusa {
 
-// How far the motion would have the floor's force outside what the feet stand on, in [0, 1]: no
-// floor gives that, and the body would tip over the edge of its feet, however well its centre of
-// mass stands. With d(t) the moment by which it tips over the edge that it tips over most, 0 where
-// the floor can hold it, as a share of the body's weight times `outside`, held to 1:
-// P = √ mean_t d². Where the floor bears the body's weight, d is how far outside the centre of
-// pressure is. A body without feet, or with feet of no size, has no penalty.
+// Penalty of motions that need a floor reaction outside the feet's support polygon, in [0, 1]: no
+// floor provides it, and the body would tip over the edge of its feet, wherever its centre of mass
+// is. With d(t) the largest tipping moment about an edge, 0 where the floor can hold the body, as a
+// share of the body's weight times `outside`, clamped to 1: P = √ mean_t d². Where the floor bears
+// the body's weight, d is the distance of the centre of pressure outside. A body without feet, or
+// with feet of no size, has no penalty.
 //
 // Source: the condition that a zero-moment point stays in the support polygon, M. Vukobratović and
 // B. Borovac, Int. J. Humanoid Robotics 1 (2004) 157-173.
@@ -27,7 +27,6 @@ class CentreOfPressure {
       : zone_(body),
         per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {}
 
-  // Forgets the frames seen.
   void reset() {
     squares_ = S(0);
     frames_ = 0;

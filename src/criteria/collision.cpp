@@ -7,13 +7,13 @@ namespace shigusa {
 
 namespace {
 
-// m, of a capsule from its middle
+// Radius (m) of a capsule about its midpoint.
 double reach_of(const BodyModel& body, int number) {
   const Capsule& capsule = body.capsules()[index(number)];
   return thickest(capsule) + 0.5 * norm(capsule.to - capsule.from);
 }
 
-// Whether a capsule is that of a hand that rests on what has the name.
+// Whether a capsule belongs to a hand that rests on the named part or obstacle.
 bool rests_on(const BodyModel& body, int capsule, const std::string& name,
               const CollisionSettings& settings) {
   const int link = body.capsules()[index(capsule)].link;
@@ -22,7 +22,8 @@ bool rests_on(const BodyModel& body, int capsule, const std::string& name,
       [&](const RestingPlace& place) { return place.link == link && place.on == name; });
 }
 
-// A hand without a wrist points where its forearm does, and cannot be kept off the floor.
+// Adds the floor pairs of a limb. A hand without a wrist points along its forearm, and cannot be
+// kept off the floor.
 void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& pairs) {
   if (body.dof(effector.link).part.joint_kind != JointKind::wrist) return;
   const int count = static_cast<int>(body.capsules().size());
@@ -76,7 +77,7 @@ CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
   std::vector<PlacedCapsule<double>> placed(body.capsules().size());
   Kinematics<double> kinematics(body);
   CollisionFound found;
-  double worst = 0.0;  // of the depth's share of what is impossible
+  double worst = 0.0;  // depth relative to the impossible one
   const auto name = [&](const CollisionPairs::Pair& pair, CollisionKind kind) -> std::string {
     const std::size_t other = index(pair.other);
     if (kind == CollisionKind::floor) return "floor";

@@ -14,10 +14,10 @@
 
 namespace shigusa {
 
-// All that can collide in a body, and how deep it does at the start: that depth is not held against
-// a motion.
+// All pairs that can collide in a body, with their depths in the start posture, which are not
+// penalised.
 struct CollisionPairs {
-  // in the source file, where all SIMD sets share them
+  // defined in the source file, shared by all SIMD sets
   CollisionPairs();
   CollisionPairs(const CollisionPairs&);
   CollisionPairs(CollisionPairs&&) noexcept;
@@ -28,13 +28,13 @@ struct CollisionPairs {
   struct Pair {
     int limb = 0;          // capsule
     int other = 0;         // capsule or obstacle
-    double allowed = 0.0;  // m, depth of the start posture where it is above 0
-    double give = 0.0;     // m, by which the softer of both yields
-    float near = 0.0F;  // m², of parts: squared distance of the middles beyond which they are apart
+    double allowed = 0.0;  // m, positive depth in the start posture
+    double give = 0.0;     // m, compliance of the softer of both
+    float near = 0.0F;     // m², of parts: squared distance of midpoints from which they are apart
   };
   std::vector<Pair> parts;      // limbs and parts of the body
   std::vector<Pair> obstacles;  // any capsule and one of `shapes`
-  std::vector<Pair> floor;      // capsules of arms that have a wrist; `other` is not used
+  std::vector<Pair> floor;      // capsules of arms with a wrist; `other` is unused
   std::vector<Obstacle> shapes;
   std::vector<Mat3d> axes;  // (shapes) R_WO
 };
@@ -43,9 +43,9 @@ struct CollisionPairs {
 
 enum class CollisionKind { part, obstacle, floor };
 
-// Calls visit(pair, kind, depth in m beyond what is allowed) for all that can collide, but for
-// parts that are apart from each other in all lanes. `placed` is scratch memory, one for each of
-// the body's capsules.
+// Calls visit(pair, kind, depth in m beyond the allowed one) for all pairs that can collide, except
+// parts that are apart in all lanes. `placed` is scratch memory, one element for each of the body's
+// capsules.
 template <class S, class Pairs, class Visitor>
 void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& kinematics,
                       std::span<PlacedCapsule<S>> placed, Visitor&& visit) {
@@ -88,10 +88,11 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& 
   }
 }
 
-// Whether arms pass through the body, and any part through obstacles, or arms that have a wrist
-// through the floor at y = 0, in [0, 1]. With d the depth of the deepest such pair of capsules
-// beyond what it has in the start posture and what its flesh gives, as a share of `full`, held to
-// [0, 1]:  P = ½ mean_t d + ½ max_t d. An obstacle is asked about a capsule's ends and middle.
+// Penalty of arms that pass through the body, parts that pass through obstacles, and arms with a
+// wrist that pass through the floor at y = 0, in [0, 1]. With d the depth of the deepest pair of
+// capsules, beyond the depth in the start posture and the compliance of the flesh, as a share of
+// `full`, clamped to [0, 1]:  P = ½ mean_t d + ½ max_t d. Obstacles are tested at a capsule's ends
+// and midpoint.
 template <class S>
 class Collision {
  public:
@@ -103,7 +104,6 @@ class Collision {
         per_full_(1.0 / settings.full),
         placed_(body.capsules().size()) {}
 
-  // Forgets the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const PlacedFrame<S>& frame) {

@@ -10,25 +10,25 @@
 
 namespace shigusa {
 
-// Of a knee's bend, what goes with a trunk that leans far, for a hand that ends as far from the
-// ankles over the floor as people like it (kHandAhead, in statures) …
+// Knee flexion per lean of a far leaning trunk, for a hand that ends at kHandAhead, people's
+// preferred distance from the ankles over the floor.
 inline constexpr double kKneeOfTrunk = 1.7;
-// … the lean (rad) about which knees begin to go along …
+// Lean (rad) about which knees begin to follow.
 inline constexpr double kKneesBegin = radians(10);
-// … and how much less they go along for a hand that ends nearer to the ankles: all of it at
-// kHandAhead and beyond, this share of it at none.
+// Distance (statures) of the hand from the ankles from which the knee flexion is full, and the
+// share of it at distance 0.
 inline constexpr double kHandAhead = 0.32;
 inline constexpr double kKneesNear = 0.5;
-// A load (kg) in the hand bends them more, by this share of it: stoops are of light loads only
-// (Burgess-Limerick and Abernethy, of 39 persons with light and heavier loads).
+// Relative increase of the knee flexion per kilogram of load in the hand: stoops are for light
+// loads only (Burgess-Limerick and Abernethy, of 39 persons with light and heavier loads).
 inline constexpr double kKneesOfLoad = 0.01;
 
-// How a body's knees bend beside its trunk where a motion ends, against people's proportion, in
-// [0, 1]: whoever bends, bends both. With T the lean of the line from hips to shoulders and K the
-// knees' flexion, q = ((K - K*(T)) / angle)² / 4 and P = q / (1 + q). K* keeps the posture index of
-// R. Burgess-Limerick and B. Abernethy (Human Factors 39 (1997) 141), which is the same from 9 to
-// 63 cm, and is less for a near load (Int. J. Industrial Ergonomics 22 (1998) 367). A body without
-// these joints has no penalty.
+// Penalty of a final knee flexion out of people's proportion to the trunk's lean, in [0, 1]: people
+// bend both. With T the lean of the line from hips to shoulders and K the knees' flexion, q = ((K -
+// K*(T)) / angle)² / 4 and P = q / (1 + q). K* keeps the posture index of R. Burgess-Limerick and
+// B. Abernethy (Human Factors 39 (1997) 141), which is the same from 9 to 63 cm, and is less for a
+// near load (Int. J. Industrial Ergonomics 22 (1998) 367). A body without these joints has no
+// penalty.
 template <class S>
 class Coordination {
  public:
@@ -45,7 +45,6 @@ class Coordination {
     }
   }
 
-  // Forgets the frames seen.
   void reset() { off_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {
@@ -74,7 +73,7 @@ class Coordination {
   std::vector<GoalHand> hands_;
   std::vector<std::size_t> knees_;
   double per_angle_;  // 1/rad
-  double of_trunk_;   // of the knees, with the load
+  double of_trunk_;   // knee flexion per lean, with the load
   double per_ahead_;  // 1/m
   S off_{};           // of the last frame seen
 };

@@ -68,7 +68,7 @@ Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSe
   });
   for (const UserCriterion& user : settings.user) {
     const double value = user.value(body, motion) / user.scale;
-    // a NaN passes through, to be counted by the search
+    // a NaN passes through, and is counted by the search
     const double penalty = value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
     score.terms.push_back({user.name, user.weight, penalty});
   }

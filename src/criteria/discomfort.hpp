@@ -10,22 +10,22 @@
 
 namespace shigusa {
 
-// The last share of the range from neutral to a limit, where discomfort rises steeply.
+// Last share of the range from neutral to a limit, in which discomfort rises steeply.
 inline constexpr double kDiscomfortEnd = 0.12;
-// A limit nearer to neutral than this share of the range is where the joint rests: there knees and
-// elbows are straight.
+// Share of the range below which a limit counts as the joint's neutral position: knees and elbows
+// are straight there.
 inline constexpr double kRestingShare = 0.10;
 
-// How far the joints are from neutral and how near the ends of their range, in [0, 1]. Neutral is
+// Penalty of joints far from neutral and near the ends of their range, in [0, 1]. Neutral is
 // upright with hanging arms, all angles 0. With u the share of the range from neutral to the limit
 // on that side, 1 at the limit and beyond:
 //   d(u) = ½ u² + ½ (max(0, u - 0.88) / 0.12)²,   D(t) = mean_i d(u_i(t)),
 //   P = min(1, (½ mean_t D + ½ max_t D) / share).
-// Upper limits grow with the body's couplings. Both parts are those of joint discomfort in
-// Abdel-Malek and Arora, Human Motion Simulation (2013), equations 3.13 to 3.16: a square around
-// neutral, and at either end a term that stays at 0 until the last tenth or so of the range; its
-// (½ sin + 1)^100, over its own maximum, is met by this parabola within 0.16. The weights by groups
-// of joints are left out.
+// Upper limits depend on the body's couplings. Both terms are those of joint discomfort in
+// Abdel-Malek and Arora, Human Motion Simulation (2013), equations 3.13 to 3.16: a square about
+// neutral, and at either end a term that stays at 0 until the last tenth or so of the range; its (½
+// sin + 1)^100, over its own maximum, agrees with this parabola within 0.16. The weights by groups
+// of joints are omitted.
 template <class S>
 class Discomfort {
  public:
@@ -45,7 +45,6 @@ class Discomfort {
     for (const std::size_t d : coupled_.coupled()) ranges_[d].coupled = ranges_[d].per_up > T(0);
   }
 
-  // Forgets the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const MotionFrame<S>& frame) {
@@ -72,7 +71,7 @@ class Discomfort {
   struct Range {
     T neutral;   // rad
     T up;        // rad, to the upper limit
-    T per_up;    // 1/rad; 0 where the limit is where the joint rests
+    T per_up;    // 1/rad; 0 if the limit is the neutral position
     T per_down;  // 1/rad
     bool coupled;
   };

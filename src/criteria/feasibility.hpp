@@ -11,13 +11,13 @@
 
 namespace shigusa {
 
-// Whether the body could make the motion at all, in [0, 1): 0 where every joint keeps to its
-// strength and the floor can hold the body, and above it the more the worst moment asks for. With
+// Penalty of motions that the body cannot make, in [0, 1): 0 if every joint keeps to its strength
+// and the floor can hold the body, otherwise increasing with the excess of the worst moment. With
 //   e(t) = max(0, max_i τ_i / τ_i^max - 1, d(t) / outside),
-// τ_i^max being the strength in the direction of τ_i and d(t) how far the centre of pressure would
-// have to be outside the support polygon (see CentreOfPressure), P = e / (1 + e) with e = max_t
-// e(t). It has no upper end: where nothing is possible, less is still better. Of a body without
-// feet, or with feet of no size, strength alone counts.
+// with τ_i^max the strength in the direction of τ_i and d(t) the distance of the required centre of
+// pressure outside the support polygon (see CentreOfPressure), P = e / (1 + e) and e = max_t e(t).
+// It is unbounded in e: among impossible motions, a smaller excess is still better. For a body
+// without feet, or with feet of no size, only strength counts.
 template <class S>
 class Feasibility {
  public:
@@ -32,14 +32,13 @@ class Feasibility {
     }
   }
 
-  // Forgets the frames seen.
   void reset() { worst_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {
     S most(0);
     for (std::size_t k = 0; k < strengths_.size(); ++k) {
       const S tau = frame.torques[k];
-      // one of both is the share of its strength, the other one is below 0
+      // the one that is not negative is the share of the strength
       most =
           max(most, max(tau * S(strengths_[k].per_positive), tau * S(strengths_[k].per_negative)));
     }
@@ -53,7 +52,7 @@ class Feasibility {
   using T = Element<S>;
   struct Strength {
     T per_positive;  // 1/(N·m)
-    T per_negative;  // of torques below 0, < 0
+    T per_negative;  // for negative torques, < 0
   };
 
   std::vector<Strength> strengths_;  // (dofs)

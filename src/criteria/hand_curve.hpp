@@ -10,20 +10,21 @@
 
 namespace shigusa {
 
-// How far people's hands leave the straight way forwards, as shares of its length: on a level way
-// by the first, and by the second more on the way straight down, less on the way straight up.
-// Recorded: 0.05 to 0.17 down to the floor, -0.03 to -0.07 up to shelves.
+// Offset of people's hand paths from the straight way, forwards, as shares of its length: on a
+// level way the first; the second is added on a way straight down, and subtracted on one straight
+// up. Recorded: 0.05 to 0.17 down to the floor, -0.03 to -0.07 up to shelves.
 inline constexpr double kBowLevel = 0.03;
 inline constexpr double kBowDown = 0.08;
-// The mean over a motion's time of how far a bow of 1 has left its line (see path_bow): ∫ 4 s (1 -
-// s) along the minimum-jerk profile.
+// Mean over a motion's time of the offset of a bow of 1 (see path_bow): ∫ 4 s (1 - s) along the
+// minimum-jerk profile.
 inline constexpr double kMeanBow = 0.4329;
 
-// How the hands' paths leave the straight way, in [0, 1]: people's hands do by some tenth of it,
-// each in its direction. Of each goal's hand, o is the mean offset of its places from the middle of
-// its straight way, square to that and over the bow's mean share of time, and n the offset that
-// people's have, m = mean |o - n|² / offset² and P = m / (1 + m): far from people's way, too,
-// nearer is better. A hand that moves by less than 5 cm, and a body without hands, has no penalty.
+// Penalty of hand paths that do not deviate from the straight way as people's do, by some tenth of
+// it and in a typical direction, in [0, 1]. For each goal's hand, o is the mean offset of its
+// positions from the midpoint of its straight way, perpendicular to that and over the bow's mean
+// share of time, n the same offset of people, m = mean |o - n|² / offset² and P = m / (1 + m): far
+// from people's way, too, nearer is better. A hand that moves by less than 5 cm, and a body without
+// hands, has no penalty.
 template <class S>
 class HandCurve {
  public:
@@ -36,7 +37,6 @@ class HandCurve {
         ends_(sums_),
         per_square_(1.0 / (settings.offset * settings.offset)) {}
 
-  // Forgets the frames seen.
   void reset() { frames_ = 0; }
 
   void add(const PlacedFrame<S>& frame) {
@@ -69,14 +69,14 @@ class HandCurve {
     Vec3<S> off = (sums_[h] - ends_[h] * S(0.5)) * S(1.0 / max(frames_ - 1, 1)) -
                   (starts_[h] + ends_[h]) * S(0.5);
     off = (off - along * dot(off, along)) * (S(1.0 / kMeanBow) / length);
-    // forwards, square to the way; a way that leads forwards bows nowhere
+    // forwards, perpendicular to the way; a way straight forwards has no bow
     const Vec3<S> forward = Vec3<S>{S(0), S(0), S(1)} - along * along.z;
     off = off - forward * (S(kBowLevel) - S(kBowDown) * along.y);
     return select(length > S(0.05), dot(off, off), S(0));
   }
 
   std::vector<GoalHand> hands_;
-  std::vector<Vec3<S>> sums_;    // m, of places
+  std::vector<Vec3<S>> sums_;    // m, of positions
   std::vector<Vec3<S>> starts_;  // m
   std::vector<Vec3<S>> ends_;    // m
   double per_square_;

@@ -13,12 +13,13 @@ namespace shigusa {
 
 // Angle (rad) between the trunk's forward direction and the direction from the head to the goal, up
 // to which neck and eyes turn to it on any side: 45° of the neck, its range in flexion and in
-// extension (AAOS), and 35° of the eyes (MIL-STD-1472) …
+// extension (AAOS), and 35° of the eyes (MIL-STD-1472).
 inline constexpr double kGazeFree = radians(80);
-// … and where they cannot any more: to the side, where the neck rotates by 60° (AAOS).
+// Angle (rad) at which neck and eyes reach their limit: to the side, where the neck rotates by 60°
+// (AAOS).
 inline constexpr double kGazeLimit = radians(95);
 
-// Both angles of a body that has a neck: only the eyes turn on.
+// The same angles for a body with a neck, where only the eyes turn further.
 inline constexpr double kEyesFree = radians(35);
 inline constexpr double kEyesLimit = radians(60);
 
@@ -28,22 +29,22 @@ struct HeadPoints {
   Vec3d head{};  // m, link frame
   int pelvis_link = kBaseLink;
   Vec3d pelvis{};         // m, link frame
-  double distance = 0.0;  // m, between them in the start posture; 0 where the body lacks one
-  bool neck = false;      // the head turns on the trunk
+  double distance = 0.0;  // m, between them in the start posture; 0 if the body lacks one
+  bool neck = false;      // whether the head turns on the trunk
 };
-// Finds them by the names of the body's nodes, "head" and "hips".
+// Finds head and pelvis by the names of the body's nodes, "head" and "hips".
 [[nodiscard]] HeadPoints head_points(const BodyModel& body);
 
-// Whether the head stays above the pelvis and can look at the goal, in [0, 1]: people who reach to
-// the floor keep their head up and their eyes on the goal, which gaze reaches before the hand does
-// (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
+// Penalty of a head near or below the pelvis, or unable to look at the goal, in [0, 1]: people who
+// reach to the floor keep their head up and their eyes on the goal, where gaze arrives before the
+// hand (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
 //   low(t) = 1 - (y_head - y_pelvis) / (height · distance),
 //   away(t) = (cos 80° - cos a) / (cos 80° - cos 95°),
-// each held to [0, 1], a being the angle between the trunk's forward direction and the direction
-// from the head to the goal; p(t) = max(low, away);   P = ½ mean_t p + ½ max_t p. Where the head is
-// rigid on its trunk, the neck's share is taken off rather than seen; a body with a neck has a as
-// the angle from where its head faces, and 35° and 60° for the two. A body without these points has
-// no penalty.
+// each clamped to [0, 1], with a the angle between the trunk's forward direction and the direction
+// from the head to the goal; p(t) = max(low, away);   P = ½ mean_t p + ½ max_t p. For a head
+// rigidly attached to the trunk the angles include the neck's range; for a body with a neck, a is
+// measured from the head's forward direction, and the two angles are 35° and 60°. A body without
+// these points has no penalty.
 template <class S>
 class Head {
  public:
@@ -57,7 +58,6 @@ class Head {
         free_(points_.neck ? kCosEyesFree : kCosFree),
         per_cosine_(1.0 / (free_ - (points_.neck ? kCosEyesLimit : kCosLimit))) {}
 
-  // Forgets the frames seen.
   void reset() { seen_.reset(); }
 
   void add(const PlacedFrame<S>& frame) {
@@ -74,7 +74,7 @@ class Head {
   [[nodiscard]] S penalty() const { return seen_.penalty(); }
 
  private:
-  // cosines of kGazeFree, kGazeLimit, kEyesFree and kEyesLimit
+  // Cosines of kGazeFree, kGazeLimit, kEyesFree and kEyesLimit.
   static constexpr double kCosFree = 0.17364817766693;
   static constexpr double kCosLimit = -0.08715574274766;
   static constexpr double kCosEyesFree = 0.81915204428899;
@@ -83,7 +83,7 @@ class Head {
   [[nodiscard]] S away(const Kinematics<S>& placed, const Vec3<S>& head) const {
     const Vec3<S> forward = placed.link_rotation(points_.head_link).cz;
     const Vec3<S> offset = target_ - head;
-    // a goal at the head itself is in no direction
+    // a goal at the head itself has no direction
     const S cosine = dot(forward, offset) / max(sqrt(dot(offset, offset)), S(1e-3));
     return (S(free_) - cosine) * S(per_cosine_);
   }

@@ -8,10 +8,10 @@
 
 namespace shigusa {
 
-// How hard the joints are sped up and slowed down, in [0, 1]:
+// Penalty of joint accelerations, in [0, 1]:
 //   P = min(1, sqrt(mean_t mean_i q̈_i²) / acceleration).
-// Joint accelerations are, with work, what predicts people's reaches best (Berret et al., PLoS
-// Computational Biology 7 (2011) e1002183, figure 8).
+// With work, joint accelerations predict people's reaches best (Berret et al., PLoS Computational
+// Biology 7 (2011) e1002183, figure 8).
 template <class S>
 class JointAcceleration {
  public:
@@ -20,7 +20,6 @@ class JointAcceleration {
   explicit JointAcceleration(const BodyModel&, const JointAccelerationSettings& settings = {})
       : per_acceleration_(1.0 / settings.acceleration) {}
 
-  // Forgets the frames seen.
   void reset() {
     sum_ = S(0);
     count_ = 0.0;
@@ -43,7 +42,7 @@ class JointAcceleration {
  private:
   double per_acceleration_;
   S sum_{};
-  double count_ = 0.0;  // of accelerations seen
+  double count_ = 0.0;  // accelerations seen
 };
 
 }  // namespace shigusa

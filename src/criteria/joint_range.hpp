@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// How far joints pass their limits, during the motion or at its end, in [0, 1] (paper, section
+// Penalty of joints beyond their limits, during the motion or at its end, in [0, 1] (paper, section
 // 3.3; rule R8a):
 //   v_i = min(1, max_t excess_i(t) / (margin · (q_i⁺ - q_i⁻))),   P = ½ max_i v_i + ½ mean_i v_i.
 template <class S>
@@ -28,7 +28,6 @@ class JointRange {
     reset();
   }
 
-  // Forgets the frames seen.
   void reset() {
     for (std::size_t k = 0; k < limits_.size(); ++k) {
       lowest_[k] = S(kUnseen);
@@ -38,7 +37,7 @@ class JointRange {
 
   void add(const MotionFrame<S>& frame) {
     coupled_.update(frame.angles);
-    // angles as their upper limits see them: less by what the couplings add to the limit
+    // relative to the fixed upper limits: reduced by the couplings' addition to the limit
     for (std::size_t k = 0; k < limits_.size(); ++k) {
       lowest_[k] = min(lowest_[k], frame.angles[k]);
       highest_[k] = max(highest_[k], frame.angles[k] - coupled_.added()[k]);
@@ -69,7 +68,7 @@ class JointRange {
   std::vector<Limit> limits_;
   CoupledLimits<S> coupled_;
   std::vector<S> lowest_;   // (dofs) rad, so far
-  std::vector<S> highest_;  // (dofs) rad, so far, less what the couplings added
+  std::vector<S> highest_;  // (dofs) rad, so far, reduced by the couplings' addition
 };
 
 }  // namespace shigusa

@@ -9,17 +9,17 @@
 
 namespace shigusa {
 
-// A torque that changes by this share of the joint's strength, both ways together, within a
-// sixtieth of a second is a jolt as large as …
+// Change of a torque within a sixtieth of a second that counts as one jolt, as a share of the
+// joint's strengths in both directions together.
 inline constexpr double kTorqueJolt = 0.30;
-// … a floor's pressure that moves by this (m).
+// Displacement (m) of the centre of pressure that counts as one jolt.
 inline constexpr double kPressureJolt = 0.03;
 inline constexpr double kJoltTime = 1.0 / 60.0;  // s
 
-// How suddenly a torque or the floor's pressure changes at the worst, in [0, 1). With t the change
-// of a joint's torque over 0.30 of its strength both ways, c the way of the centre of pressure over
-// 0.03 m, both within 1/60 s, and q = (max (t, c) / limit)⁴, P = q / (1 + q): of little weight
-// until near the limit. A body without feet has no pressure.
+// Penalty of the most sudden change of a torque or of the floor's pressure, in [0, 1). With t the
+// change of a joint's torque over 0.30 of its strength both ways, c the displacement of the centre
+// of pressure over 0.03 m, both within 1/60 s, and q = (max (t, c) / limit)⁴, P = q / (1 + q):
+// small until near the limit. A body without feet has no pressure.
 template <class S>
 class Jolts {
  public:
@@ -35,7 +35,6 @@ class Jolts {
     }
   }
 
-  // Forgets the frames seen.
   void reset() {
     seen_ = false;
     square_ = S(0);
@@ -64,7 +63,7 @@ class Jolts {
   }
 
   [[nodiscard]] S penalty() const {
-    // single precision has no square of what a body that falls takes of the floor
+    // the square for a falling body would overflow single precision
     const S square = min(square_ * S(per_limit_ * per_limit_), S(1e6));
     const S off = square * square;
     return off / (S(1) + off);
@@ -79,9 +78,9 @@ class Jolts {
   double per_limit_;
   bool stands_;
   bool seen_ = false;
-  S x_{};  // m, of the pressure
+  S x_{};  // m, centre of pressure
   S z_{};
-  S square_{};  // of the greatest change, in jolts
+  S square_{};  // square of the greatest change, in jolts
 };
 
 }  // namespace shigusa

@@ -8,17 +8,16 @@
 
 namespace shigusa {
 
-// Less of a limit's excess than a tenth of a degree is nothing that anyone sees.
+// Excess (rad) below which a passed limit is invisible.
 inline constexpr double kSeenExcess = radians(0.1);
 
-// How far a motion's joints pass their limits, frame by frame. The body outlives it.
+// Excess of a motion's joints over their limits, frame by frame. The body outlives the object.
 template <class S>
 class PassedLimits {
  public:
   explicit PassedLimits(const BodyModel& body)
       : body_(&body), coupled_(body), most_(body.dofs().size()) {}
 
-  // Forgets the frames seen.
   void reset() {
     for (S& most : most_) most = S(0);
   }
@@ -32,10 +31,10 @@ class PassedLimits {
     }
   }
 
-  // (dofs) rad, the most of each so far; 0 within.
+  // (dofs) rad, the largest excess so far; 0 within the limits.
   [[nodiscard]] std::span<const S> most() const { return most_; }
 
-  // Σ over the joints that were beyond a limit of (each + the largest excess in rad).
+  // Σ over the joints beyond a limit of (each + the largest excess in rad).
   [[nodiscard]] S sum(double each = 0.0) const {
     S sum(0);
     for (const S& most : most_) sum = sum + select(most > S(kSeenExcess), most + S(each), S(0));

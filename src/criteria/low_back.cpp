@@ -15,7 +15,7 @@ BackConstants back_constants(const BodyModel& body) {
   back.dofs = body.dofs_of(JointKind::hip, FreedomKind::flexion);
   for (const int d : back.dofs) hips += body.dof(d).torque_negative;
   if (back.dofs.empty()) return back;
-  // both hips of the man whose back is known; the half body's one hip counts for two
+  // strength relative to that man's two hips; the half body's one hip counts for two
   const double strength = hips / (2.0 * kHipFlexion.torque_negative);
   back.per_extension = kBackShareOfHips / (kBackExtension * strength);
   back.per_flexion = kBackShareOfHips / (kBackFlexion * strength);

@@ -10,20 +10,20 @@
 
 namespace shigusa {
 
-// Of the way over the floor from the ankles to where the hands end, the share that the centre of
-// mass goes in a level reach: little more than what the arm's own mass makes of it …
+// Share of the way over the floor from the ankles to the hands' final position by which the centre
+// of mass moves in a level reach: little more than the effect of the arm's own mass.
 inline constexpr double kMassLevel = 0.08;
-// … and in a reach down by kLowReach of the stature or more. There recorded people's goes by 5 to
-// 14 cm, 23 to 61 % of the foot from near goals to far ones (Pozzo, Stapley and Papaxanthis, Exp.
-// Brain Res. 144 (2002) 343): by this share of what the hands end ahead of kMassNear (m).
+// The same share, of the distance beyond kMassNear (m), in a reach down by kLowReach of the stature
+// or more. There recorded people's centre of mass moves by 5 to 14 cm, 23 to 61 % of the foot from
+// near goals to far ones (Pozzo, Stapley and Papaxanthis, Exp. Brain Res. 144 (2002) 343).
 inline constexpr double kMassLow = 0.34;
 inline constexpr double kMassNear = 0.18;
 inline constexpr double kLowReach = 0.3;
 
-// Whether the centre of mass goes along with the hands where the motion ends, in [0, 1]: people do
-// not hold it back. With c its way over the floor from where it is in a person who stands, g the
-// way from the middle of the ankles to the middle of the goals' hands, n people's share of g, and
-// q = |c - n|² / distance², P = q / (1 + q).
+// Penalty of a centre of mass that does not follow the hands at the end of the motion, in [0, 1]:
+// people do not hold it back. With c its displacement over the floor from a standing person's, g
+// the way from the middle of the ankles to the middle of the goals' hands, n people's share of g,
+// and q = |c - n|² / distance², P = q / (1 + q).
 template <class S>
 class MassAhead {
  public:
@@ -35,7 +35,6 @@ class MassAhead {
         per_drop_(body.stature() > 0.0 ? 1.0 / (kLowReach * body.stature()) : 0.0),
         per_square_(1.0 / (settings.distance * settings.distance)) {}
 
-  // Forgets the frames seen.
   void reset() { off_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {

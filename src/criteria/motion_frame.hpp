@@ -7,8 +7,8 @@
 
 namespace shigusa {
 
-// One frame of a motion as criteria see it. They look at frames one after the other and keep sums,
-// so that a search stores no motion.
+// One frame of a motion for the criteria, which accumulate sums frame by frame, so that a search
+// stores no motion.
 template <class S>
 struct MotionFrame {
   std::span<const S> angles;   // (dofs) rad
@@ -20,15 +20,15 @@ struct MotionFrame {
   double frame_time = 0.0;             // s, to the next frame
 };
 
-// The same with where the body is, and with what the floor does to it.
+// A frame with the body's placement and the floor's reaction.
 template <class S>
 struct PlacedFrame : MotionFrame<S> {
   const Kinematics<S>& kinematics;
-  Vec3<S> pressure{};                    // of the floor on the body, see pressure()
-  std::span<const HandLoad<S>> hands{};  // that rest on something
+  Vec3<S> pressure{};                    // floor reaction, see pressure()
+  std::span<const HandLoad<S>> hands{};  // resting hands
 };
 
-// Whether a criterion must be shown PlacedFrames: its `add` takes no others.
+// Whether a criterion needs PlacedFrames: its `add` takes no others.
 template <class Criterion, class S>
 inline constexpr bool looks_at_placement =
     !requires(Criterion & criterion, const MotionFrame<S>& frame) {

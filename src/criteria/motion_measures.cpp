@@ -10,7 +10,7 @@
 namespace shigusa {
 namespace {
 
-// Collects the centre of pressure of the frames that it is shown.
+// Collects the centre of pressure of each frame.
 struct PressureMeter {
   std::vector<Vec3d> centres{};
 

@@ -9,7 +9,7 @@
 namespace shigusa {
 namespace {
 
-// where the body is upright over its feet, on legs of that length (m)
+// Sets the home positions of a body upright over its feet, on legs of the given length (m).
 void find_home(const BodyModel& body, const Kinematics<double>& start, double leg,
                PosturePoints& points) {
   const Vec3d left = points.shoulders[0].in(start);

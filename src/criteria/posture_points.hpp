@@ -10,7 +10,7 @@
 
 namespace shigusa {
 
-// A point that moves with a link.
+// A point fixed to a link.
 struct LinkPoint {
   int link = kBaseLink;
   Vec3d at{};  // m, link frame
@@ -21,22 +21,22 @@ struct LinkPoint {
   }
 };
 
-// A standing person's hips, shoulders and centre of mass are so far ahead of the ankles, in
-// statures (those of the built-in bodies), and a hanging hand so far above them.
+// Distance of a standing person's hips, shoulders and centre of mass ahead of the ankles, and
+// height of a hanging hand above them, in statures (those of the built-in bodies).
 inline constexpr double kStandsAhead = 0.017;
 inline constexpr double kHandHangs = 0.40;
 
-// Where a body's posture is read off, both hips and both shoulders, and where it is at home:
-// upright over its feet, whatever its start; of a body without knees to straighten, as one that
-// sits, its start.
+// Points that describe a body's posture, both hips and both shoulders, and their home positions:
+// upright over the feet, whatever the start posture; for a body without knees, such as a seated
+// one, the start posture.
 struct PosturePoints {
   std::array<LinkPoint, 2> hips;
   std::array<LinkPoint, 2> shoulders;
-  Vec3d ankles{};                         // m, world: the middle of both in the start posture
+  Vec3d ankles{};                         // m, world: the midpoint of both in the start posture
   std::array<Vec3d, 2> home_shoulders{};  // m, world
   Vec3d home_mass{};                      // m, world: the centre of mass; its height is not set
-  double hand_hangs = 0.0;                // m, world: the height of a hand that hangs
-  bool found = false;                     // the body has all of them
+  double hand_hangs = 0.0;                // m, world: the height of a hanging hand
+  bool found = false;                     // whether the body has all points
 
   template <class S>
   [[nodiscard]] static Vec3<S> middle(const std::array<LinkPoint, 2>& pair,
@@ -44,15 +44,15 @@ struct PosturePoints {
     return (pair[0].in(placed) + pair[1].in(placed)) * S(0.5);
   }
 };
-// Finds them by the names of the body's nodes.
+// Finds the points by the names of the body's nodes.
 [[nodiscard]] PosturePoints posture_points(const BodyModel& body);
 
-// One hand that has a goal, or, where no goals are known, any.
+// One hand that has a goal; any hand if no goals are known.
 struct GoalHand {
   LinkPoint hand;
   LinkPoint shoulder;
-  Vec3d home{};      // m, world: of the shoulder, see PosturePoints
-  double arm = 0.0;  // m, from the shoulder to the hand with the arm stretched out
+  Vec3d home{};      // m, world: home position of the shoulder, see PosturePoints
+  double arm = 0.0;  // m, from the shoulder to the hand of a straight arm
 };
 [[nodiscard]] std::vector<GoalHand> goal_hands(const BodyModel& body,
                                                const std::vector<int>& effectors);

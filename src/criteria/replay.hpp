@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// Whether a criterion, or several together, must be shown placed frames.
+// Whether a criterion, or several together, need placed frames.
 template <class Criteria>
 [[nodiscard]] bool needs_placement(const Criteria& criteria) {
   if constexpr (requires { criteria.needs_placement(); }) {
@@ -19,8 +19,8 @@ template <class Criteria>
   }
 }
 
-// Shows a stored motion to criteria as a rollout shows it while it makes it: frame by frame, with
-// speeds and accelerations by the same central differences.
+// Passes a stored motion to criteria in the same way as a rollout: frame by frame, with velocities
+// and accelerations by the same central differences.
 template <class Criteria>
 void show_motion(const BodyModel& body, const Motion& motion, Criteria& criteria) {
   const Clip& clip = motion.clip;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kUsualSteps = 60.0;
 
-// Keeps the greatest changes of the frames that it is shown.
+// Records the greatest changes between frames.
 class Changes {
  public:
   explicit Changes(const BodyModel& body) : body_(&body), torques_(body.dofs().size()) {}
@@ -35,7 +35,7 @@ class Changes {
  private:
   const BodyModel* body_;
   std::vector<double> torques_;  // (dofs) N·m, of the frame before
-  Vec3d place_{};                // m, of its centre of pressure
+  Vec3d place_{};                // m, centre of pressure of the frame before
   bool seen_ = false;
   Suddenness most_;
 };

@@ -10,16 +10,16 @@
 
 namespace shigusa {
 
-// Takes a motion frame by frame.
+// Measures the support margins of a motion frame by frame.
 class SupportMeter {
  public:
   explicit SupportMeter(const BodyModel& body);
 
   void add(const PlacedFrame<double>& frame);
 
-  // (frames), or none of a body without feet, or with feet of no size.
+  // (frames), or empty for a body without feet, or with feet of no size.
   [[nodiscard]] const std::vector<SupportFrame>& frames() const { return frames_; }
-  // The least of each. Nothing of a body without feet, or with feet of no size.
+  // The least margin of each kind. None for a body without feet, or with feet of no size.
   [[nodiscard]] std::optional<SupportMargins> margins() const;
 
  private:
@@ -30,7 +30,7 @@ class SupportMeter {
   double frame_time_ = 0.0;  // s
 };
 
-// Meters a whole motion that is at rest before and after.
+// Measures a whole motion that is at rest before and after.
 [[nodiscard]] SupportMeter measure_support(const BodyModel& body, const Motion& motion);
 
 }  // namespace shigusa

@@ -6,12 +6,12 @@
 namespace shigusa {
 namespace {
 
-// twice the area of the triangle, above 0 where it goes counter-clockwise from above
+// Twice the area of the triangle, positive if counter-clockwise from above.
 double turn(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z);
 }
 
-// adds a corner to a convex chain, which loses those that it makes hollow or straight
+// Adds a corner to a convex chain, and removes those that it makes concave or straight.
 void add_corner(const Vec3d& corner, std::size_t kept, std::vector<Vec3d>& chain) {
   while (chain.size() >= kept + 2 && turn(chain[chain.size() - 2], chain.back(), corner) <= 0.0) {
     chain.pop_back();
@@ -31,7 +31,7 @@ std::vector<Vec3d> support_polygon(const BodyModel& body, LiftedHeels lifted) {
       points.push_back(kinematics.point(foot.link, corner));
     }
   }
-  // Andrew's monotone chain: one side from back to front, the other one from front to back
+  // Andrew's monotone chain: one side from back to front, the other from front to back
   const auto before = [](const Vec3d& a, const Vec3d& b) {
     return a.z < b.z || (a.z == b.z && a.x < b.x);
   };
@@ -40,7 +40,7 @@ std::vector<Vec3d> support_polygon(const BodyModel& body, LiftedHeels lifted) {
   for (const Vec3d& point : points) add_corner(point, 0, hull);
   const std::size_t first_side = hull.empty() ? 0 : hull.size() - 1;
   for (std::size_t i = points.size(); i-- > 1;) add_corner(points[i - 1], first_side, hull);
-  // the last corner is the first one again
+  // the last corner repeats the first
   if (!hull.empty()) hull.pop_back();
   return hull;
 }

@@ -9,16 +9,16 @@
 
 namespace shigusa {
 
-// Which feet have their heels lifted: bit f of foot f.
+// The feet with lifted heels: bit f for foot f.
 using LiftedHeels = unsigned;
 
-// Corners (m, world) of what the planted feet stand on: the convex hull of their soles in the start
-// posture, of a lifted heel's foot its forefoot alone, counter-clockwise from above. Empty for a
-// body without feet.
+// Corners (m, world) of the support polygon of the planted feet: the convex hull of their soles in
+// the start posture, or of the forefoot alone where the heel is lifted, counter-clockwise from
+// above. Empty for a body without feet.
 [[nodiscard]] std::vector<Vec3d> support_polygon(const BodyModel& body, LiftedHeels lifted = 0);
 
-// One edge of the support polygon: `offset + x · p.x + z · p.z` is how far (m) a point p lies
-// inside, less than 0 outside.
+// One edge of the support polygon: `offset + x · p.x + z · p.z` is the distance (m) of a point p
+// inside, negative outside.
 struct SupportEdge {
   double x = 0.0;
   double z = 0.0;
@@ -26,9 +26,9 @@ struct SupportEdge {
 };
 [[nodiscard]] std::vector<SupportEdge> support_edges(const BodyModel& body, LiftedHeels lifted = 0);
 
-// The support of the planted feet, as the criteria see it in each frame: the support polygon of
-// whole soles, and of forefeet once their heels are lifted. While a heel begins to lift
-// (heel_lifted) the distance to the edge goes over from the one polygon's to the other's.
+// Support polygon of the planted feet in each frame: of whole soles, and of forefeet once their
+// heels are lifted. While a heel begins to lift (heel_lifted) the distance to the edge is
+// interpolated between both polygons.
 template <class S>
 class SupportZone {
  public:
@@ -50,9 +50,9 @@ class SupportZone {
     }
   }
 
-  // How far (m) a point p lies inside the nearest edge, less than 0 outside, times h, for
-  // (h p.x, h, h p.z), with the body's angles (dofs, rad); very far inside for a body without feet,
-  // or with feet of no size.
+  // Distance (m) of a point p inside the nearest edge, negative outside, times h, for (h p.x, h, h
+  // p.z), with the body's angles (dofs, rad); very large for a body without feet, or with feet of
+  // no size.
   [[nodiscard]] S inside(const Vec3<S>& p, std::span<const S> angles) const {
     if (heels_.empty()) return nearest(zones_.front(), p);
     S sum(0);

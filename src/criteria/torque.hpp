@@ -9,9 +9,9 @@
 
 namespace shigusa {
 
-// Torque that the whole motion takes, in [0, 1] (paper, section 3.3; rule R8c):
+// Penalty of the torques of the whole motion, in [0, 1] (paper, section 3.3; rule R8c):
 //   P = min(1, sqrt(mean_t mean_i (τ_i / τ_i^max)²) / share),
-// τ_i^max being the strength in the direction of τ_i.
+// with τ_i^max the strength in the direction of τ_i.
 template <class S>
 class Torque {
  public:
@@ -25,7 +25,6 @@ class Torque {
     }
   }
 
-  // Forgets the frames seen.
   void reset() {
     sum_ = S(0);
     frames_ = 0;

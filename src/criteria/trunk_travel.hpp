@@ -10,16 +10,16 @@
 
 namespace shigusa {
 
-// The trunk joins a reach from this share of the arm's length on: people lean before they must
-// (Mark et al., J. Exp. Psychology: HPP 23 (1997) 1365).
+// Share of the arm's length from which the trunk joins a reach: people lean before they must (Mark
+// et al., J. Exp. Psychology: HPP 23 (1997) 1365).
 inline constexpr double kArmAlone = 0.92;
 
-// How much farther than its goal takes it a reaching arm's shoulder ends from where it is in a
-// person who stands, in [0, 1): within the arm's length the trunk keeps out of a reach (Kaminski,
-// Bock and Gentile, Exp. Brain Res. 106 (1995) 457), beyond it the trunk goes along by what the arm
-// lacks, and who has stooped stands up. With m the way of the shoulder from there, n by how much
-// the hand's end is farther from there than 0.92 arms, and q = mean ((m - n) / distance)² over the
-// goals' hands, P = q / (1 + q).
+// Penalty of a reaching arm's shoulder that ends farther from its home position, in a standing
+// person, than the goal requires, in [0, 1): within the arm's length the trunk keeps out of a reach
+// (Kaminski, Bock and Gentile, Exp. Brain Res. 106 (1995) 457), beyond it the trunk covers the
+// rest, and a stooped person stands up. With m the distance of the shoulder from home, n that of
+// the hand's final position beyond 0.92 arms, and q = mean ((m - n) / distance)² over the goals'
+// hands, P = q / (1 + q).
 template <class S>
 class TrunkTravel {
  public:
@@ -28,7 +28,6 @@ class TrunkTravel {
   explicit TrunkTravel(const BodyModel& body, const TrunkTravelSettings& settings = {})
       : hands_(goal_hands(body, settings.effectors)), per_distance_(1.0 / settings.distance) {}
 
-  // Forgets the frames seen.
   void reset() { off_ = S(0); }
 
   void add(const PlacedFrame<S>& frame) {

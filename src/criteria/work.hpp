@@ -8,13 +8,13 @@
 
 namespace shigusa {
 
-// Work (J) at which the penalty is full.
+// Work (J) with the full penalty.
 [[nodiscard]] double full_work(const BodyModel& body, const WorkSettings& settings);
 
-// Mechanical work of all joints, lifting and braking alike, in [0, 1]:
+// Penalty of the mechanical work of all joints, lifting and braking alike, in [0, 1]:
 //   P = min(1, Σ_t Σ_i |τ_i q̇_i| Δt / (share · m g · stature)).
-// Source: the absolute work of Berret et al., PLoS Computational Biology 7 (2011) e1002183. That
-// braking costs a muscle less than lifting is left out.
+// Source: the absolute work of Berret et al., PLoS Computational Biology 7 (2011) e1002183. The
+// lower cost of braking for a muscle is ignored.
 template <class S>
 class Work {
  public:
@@ -23,7 +23,6 @@ class Work {
   explicit Work(const BodyModel& body, const WorkSettings& settings = {})
       : per_full_(1.0 / full_work(body, settings)) {}
 
-  // Forgets the frames seen.
   void reset() { work_ = S(0); }
 
   void add(const MotionFrame<S>& frame) {

@@ -7,8 +7,8 @@
 
 namespace shigusa {
 
-// Finds the torques and the centre of mass of each frame of a clip, as a rollout of the whole body
-// finds them. Holds its scratch memory: make one per thread. The body outlives it.
+// Computes the torques and the centre of mass of each frame of a clip, in the same way as a rollout
+// of the whole body. Owns scratch memory: one per thread. The body outlives the object.
 class ClipDynamics {
  public:
   explicit ClipDynamics(const BodyModel& body);

@@ -6,8 +6,9 @@
 
 namespace shigusa {
 
-// Where the floor's vertical force F acts, times F: (x F, F, z F) in N·m, N and N·m, for a wrench
-// whose moment is about the world's origin. Unlike the point itself it is sound where F is small.
+// Point of application of the floor's vertical force F, times F: (x F, F, z F) in N·m, N and N·m,
+// for a wrench with its moment about the world's origin. Unlike the point itself it is
+// well-conditioned for small F.
 template <class S>
 [[nodiscard]] Vec3<S> pressure(const Wrench<S>& wrench, S floor) {
   const Vec3<S> f = wrench.force;
@@ -15,8 +16,8 @@ template <class S>
 }
 
 // Point on the floor (height `floor`, m) about which the floor's wrench has no horizontal moment.
-// The wrench's moment is about the world's origin; its vertical force must not be 0 (a body that
-// is not in free fall), and is held to at least 1 N.
+// The wrench's moment is about the world's origin; its vertical force must not be 0 (a body not in
+// free fall), and is clamped to at least 1 N.
 template <class S>
 [[nodiscard]] Vec3<S> centre_of_pressure(const Wrench<S>& wrench, S floor) {
   const S up = max(wrench.force.y, S(1));
@@ -27,15 +28,14 @@ template <class S>
 // Height (m) of the floor that bears the body: of the base's sole, or of the base without one.
 [[nodiscard]] double floor_height(const BodyModel& body);
 
-// How far a heel is lifted, from 0 (down) to 1, by the body's angles (dofs, rad), of which `toes`
-// is its Heel::toes.
+// Lift of a heel, from 0 (down) to 1, from the body's angles (dofs, rad); `toes` is its Heel::toes.
 template <class S>
 [[nodiscard]] S heel_lifted(int toes, std::span<const S> angles) {
   return clamp(angles[index(toes)] * S(1.0 / kHeelLifts), S(0), S(1));
 }
 
-// The middle (m, world) of what a foot bears weight with: of its sole, or of its forefoot where the
-// heel is lifted.
+// Midpoint (m, world) of a foot's bearing area: of its sole, or of its forefoot if the heel is
+// lifted.
 template <class S>
 [[nodiscard]] Vec3<S> bearing_centre(const Foot& foot, const Kinematics<S>& kinematics,
                                      std::span<const S> angles) {
@@ -47,9 +47,9 @@ template <class S>
   return kinematics.link_origin(foot.link) + kinematics.link_rotation(foot.link) * centre;
 }
 
-// The second foot's part of the ground wrench: its share of the force through the foot, moved by
-// as much as the centre of pressure lies off the line between the feet, and its share of what
-// moment is left about the centre of pressure.
+// The second foot's part of the ground wrench: its share of the force through the foot, displaced
+// by the offset of the centre of pressure from the line between the feet, and its share of the
+// remaining moment about the centre of pressure.
 template <class S>
 [[nodiscard]] Wrench<S> shared_wrench(const Wrench<S>& ground, const Vec3<S>& cop,
                                       const Vec3<S>& on_line, const Vec3<S>& foot, S share) {
@@ -58,10 +58,11 @@ template <class S>
   return {force, cross(foot + (cop - on_line), force) + left_over * share};
 }
 
-// Shares the floor's wrench between the body's two standing feet by the lever rule along the line
-// between them and takes the second foot's part out of the joint torques tau (dofs, N·m). The first
-// foot is the base. Both parts together are the wrench, exactly. Returns the second foot's wrench,
-// moment about the world's origin. `angles` (dofs, rad): of the body, read where heels lift.
+// Distributes the floor's wrench between the body's two standing feet by the lever rule along the
+// line between them, and subtracts the second foot's part from the joint torques tau (dofs, N·m).
+// The first foot is the base. Both parts add up to the wrench exactly. Returns the second foot's
+// wrench, moment about the world's origin. `angles` (dofs, rad): of the body, needed for lifted
+// heels.
 template <class S>
 Wrench<S> share_ground_wrench(const BodyModel& body, const Kinematics<S>& kinematics,
                               std::span<const S> angles, const Wrench<S>& ground,
@@ -76,7 +77,7 @@ Wrench<S> share_ground_wrench(const BodyModel& body, const Kinematics<S>& kinema
   const S share = clamp(dot(from, line) / max(dot(line, line), S(1e-6)), S(0), S(1));
   const Wrench<S> part = shared_wrench(ground, cop, a + line * share, b, share);
   const auto& dofs = body.constants<Element<S>>().dofs;
-  Vec3<S> about{};  // the part's moment about the joint
+  Vec3<S> about{};  // moment of the second foot's part about the joint
   for (const int d : body.chain(second.link)) {
     const std::size_t k = index(d);
     if (dofs[k].starts_joint) about = part.moment - cross(kinematics.origin[k], part.force);
@@ -85,9 +86,9 @@ Wrench<S> share_ground_wrench(const BodyModel& body, const Kinematics<S>& kinema
   return part;
 }
 
-// Takes out of the joint torques tau (dofs, N·m), which its whole wrench on the base would need,
-// the part that the floor bears: the second foot's part (share_ground_wrench) and, of a heel that
-// is down, the toes' torque. `angles`: (dofs, rad).
+// Subtracts the floor's reaction from the joint torques tau (dofs, N·m), which assume the whole
+// wrench on the base: the second foot's part (share_ground_wrench) and, for a heel that is down,
+// the toes' torque. `angles`: (dofs, rad).
 template <class S>
 void bear_on_feet(const BodyModel& body, const Kinematics<S>& kinematics, std::span<const S> angles,
                   const Wrench<S>& ground, std::span<S> tau) {

@@ -9,25 +9,23 @@
 
 namespace shigusa {
 
-// A hand that presses on a thigh or on a thing, at one moment.
+// A hand that presses on a thigh or on an obstacle, at one moment.
 template <class S>
 struct HandLoad {
   int link = 0;                 // of the hand
-  int carrier = kWorldCarrier;  // link that bears the opposite force, or kWorldCarrier
+  int carrier = kWorldCarrier;  // link with the opposite force, or kWorldCarrier
   Vec3<S> at{};                 // m, world
   Vec3<S> force{};              // N, world: on the hand
 };
 
-// How far a hand's force leans from the surface's normal at the most, as a quotient: dry skin on
-// cloth holds about that (Derler and Gerhardt, Tribology Letters 45 (2012) 1-27: 0.3 to 0.7, quoted
-// from memory).
+// Largest tangential force of a hand relative to the normal force: dry skin on cloth holds about
+// that (Derler and Gerhardt, Tribology Letters 45 (2012) 1-27: 0.3 to 0.7, quoted from memory).
 inline constexpr double kHandFriction = 0.5;
-// … and the least share of the force that goes along the normal, where the shoulder is beside or
-// behind the surface.
+// Least share of the force along the normal, for a shoulder beside or behind the surface.
 inline constexpr double kLeastNormal = 0.2;
 
-// The direction (unit vector) of the force on a hand that leans on a surface of that normal: along
-// the arm, towards the shoulder, as far as friction holds the hand. `arm`: from the hand to the
+// The direction (unit vector) of the force on a hand that leans on a surface with this normal:
+// along the arm, towards the shoulder, within the limits of friction. `arm`: from the hand to the
 // shoulder.
 template <class S>
 [[nodiscard]] Vec3<S> leaning_direction(const Vec3<S>& normal, const Vec3<S>& arm) {
@@ -41,9 +39,9 @@ template <class S>
   return direction * (S(1) / norm(direction));
 }
 
-// Takes out of the joint torques tau (dofs, N·m) what the force on a hand, and its opposite on the
-// link that bears it, do for them: of joints that move both, nothing. Where a thing of the world
-// bears it, the floor's wrench is less by the force.
+// Subtracts the effect of the force on a hand, and of its reaction on the carrier, from the joint
+// torques tau (dofs, N·m); joints that move both are unaffected. If the carrier is the world, the
+// force is subtracted from the floor's wrench.
 template <class S>
 void bear_on_hand(const BodyModel& body, const Kinematics<S>& kinematics, const HandLoad<S>& load,
                   Wrench<S>& ground, std::span<S> tau) {
@@ -67,7 +65,7 @@ void bear_on_hand(const BodyModel& body, const Kinematics<S>& kinematics, const 
   ground.moment = ground.moment - cross(load.at, load.force);
 }
 
-// The same for one frame of a stored motion's hands.
+// Applies bear_on_hand to one frame of a stored motion's hands.
 inline void bear_on_hands(const BodyModel& body, const Kinematics<double>& kinematics,
                           std::span<const RestingHand> hands, std::size_t frame,
                           Wrench<double>& ground, std::span<double> tau) {

@@ -19,41 +19,41 @@ struct Wrench {
   Vec3<S> moment{};  // N·m
 };
 
-// How the angles of a body change.
+// Rates of a body's joint angles.
 template <class S>
 struct JointRates {
   std::span<const S> speeds;         // (dofs) rad/s
   std::span<const S> accelerations;  // (dofs) rad/s²
 };
 
-// How a rigid piece moves, seen from a frame.
+// Motion of a rigid link, in a given frame.
 template <class S>
 struct Movement {
   Vec3<S> spin{};          // rad/s
   Vec3<S> spin_rate{};     // rad/s²
-  Vec3<S> acceleration{};  // m/s², of the joint's centre, less gravity
+  Vec3<S> acceleration{};  // m/s², of the joint's centre, minus gravity
 };
 
-// Scratch of inverse_dynamics; make one per thread.
+// Scratch memory of inverse_dynamics; one per thread.
 template <class S>
 struct DynamicsWorkspace {
-  // One rigid piece of the body (BodyConstants::Joint), in its own frame.
+  // One rigid link of the body (BodyConstants::Joint), in its own frame.
   struct Piece {
     Movement<S> movement;
-    // 1/s²: times a point's place in the piece, its acceleration beside the centre's; of an upright
-    // piece only cy
+    // 1/s²: times a point's position in the link, its acceleration relative to the joint's centre;
+    // only cy for an upright link
     Mat3<S> turning{};
     Wrench<S> carried{};  // through the joint, moment about its centre
   };
   std::vector<Piece> pieces;
-  // Σ mass · place of the pieces' centres of mass (kg·m, world), the base's included: a by-product
+  // Σ mass · position of the links' centres of mass (kg·m, world), including the base: a by-product
   Vec3<S> mass_moment{};
 
   explicit DynamicsWorkspace(const BodyModel& body)
       : pieces(body.constants<Element<S>>().joints.size()) {}
 };
 
-// Centre of mass of the whole body (m, world) at the placement that inverse_dynamics saw last.
+// Centre of mass of the whole body (m, world) at the last placement of inverse_dynamics.
 template <class S>
 [[nodiscard]] Vec3<S> centre_of_mass(const BodyModel& body, const DynamicsWorkspace<S>& work) {
   return work.mass_moment * S(Element<S>(1) / body.constants<Element<S>>().total_mass);
@@ -61,13 +61,13 @@ template <class S>
 
 namespace dynamics_detail {
 
-// column y of [α]× + [ω]× [ω]×
+// Column y of [α]× + [ω]× [ω]×.
 template <class S>
 [[nodiscard]] Vec3<S> turning_y(const Vec3<S>& spin, const Vec3<S>& rate) {
   return {spin.x * spin.y - rate.z, -(spin.x * spin.x + spin.z * spin.z), spin.y * spin.z + rate.x};
 }
 
-// [α]× + [ω]× [ω]×: the acceleration of a rigid piece's points, per place
+// [α]× + [ω]× [ω]×: acceleration of a rigid link's points per position.
 template <class S>
 [[nodiscard]] Mat3<S> turning(const Vec3<S>& spin, const Vec3<S>& rate) {
   const S xy = spin.x * spin.y;
@@ -90,8 +90,8 @@ template <class S>
   return axis == Axis::x ? v.x : axis == Axis::y ? v.y : v.z;
 }
 
-// The movement beyond one more freedom, which turns with speed qd and acceleration qdd. In place,
-// by coordinates, as whatever is handed on as a whole goes through memory.
+// Transforms a movement across one more dof with velocity qd and acceleration qdd. In place and by
+// coordinates, as aggregates would go through memory.
 template <class S>
 [[gnu::always_inline]] inline void turn_on(Movement<S>& m, Axis axis, const SinCos<S>& turn,
                                            const S& qd, const S& qdd) {
@@ -121,15 +121,15 @@ template <class S>
   }
 }
 
-// the movement seen from a frame that is turned against the one before by the inverse of `to`;
-// seldom needed, and a function of its own, as it would keep the movement of all joints in memory
+// The movement in a frame rotated by the inverse of `to`. Rarely needed, and kept out of line, as
+// it would force the movements of all joints into memory.
 template <class S, class T>
 [[nodiscard, gnu::noinline]] Movement<S> seen_from(const Movement<S>& m, const Mat3<T>& to) {
   const Mat3<S> r = to_scalar<S>(to);
   return {r * m.spin, r * m.spin_rate, r * m.acceleration};
 }
 
-// moment that turning the piece takes, about its centre of mass: I α + ω × I ω
+// Moment for the rotation of the link about its centre of mass: I α + ω × I ω.
 template <class S, class Joint>
 [[nodiscard]] Vec3<S> spinning_moment(const Joint& joint, const Movement<S>& m) {
   const Vec3<S>& spin = m.spin;
@@ -143,8 +143,8 @@ template <class S, class Joint>
           rate.z * S(joint.inertia.cz.z) + spin.x * spin.y * S(joint.gyroscopic.z)};
 }
 
-// Takes the movement beyond all freedoms of a joint. Movement and rates would go through memory by
-// another signature, which costs 2 % of a motion.
+// Transforms the movement across all dofs of a joint. With another signature, movement and rates
+// would go through memory, which costs 2 % of a motion.
 template <class S>
 [[gnu::always_inline]] inline void pass_joint(Movement<S>& m, std::size_t i,
                                               const BodyConstants<Element<S>>& constants,
@@ -160,8 +160,8 @@ template <class S>
   if (joint.slants) m = seen_from(Movement<S>(m), constants.turns[i]);
 }
 
-// From the base outwards: how each piece moves, and what its own mass takes of its joint. `lift`
-// (m/s², of the base, in its frame): accelerating upwards by g replaces the weight.
+// Outward pass from the base: the movement of each link, and the wrench of its own mass at its
+// joint. `lift` (m/s², of the base, in its frame): an upward acceleration by g replaces the weight.
 template <class S>
 [[gnu::always_inline]] inline void pass_outwards(const BodyConstants<Element<S>>& constants,
                                                  const Kinematics<S>& kinematics,
@@ -207,14 +207,14 @@ template <class S>
   work.mass_moment = mass_moment;
 }
 
-// From the tips inwards: the torque of each joint. Adds to `base`, in the base's frame, what its
-// joints pass on to it.
+// Inward pass from the tips: the torque of each joint. Adds the wrenches of the base's joints to
+// `base`, in the base's frame.
 template <class S>
 [[gnu::always_inline]] inline void pass_inwards(const BodyConstants<Element<S>>& constants,
                                                 const Kinematics<S>& kinematics,
                                                 DynamicsWorkspace<S>& work, std::span<S> tau,
                                                 Wrench<S>& base) {
-  // what a joint passes on to the one before it need not go through memory
+  // kept in registers for the joint before
   Vec3<S> passed_force{};
   Vec3<S> passed_moment{};
   for (std::size_t i = constants.joints.size(); i-- > 0;) {
@@ -254,11 +254,11 @@ template <class S>
 
 }  // namespace dynamics_detail
 
-// Joint torques of a body on its fixed base by the recursive Newton-Euler algorithm: tau_i is what
-// joint i must give (N·m, positive towards larger angles) for these speeds and accelerations at the
-// placement `kinematics`, under gravity along -Y. Returns the wrench that the floor gives to the
-// base, moment about the world's origin.
-// Source: R. Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5; each piece in its own
+// Joint torques of a body on its fixed base by the recursive Newton-Euler algorithm: tau_i is the
+// torque of joint i (N·m, positive towards larger angles) for these velocities and accelerations at
+// the placement `kinematics`, under gravity along -Y. Returns the floor's wrench on the base,
+// moment about the world's origin.
+// Source: R. Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 5; each link in its own
 // frame, where its constants are mostly 0.
 template <class S>
 Wrench<S> inverse_dynamics(const BodyModel& body, const Kinematics<S>& kinematics,

@@ -11,7 +11,8 @@ namespace shigusa {
 
 namespace fs = std::filesystem;
 
-// The folder within is locked while this lives, and so says whose the outer one is.
+// The inner staging folder is locked while this object lives, which marks the outer folder as in
+// use.
 struct EditFolder::Held {
   Staging staging;
 };
@@ -24,7 +25,7 @@ EditFolder::~EditFolder() {
   if (!held_) return;
   const fs::path path = held_->staging.path();
   held_.reset();
-  // one in which nothing was written goes again
+  // an unused folder is removed
   std::error_code not_empty;
   fs::remove(path, not_empty);
 }
@@ -33,8 +34,8 @@ const fs::path& EditFolder::path() const { return held_->staging.path(); }
 
 namespace {
 
-// Whether a folder has nothing but what a program that was killed leaves: files of candidates that
-// no summary tells of, and folders of the kind that files are made in.
+// Whether a folder contains only the leftovers of a killed program: files of candidates without a
+// summary, and staging folders.
 bool is_left(const Descriptor& folder) {
   const std::vector<std::string> names = names_in(folder);
   return std::all_of(names.begin(), names.end(), [](const std::string& name) {
@@ -42,7 +43,7 @@ bool is_left(const Descriptor& folder) {
   });
 }
 
-// Whether another program has made a folder in it to write from.
+// Whether another program has a staging folder in the same folder.
 bool is_shared(const Descriptor& folder) {
   const std::vector<std::string> names = names_in(folder);
   return std::count_if(names.begin(), names.end(), is_staging_name) > 1;
@@ -64,7 +65,7 @@ Result<EditFolder> EditFolder::make(const fs::path& within, std::string_view nam
     if (!made && (!opened || !is_left(staging.folder()))) continue;
     const int reason = staging.make();
     if (reason != 0 && made) return refused(path, "write to this folder", reason);
-    // of two that come upon it at once each sees the other, and both go on
+    // two programs that find it at once see each other, and both continue
     if (reason == 0 && !is_shared(staging.folder())) return EditFolder(std::move(held));
   }
 }

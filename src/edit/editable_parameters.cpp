@@ -17,7 +17,7 @@ EditableParameter editable(const ParameterInfo& info, double value, bool locked)
                   : angle                            ? EditableKind::angle
                                                      : EditableKind::share,
           .value = shown(value),
-          // of what is allowed, what makes sense
+          // the useful part of the allowed range
           .low = shown(min(info.shown_low, value)),
           .high = shown(max(info.shown_high, value)),
           .locked = locked,
@@ -29,7 +29,7 @@ EditableParameter editable(const ParameterInfo& info, double value, bool locked)
 std::vector<EditableParameter> editable_parameters(const ParameterList& list,
                                                    const Parameters& values) {
   std::vector<EditableParameter> editables;
-  // those that change a motion most come first
+  // those with the largest effect on a motion come first
   for (const bool of_posture : {true, false}) {
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (list.all[i].of_posture() != of_posture) continue;

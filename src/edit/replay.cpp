@@ -53,7 +53,7 @@ Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,
     Result<GenerateResult> next = replay(player, stored, k);
     if (!next) return next;
     all->candidates.push_back(std::move(next->candidates.front()));
-    // a goal that one candidate misses is missed; a motion that one makes is possible
+    // a goal missed by one candidate is missed; a motion possible for one is possible
     const bool meets = all->meets_goals() && next->meets_goals();
     const ReachStatus either = std::min(all->status, next->status);
     all->status = meets ? either : ReachStatus::unreachable;

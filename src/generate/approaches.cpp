@@ -13,11 +13,11 @@
 namespace shigusa {
 namespace {
 
-// Steps of IK that each frame may take more where the goal is out of reach: stretched limbs turn
-// fast and would jolt into the last frame.
+// Extra IK steps per frame where the goal is out of reach: stretched limbs turn fast and would jolt
+// into the last frame.
 constexpr int kEdgeCorrections = 3;
 
-// How far (m) a hand at the edge of reach may still come in the last frame.
+// Distance (m) that a hand at the edge of reach may still move in the last frame.
 constexpr double kRestStep = 1e-3;
 
 bool ends_at_rest(const Motion& motion) {
@@ -27,8 +27,7 @@ bool ends_at_rest(const Motion& motion) {
   return true;
 }
 
-// Whether a motion does what its approach asks for; beyond reach, without a jolt and at rest at the
-// end.
+// Whether a motion fulfils its approach; beyond reach it must also end at rest and without a jolt.
 bool arrives(const ReachProblem& approach, const RolledOut& rolled) {
   if (!rolled.outcome.met(approach.tolerance)) return false;
   if (approach.tolerance.goal <= kReachTolerance) return true;
@@ -39,7 +38,7 @@ bool arrives(const ReachProblem& approach, const RolledOut& rolled) {
 
 std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const ClosestReach& reach,
                                              bool straight) {
-  // a path to a box ends where the posture that is known to arrive has the effector
+  // a path to a box ends at the effector's position in the posture known to arrive
   for (std::size_t g = 0; reach.reached() && g < problem.goals.size(); ++g) {
     problem.goals[g].end_nearest(reach.positions[g]);
   }
@@ -48,12 +47,12 @@ std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const Closest
   guided.guide = reach.angles;
   ReachProblem posture = guided;
   posture.follow_path = false;
-  // weights alone lift heels without a thought of what then bears the body
+  // weights alone can lift the heels without regard to balance
   const bool tiptoe = reach.reached() && Tiptoe(*problem.body, reach.angles).lifted();
   if (tiptoe) return {guided, posture};
   if (reach.reached()) return {problem, guided, posture};
-  // the edge of reach: the path ends at the closest point, and a hand whose limb is stretched out
-  // lags behind a path that it need not keep
+  // Edge of reach: the path ends at the closest point, and a hand on a stretched limb may lag
+  // behind its path.
   guided.tolerance = posture.tolerance = {kEdgeTolerance, std::numeric_limits<double>::infinity()};
   guided.corrections = posture.corrections = kEdgeCorrections;
   for (std::size_t g = 0; g < problem.goals.size(); ++g) {

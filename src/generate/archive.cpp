@@ -31,10 +31,10 @@ double Archive::mean_of(std::size_t descriptor, std::span<const float> posture) 
 
 Archive::Cell Archive::cell_of(std::span<const float> posture, std::optional<double> index) const {
   Cell cell{};
-  // a posture that hardly bends has a cell apart
+  // a posture that hardly bends has its own cell
   cell[2] = index ? static_cast<int>(clamp(*index / kIndexCell + 100.0, 0.0, 200.0)) : -1;
   for (std::size_t k = 0; k < descriptors_.size(); ++k) {
-    // far outside anybody's range all angles share a cell
+    // angles far outside the human range share a cell
     cell[k] = static_cast<int>(clamp(mean_of(k, posture) / kCell + 100.0, 0.0, 200.0));
   }
   return cell;

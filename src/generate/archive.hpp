@@ -14,12 +14,12 @@
 
 namespace shigusa {
 
-// How people bend, by the stoop-squat index (FinalPosture).
+// Final bend of a person, by the stoop-squat index (FinalPosture).
 enum class Style { upright, stoop, between, squat };
 inline constexpr std::size_t kStyles = 4;
 [[nodiscard]] Style style_of(const std::optional<double>& stoop_squat_index);
 
-// A point that was scored, with the posture in which its motion ends.
+// A scored point, with the posture in which its motion ends.
 struct Archived {
   std::vector<double> point;
   double score = 0.0;
@@ -27,32 +27,32 @@ struct Archived {
   Style style = Style::upright;
 };
 
-// Keeps the points that a search came upon, sorted by how their motions end, so that different
-// answers stay beside better ones: the best few of each cell of a grid over measured descriptors
-// (the stoop-squat index; hip rotation: twist of the trunk; shoulder rotation: swivel of the arm).
-// The grid bounds its memory. After MAP-Elites (J.-B. Mouret and J. Clune, arXiv 1504.04909), but
-// the archive only watches: the search does not draw from it.
+// Points evaluated by a search, sorted by the ends of their motions so that different answers
+// survive beside better ones: the best few of each cell of a grid over measured descriptors (the
+// stoop-squat index; hip rotation: twist of the trunk; shoulder rotation: swivel of the arm). The
+// grid bounds the memory. After MAP-Elites (J.-B. Mouret and J. Clune, arXiv 1504.04909), but
+// passive: the search does not draw from the archive.
 class Archive {
  public:
   static constexpr double kCell = radians(20.0);  // rad, of each joint's descriptor
-  static constexpr double kIndexCell = 15.0;      // of the stoop-squat index
+  static constexpr double kIndexCell = 15.0;      // in points of the stoop-squat index
   static constexpr std::size_t kPerCell = 4;
 
   // The body outlives the archive.
   explicit Archive(const BodyModel& body);
 
-  // Takes in points (motions × genes) with their scores (motions) and postures (motions × dofs).
-  // It passes over motions whose score is `worst` or above: they missed something.
+  // Adds points (motions × genes) with their scores (motions) and postures (motions × dofs).
+  // Motions with a score of `worst` or above are skipped: they violate a constraint.
   void add(std::span<const double> points, std::span<const double> scores,
            std::span<const float> postures, double worst);
 
-  // Takes in what another of the same body keeps, as if its motions had come after.
+  // Adds the points of another archive of the same body, as if they had come later.
   void add(const Archive& later);
 
-  // The best of all, the first of equals in their order below; null where nothing is kept. Valid
-  // until something is added.
+  // The best point, the first among equals in the order of ranked(); null in an empty archive.
+  // Valid until the next add().
   [[nodiscard]] const Archived* best() const;
-  // All that is kept, best first; equal scores in the order of their cells and of their coming.
+  // All points, best first; equal scores in the order of their cells and of insertion.
   [[nodiscard]] std::vector<Archived> ranked() const;
 
  private:
@@ -65,11 +65,11 @@ class Archive {
   std::size_t dofs_;
   PostureMeter meter_;
   std::vector<double> angles_;
-  std::array<std::vector<std::size_t>, 2> descriptors_;  // dofs whose mean each is
+  std::array<std::vector<std::size_t>, 2> descriptors_;  // dofs averaged for each descriptor
   std::map<Cell, std::vector<Archived>> cells_;          // each best first
 };
 
-// Copies a clip's last frame into a posture (dofs, or empty), as archives keep them.
+// Copies the last frame of a clip into a posture (dofs, or empty) of the archive's format.
 void copy_end(const Clip& clip, std::span<float> posture);
 
 // Root-mean-square difference of two postures' joint angles (rad).

@@ -12,8 +12,8 @@
 namespace shigusa {
 namespace {
 
-// How good a choice is: a first that is possible, as many that could be made as people see, and
-// how little the first scores.
+// Rank of a result: a possible first candidate, the number of feasible candidates up to the number
+// shown, a low first score.
 std::tuple<bool, int, double> choice_of(const Task& task, const GenerateResult& generation) {
   const auto could =
       std::count_if(generation.candidates.begin(), generation.candidates.end(), could_be_made);
@@ -27,14 +27,14 @@ bool lacks_choice(const Task& task, const GenerateResult& generation) {
   return !first || could < shown_least(task);
 }
 
-// Times as many motions as usual, for a task that does not say how many.
+// Factor on the usual number of motions, for a task that does not set a number.
 constexpr int kLongerSearch = 3;
 
 constexpr std::uint64_t kOtherNumbers = 0x9e3779b97f4a7c15U;
 
 }  // namespace
 
-// A budget that was given is used up: then candidates are played in the longer duration.
+// Replays the candidates in the longer duration if the task's budget is used up.
 std::optional<Attempt> slower_attempt(const Problem& problem, const GenerateResult& found) {
   const std::optional<double> duration = possible_duration(found);
   if (!wants_more(found) || problem.task.duration || !duration) return std::nullopt;
@@ -51,7 +51,7 @@ std::optional<Attempt> longer_attempt(const Problem& problem, const GenerateResu
   return attempt;
 }
 
-// As many motions as the first search scored: a sixth of what was spent by then.
+// Repeats the search with as many motions: a sixth of the total after all attempts.
 std::optional<Attempt> other_numbers_attempt(const Problem& problem, const GenerateResult& found) {
   const Task& task = problem.task;
   if (task.evaluations || task.pareto || task.own_search || !wants_more(found)) return std::nullopt;

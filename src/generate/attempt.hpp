@@ -9,38 +9,38 @@
 
 namespace shigusa {
 
-// A further search of a problem whose first one found nothing possible, or no choice.
+// A further search of a problem whose first search found no possible motion, or too few.
 struct Attempt {
   RunSettings run{};
-  std::optional<double> duration{};  // s; none: the problem's
-  bool plays = false;                // plays the candidates that were found, and searches nothing
-  bool on_all = false;               // as search_problem has it
+  std::optional<double> duration{};  // s; none: the problem's own
+  bool plays = false;                // replays the candidates found so far instead of searching
+  bool on_all = false;               // see search_problem
 };
 
-// An attempt at a problem; none where it does not apply to what was found by then.
+// The next attempt at a problem; none where it does not apply to the result so far.
 using NextAttempt = std::optional<Attempt>(const Problem& problem, const GenerateResult& found);
-// In a longer duration, where motions are impossible only for their haste.
+// A longer duration, for motions that are impossible only because they are too fast.
 [[nodiscard]] NextAttempt slower_attempt;
-// With more motions.
+// A larger number of motions.
 [[nodiscard]] NextAttempt longer_attempt;
-// With other random numbers.
+// Other random numbers.
 [[nodiscard]] NextAttempt other_numbers_attempt;
-// The attempts, in the order in which they are made.
+// All attempts, in the order in which they are made.
 inline constexpr NextAttempt* kAttempts[] = {slower_attempt, longer_attempt, other_numbers_attempt};
 
-// The result of an attempt by itself; motions that it plays alone are not counted. Fails as
-// search_problem does, and where the duration is out of range.
+// The result of one attempt; replays are not counted as evaluations. Fails as search_problem does,
+// and for a duration out of range.
 [[nodiscard]] Result<GenerateResult> made(const Attempt& attempt, const Problem& problem,
                                           const GenerateResult& found, JointProgress& progress);
 
-// The better of what was found and what an attempt found, which counts the motions of both.
+// The better of two results, with the evaluations of both.
 [[nodiscard]] GenerateResult better_of(const Task& task, GenerateResult found,
                                        GenerateResult other);
 
-// Whether a search that was not cancelled found motions to the goals, of which none is possible.
+// Whether an uncancelled search reached the goals without a possible motion.
 [[nodiscard]] bool wants_more(const GenerateResult& generation);
 
-// The least duration (s) in which a candidate is possible that is not so only for its haste.
+// The shortest duration (s) in which some candidate that is now too fast becomes possible.
 [[nodiscard]] std::optional<double> possible_duration(const GenerateResult& generation);
 
 }  // namespace shigusa

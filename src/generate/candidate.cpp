@@ -13,7 +13,7 @@ namespace shigusa {
 
 namespace {
 
-// Whether values have paths leave their lines.
+// Whether the parameter values bend the paths away from straight lines.
 bool bends_paths(const ParameterList& list, const Parameters& values) {
   const std::vector<double> numbers = list.of_kind(ParameterKind::timing, values);
   Timing<double> timing;
@@ -29,7 +29,7 @@ PathKind path_kind(const ReachProblem& problem, const EffectorPath& path, bool b
   return bends ? PathKind::bowed : PathKind::straight;
 }
 
-// Adds how the motion meets each of the task's goals, whatever approach it took.
+// Adds the result of each of the task's goals, on any approach.
 void add_goal_results(const Problem& of, const ReachProblem& problem, const Motion& motion,
                       Candidate& candidate) {
   const Task& task = of.task;
@@ -70,7 +70,7 @@ double frame_distance(const Clip& a, const Clip& b, int frame) {
   return sqrt(squares / a.dofs);
 }
 
-// How far a planted foot slides, and a resting hand on its place, the most at any frame (m).
+// Largest slide (m) of a planted foot, or of a resting hand on its support, over all frames.
 double slide_of(const BodyModel& body, const Clip& clip, const Foot& foot) {
   const Vec3d planted = start_kinematics(body).point(foot.link, foot.centre);
   Kinematics<double> placed(body);
@@ -93,7 +93,7 @@ double slide_of(const ReachProblem& problem, const Clip& clip, const HandSupport
   return most;
 }
 
-// Adds the hands that rest in this motion.
+// Adds the results of the hands that rest in this motion.
 void add_resting_hands(const Problem& of, const ReachProblem& problem, const Motion& motion,
                        Candidate& candidate) {
   const Task& task = of.task;
@@ -113,7 +113,7 @@ void add_resting_hands(const Problem& of, const ReachProblem& problem, const Mot
   }
 }
 
-// The settings of the task's collisions, but that hands which stay free rest on nothing.
+// The task's collision settings, without the resting places of hands that stay free.
 CollisionSettings collision_of(const Problem& problem, const Candidate& candidate) {
   const Task& task = problem.task;
   CollisionSettings settings = problem.criteria.collision;
@@ -127,12 +127,12 @@ CollisionSettings collision_of(const Problem& problem, const Candidate& candidat
   return settings;
 }
 
-// a NaN is worse than any score
+// a NaN ranks below any score
 double ranking(const Score& score) {
   return is_finite(score.total) ? score.total : std::numeric_limits<double>::infinity();
 }
 
-// `foot`: R_WL of the forefoot, which stands.
+// Lift of the heel over a clip. `foot`: R_WL of the forefoot, which stays on the floor.
 HeelLift heel_lift(const Heel& heel, const Clip& clip, const Mat3d& foot) {
   HeelLift lift;
   for (int f = 0; f < clip.frames; ++f) {
@@ -158,8 +158,8 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
   add_goal_results(problem, approach, rolled.motion, candidate);
   candidate.path_error = rolled.outcome.path_error;
   for (const Foot& foot : body.feet()) {
-    // the base cannot move; what another foot does was measured in every frame
-    const bool alone = approach.supports.empty();  // hands are among what was measured otherwise
+    // The base foot is fixed; the other foot's slide was measured during the rollout.
+    const bool alone = approach.supports.empty();  // the rollout's slide includes resting hands
     const double slide = foot.link == kBaseLink ? 0.0
                          : alone                ? rolled.outcome.contact_slide
                                                 : slide_of(body, rolled.motion.clip, foot);

@@ -16,10 +16,10 @@ bool in_reach(const Task& task) {
   return problem && closest_reach((*problem)->reach).reached();
 }
 
-// Whether a goal asks for more than its place.
+// Whether a goal also asks for an orientation.
 bool has_turn(const Goal& goal) { return goal.rotation || goal.axis; }
 
-// The task without a goal, or without the turn of one.
+// The task without one goal, or without its turn.
 Task without_goal(Task task, std::size_t g) {
   task.goals.erase(task.goals.begin() + static_cast<std::ptrdiff_t>(g));
   return task;

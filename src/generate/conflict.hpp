@@ -5,8 +5,8 @@
 
 namespace shigusa {
 
-// The goals and turns of a task out of reach that are in one another's way: those without which all
-// others are in reach. Empty where there is none.
+// The conflicting goals and turns of a task out of reach: each of those without which the others
+// are in reach. Empty if there is none.
 [[nodiscard]] Message conflict_of(const Task& task);
 
 }  // namespace shigusa

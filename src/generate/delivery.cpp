@@ -13,21 +13,21 @@
 namespace shigusa {
 namespace {
 
-// Replays of spare motions, of each style that is lacking and of all together, for each distance.
+// Replays of spare motions for each distance, per missing style and in all.
 constexpr int kTries = 12;
-// … and of spare motions that score worse, where few could be made.
+// Replays of spare motions that score worse, where few candidates are feasible.
 constexpr int kWorseTries = 24;
 
-// Which steps of the delivery a preset has.
+// Steps of the delivery, by preset.
 struct Policy {
-  bool by_end = false;       // motions are told apart by how they end, not by all of their frames
-  bool asks_free = false;    // motions that pass through something do not count
-  bool asks_smooth = false;  // nor do those that jolt
+  bool by_end = false;       // copies are judged by the last frame, not by all frames
+  bool asks_free = false;    // colliding motions do not count
+  bool asks_smooth = false;  // jolting motions do not count
   bool near_copies = false;
   bool styles = false;
-  bool as_people = false;                 // no strange ends beside a first that is not
+  bool as_people = false;  // no strange final postures beside a first candidate with a normal one
   std::vector<double> spare_distances{};  // rad
-  int tries = 0;                          // of spare motions at each distance
+  int tries = 0;                          // spare motions per distance
 };
 
 Policy policy_of(const Task& task) {
@@ -51,14 +51,14 @@ Style end_style(const Candidate& candidate) {
   return style_of(candidate.final_posture.stoop_squat_index);
 }
 
-// A point's motion, played before anyone asks what becomes of it.
+// The motion of a point, played in advance.
 struct Ahead {
   Expanded expanded{};
   std::optional<Arrival> arrival{};
   std::optional<Candidate> candidate{};
 };
 
-// A motion that was played again, before it is a candidate.
+// A replayed motion on its way to a candidate.
 struct Replayed {
   Candidate candidate;
   bool as_searched = false;
@@ -124,8 +124,7 @@ class Delivery {
     if (policy_.as_people) take_worse();
   }
 
-  // Where people would see fewer than kShownLeast motions, some that score worse are shown to them,
-  // if they could be made.
+  // Adds feasible motions with worse scores where fewer than kShownLeast would be shown.
   void take_worse() {
     int tries = 0;
     for (const Archived& spare : selection_.spare) {
@@ -141,7 +140,7 @@ class Delivery {
     }
   }
 
-  // The number of spare motions that became candidates.
+  // Number of spare motions that became candidates.
   [[nodiscard]] int taken() const { return taken_; }
 
  private:
@@ -166,7 +165,7 @@ class Delivery {
            }) >= task_.candidates;
   }
 
-  // Whether a motion is a copy of a candidate, or with `of_free` of one that is free.
+  // Whether a motion copies a candidate, or with `of_free` a free candidate.
   [[nodiscard]] bool is_copy(const Clip& clip, double apart, bool of_free) const {
     return std::any_of(all().begin(), all().end(), [&](const Candidate& better) {
       if (of_free && !is_free(better)) return false;
@@ -181,7 +180,7 @@ class Delivery {
     return played;
   }
 
-  // Plays the first picked points side by side: as many as are candidates if none is a copy.
+  // Plays the first picked points in parallel: as many as the task asks for.
   [[nodiscard]] std::vector<Ahead> play_ahead() {
     const int threads = thread_count(task_.batch.threads);
     if (threads == 1) return {};
@@ -192,14 +191,14 @@ class Delivery {
     parallel_for(static_cast<int>(ahead.size()), threads, [&](int i, int) {
       Ahead& played = ahead[index(i)];
       played = play(std::move(played.expanded));
-      // other people's criteria are called from one thread
+      // user criteria are called from one thread
       if (!played.arrival || !task_.criteria.user.empty()) return;
       played.candidate = planner_.candidate(played.expanded, *played.arrival);
     });
     return ahead;
   }
 
-  // The motion as a candidate: none where it misses, or is a copy that the policy has no use for.
+  // The motion as a candidate; none if it misses its goals or is a copy that the policy rejects.
   std::optional<Replayed> replayed_of(Ahead played, double apart, bool of_free) {
     if (!played.arrival) {
       ++generation_.log.missed;
@@ -215,8 +214,8 @@ class Delivery {
     return Replayed{std::move(*played.candidate), as_searched, copy};
   }
 
-  // Takes a spare motion that is no copy of a free candidate: candidates that pass through
-  // something are left out in the end.
+  // Adds a spare motion that does not copy a free candidate: colliding candidates are dropped at
+  // the end.
   void take_spare(const Archived& spare, double apart, bool possible_ones = false) {
     std::optional<Replayed> replayed = replayed_of(play(planner_.expand(spare.point)), apart, true);
     if (!replayed || replayed->copy || !is_free(replayed->candidate)) return;
@@ -237,7 +236,7 @@ class Delivery {
       return;
     }
     if (replayed.as_searched) {
-      // what is smoother than what was searched is no worse
+      // a smoothed motion may score better, never worse
       const double difference = replayed.candidate.score.total - searched_score;
       if (difference > kReplayTolerance) ++generation_.log.replay_differs;
       generation_.log.replay_difference = max(generation_.log.replay_difference, difference);
@@ -254,8 +253,8 @@ class Delivery {
   int taken_ = 0;
 };
 
-// Where a motion passes through nothing, those that do are left out, but for what people would see
-// too few without; else those that are deeper in than the least.
+// Drops colliding candidates where some are free, apart from those needed to show `shown`;
+// otherwise drops those deeper than the least penetration.
 void drop_collisions(int shown, GenerateResult& generation) {
   std::vector<Candidate>& all = generation.candidates;
   if (all.empty()) return;
@@ -263,7 +262,7 @@ void drop_collisions(int shown, GenerateResult& generation) {
   for (const Candidate& c : all) least = min(least, c.measures.collides.depth);
   const bool some_free = least <= kCollisionDepth;
   const double most = some_free ? kCollisionDepth : least + kCollisionDepth;
-  int kept = 0;  // the best first
+  int kept = 0;  // from the best down
   generation.log.collided = static_cast<int>(std::erase_if(all, [&](const Candidate& c) {
     if (c.measures.collides.depth <= most || (some_free && could_be_made(c) && kept < shown)) {
       ++kept;
@@ -273,7 +272,7 @@ void drop_collisions(int shown, GenerateResult& generation) {
   }));
 }
 
-// Where some candidate keeps to its joints' limits, those that do not are not delivered.
+// Drops candidates that exceed joint limits, if some candidate does not.
 void keep_within_limits(GenerateResult& generation) {
   const auto passes = [](const Candidate& c) { return !c.measures.over_limit.empty(); };
   std::vector<Candidate>& all = generation.candidates;
@@ -281,8 +280,7 @@ void keep_within_limits(GenerateResult& generation) {
   generation.log.over_limit = static_cast<int>(std::erase_if(all, passes));
 }
 
-// Drops candidates beyond the number asked for: impossible ones first, then the worst that is not
-// the only one of its style.
+// Drops candidates beyond `most`: impossible ones first, then the worst that shares its style.
 void keep_most(std::size_t most, std::vector<Candidate>& all) {
   while (all.size() > most) {
     if (!could_be_made(all.back())) {
@@ -324,7 +322,7 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
   delivery.take_picked();
   delivery.take_styles();
   delivery.take_spares();
-  // on an earlier approach than they were searched on, motions may have other scores
+  // scores may differ on an earlier approach than the one searched
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_of(task));
   if (traits_of(task.preset).natural) {
     traits_of(task.preset).layers ? keep_within_limits(generation)

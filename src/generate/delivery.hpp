@@ -7,22 +7,23 @@
 
 namespace shigusa {
 
-// Makes candidates of what a search on one approach came upon, and tells why there are fewer than
-// asked for:
-//  1. Each picked motion is played on the first approach that leads to the goals, and becomes a
-//     candidate unless it is a copy of one, until there are enough.
-//  2. Motions that were a copy by kDistinctEnd are taken where they differ by kNearEnd.
-//  3. Where no motion of a style is free of collisions, a spare one of that style is tried.
-//  4. Spare motions that score little worse than the best fill up what is lacking, first those that
-//     end kDistinctEnd from all others, then those that end kNearEnd from them.
-//  5. Motions that pass a limit or a body go where others do not, then the worst of too many.
-// The task's preset says which of these steps there are.
+// Makes candidates of the points found by a search on one approach, and states why there are fewer
+// than the task asks for:
+//   1. Each picked point is played on the first approach that leads to the goals, and becomes a
+//      candidate unless it copies one, until there are enough.
+//   2. Motions that were copies by kDistinctEnd are taken where they differ by kNearEnd.
+//   3. Where all motions of a style collide, spare points of that style are tried.
+//   4. Spare points with scores little worse than the best fill the gaps, first those that end
+//      kDistinctEnd from all others, then those that end kNearEnd from them.
+//   5. Motions that exceed a limit or collide are dropped if others do not, then the worst of any
+//      excess.
+// The task's preset selects the steps.
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,
                         GenerateResult& generation);
 
-// Whether a task's motions are not to jolt: by criteria that give jolts a weight.
+// Whether the criteria of a task penalise jolts.
 [[nodiscard]] bool minds_jolts(const Task& task);
-// Where some possible candidate does not jolt, those that do are left out, and counted.
+// Drops and counts the candidates that jolt, if some possible candidate does not.
 void drop_jolts(GenerateResult& generation);
 
 }  // namespace shigusa

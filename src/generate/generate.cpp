@@ -12,7 +12,7 @@
 namespace shigusa {
 namespace {
 
-// Fails where the task asks for something that its preset does not know.
+// Fails where the task asks for something that its preset does not support.
 Result<void> check_choices(const Task& task) {
   const auto wrong = [&](const Message& what) {
     return fail(ErrorCode::invalid_argument, say("preset_cannot", word_of(task.preset), what));

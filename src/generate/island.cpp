@@ -13,7 +13,7 @@
 namespace shigusa {
 namespace {
 
-// Checks a point that a user's own search has found.
+// Checks a point returned by a user's own search.
 void check_point(const Individual& found, int genes) {
   SHG_CHECK(static_cast<int>(found.point.size()) == genes,
             fmt::format("a search returned {} coordinates of {}", found.point.size(), genes));
@@ -84,7 +84,8 @@ void Island::begin() {
   if (left <= 0) return;
   if (search_of(task_) == SearchMethod::cma_es && task_.preset != Preset::paper &&
       !task_.own_search) {
-    // what brings the best sooner; styles are searched for what is not the best
+    // Mirrored sampling and scales alone converge faster; style islands look for other motions than
+    // the best.
     const bool everywhere = plan_.niche.empty();
     cma_es_.emplace(searched_,
                     CmaEsSettings{.evaluations = left,
@@ -102,8 +103,8 @@ void Island::begin() {
   add(std::move(rest), found_);
 }
 
-// Scores what is known to lead to goals near by, and bent postures, and begins at the best of them:
-// a search that begins upright finds its way down by chance.
+// Scores known starts for nearby goals and bent postures, and begins at the best: a search that
+// begins upright finds bent postures only by chance.
 void Island::begin_bent() {
   std::vector<double> points = known_starts(approach_, space_, task_.starts);
   scales_ = start_scales(points, space_.genes());

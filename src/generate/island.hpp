@@ -16,62 +16,62 @@
 
 namespace shigusa {
 
-// One coordinate within bounds.
+// Bounds of one coordinate.
 struct Bound {
   int gene = 0;
   double low = 0.0;
   double high = 1.0;
 };
-// A part of the space.
+// A part of the space, as bounds of some coordinates.
 using Niche = std::vector<Bound>;
 
-// The step of a search that looks all over its part of the space.
+// Initial step of a search over a whole part of the space.
 inline constexpr double kWideStep = 0.15;
 
-// A search of the whole space learns nothing but scales for that many motions a gene: before, what
-// else the covariance holds does not pay.
+// Motions per gene for which a search of the whole space adapts scales only: earlier, the rest of
+// the covariance does not pay.
 inline constexpr int kScalesAlone = 100;
 
-// The search of an island: where, from where, and how much.
+// The search of an island: its part of the space, its start and its budget.
 struct IslandPlan {
   Niche niche{};
-  std::vector<double> from{};  // empty: begins at the plain motion
-  bool bent = false;           // begins at the best of known starts and bent postures instead
+  std::vector<double> from{};  // start point; empty: the plain motion
+  bool bent = false;           // starts at the best of known starts and bent postures instead
   int budget = 0;              // motions
-  double step = kWideStep;     // standard deviation that a run begins with
-  std::uint64_t stream = 0;    // other random numbers for the same seed
+  double step = kWideStep;     // initial standard deviation
+  std::uint64_t stream = 0;    // selects other random numbers for the same seed
 };
 
-// Adds another search's counts, and its best if it is better.
+// Adds another search's counts, and its best if better.
 void add(SearchResult part, SearchResult& all);
 
-// A search of its own on a part of the space. It knows nothing of other islands, so they may run
-// side by side and in any order.
+// An independent search of a part of the space. Islands share nothing, so they may run in parallel
+// and in any order.
 class Island {
  public:
-  // The motions by which it begins where it begins bent, at most.
+  // Largest number of motions scored to find a bent start.
   static constexpr int kStarts = 32;
 
-  // Problem, approach and run outlive it. `threads` as BatchSettings has them.
+  // Problem, approach and run outlive the island. `threads`: see BatchSettings.
   Island(const Problem& problem, const ReachProblem& approach, const RunSettings& run,
          const ParameterSpace& space, IslandPlan plan, int threads, const Progress& progress);
   Island(const Island&) = delete;
   Island& operator=(const Island&) = delete;
 
-  // Goes on until at least that many motions are scored, or all of its budget. Only CMA-ES stops
-  // there: any other search runs to its end at once.
+  // Continues until at least `motions` are scored, or the budget is used up. Only CMA-ES can pause:
+  // any other search runs to its end at once.
   void run_to(int motions);
 
-  // All that it came upon so far.
+  // The points evaluated so far.
   [[nodiscard]] const Archive& archive() const { return scorer_.archive(); }
-  // The result, when it has run; nothing comes after it.
+  // The result after the run; ends the island.
   [[nodiscard]] SearchResult take_result();
 
  private:
   void begin();
   void begin_bent();
   [[nodiscard]] SearchResult search_at_once(int budget) const;
-  // from coordinates of its part to those of the space, and back to the nearest that it has
+  // Map coordinates of this part to those of the space, and back to the nearest point of the part.
   void take_in(std::span<double> points) const;
   void bring_in(std::span<double> points) const;
 
@@ -82,11 +82,11 @@ class Island {
   IslandPlan plan_;
   PointScorer scorer_;
   SearchProblem searched_;
-  Progress progress_;  // of what comes after the starts
+  Progress progress_;  // after the start motions
   std::vector<double> moved_;
-  std::vector<double> scales_;   // of what its first steps are, by gene; none: all alike
-  SearchResult found_;           // but for what CMA-ES has found
-  std::optional<CmaEs> cma_es_;  // once it has begun
+  std::vector<double> scales_;   // scales of the first steps (genes); empty: all equal
+  SearchResult found_;           // without the share of CMA-ES
+  std::optional<CmaEs> cma_es_;  // once started
   bool begun_ = false;
 };
 

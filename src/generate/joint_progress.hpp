@@ -10,17 +10,18 @@
 
 namespace shigusa {
 
-// Progress of work in parts, each of which reports as if it were all: their shares and motions add
-// up, and the lowest score of any stays. Parts may run side by side; what they report is passed on
-// from the thread that made this.
+// Progress of work in parts, each of which reports as if it were the whole: shares and motions are
+// summed, and the lowest score is kept. Parts may run in parallel; reports are passed on from the
+// thread that constructed the object.
 class JointProgress {
  public:
   explicit JointProgress(const Progress& whole) : whole_(whole) {}
   JointProgress(const JointProgress&) = delete;
   JointProgress& operator=(const JointProgress&) = delete;
 
-  // For a part that is such a share of the whole (0..1); those that nobody foresaw may bring the
-  // sum above 1. Not called while parts run; this and `whole` outlive the part.
+  // Progress of a part with this share of the whole (0..1); the shares of unforeseen parts may
+  // raise the sum above 1. Not to be called while parts run; this object and `whole` outlive the
+  // part.
   [[nodiscard]] Progress part(double share) {
     Progress own = whole_;
     if (!whole_.report) return own;

@@ -19,8 +19,7 @@ RolledOut play_layers(const LayeredProblem& problem, const LayeredValues& parame
   return player.expand(clip, parameters);
 }
 
-// The weights that layers give to the whole body's freedoms; what they move in closed form has
-// weights of 1.
+// The whole body's weights from those of the layers; dofs solved in closed form have a weight of 1.
 Parameters body_parameters(const LayeredProblem& problem, const LayeredValues& layered) {
   const BodyModel& body = *problem.reach.body;
   Parameters parameters = uniform_parameters(body);
@@ -66,8 +65,8 @@ LayeredProblem in_layers(const ReachProblem& reach, const Plan& plan) {
       problem.arm_bodies.push_back(arm_body(body, problem.limbs.arms[a], turning));
     }
   }
-  // the hand goes straight or around the body; out of reach it goes to the closest point there is,
-  // and keeps to its path all the same
+  // The hand goes straight or around the body; out of reach it follows its path to the closest
+  // point.
   const ReachTolerance tolerance = problem.reach.tolerance;
   const ClosestReach closest = closest_reach(problem.reach);
   problem.body_approaches = approaches_to_goal(problem.reach, closest);

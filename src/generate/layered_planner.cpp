@@ -16,10 +16,10 @@ namespace {
 
 bool searches_paper_code(const Task& task) { return info_of(search_of(task)).paper_code; }
 
-// Postures beside the archive's best that a search delivers from, for each candidate asked for.
+// Archived postures considered per requested candidate.
 constexpr int kPickedPerCandidate = 2;
 
-// The libraries of the arms that have a goal and go by weights.
+// The libraries of the arms that have a goal and are moved by weights.
 class ArmLibraries {
  public:
   ArmLibraries(const Task& task, const LayeredProblem& problem) : store_(task.layers.store) {
@@ -37,7 +37,8 @@ class ArmLibraries {
     }
   }
 
-  // (goals) By where the hands end: the lower layer's weights stay the same during a motion.
+  // The weights (goals) for the hands' final positions: the lower layer's weights are constant
+  // during a motion.
   std::vector<ArmWeights> choose(std::span<const Vec3d> hands) {
     std::vector<ArmWeights> arms;
     for (std::size_t g = 0; g < libraries_.size(); ++g) {
@@ -47,14 +48,14 @@ class ArmLibraries {
     return arms;
   }
 
-  // Cells that were in no store; counted before keep().
+  // Cells that were in no store; to be called before keep().
   [[nodiscard]] int cells_searched() const {
     int built = 0;
     for (const LimbLibrary& library : libraries_) built += library.cells_built();
     return built - found_;
   }
 
-  // Stores the new cells, beside those that others have stored meanwhile.
+  // Stores the new cells, together with those stored by other processes meanwhile.
   void keep() {
     if (cells_searched() == 0 || !store_.save) return;
     for (std::size_t g = 0; g < libraries_.size(); ++g) {
@@ -66,14 +67,14 @@ class ArmLibraries {
  private:
   void take_stored(std::size_t goal) {
     if (!store_.load) return;
-    // damaged or old ones are left alone, and replaced when something new is stored
+    // a damaged or old file is ignored, and replaced at the next save
     if (const auto bytes = store_.load(names_[goal])) libraries_[goal].take(*bytes);
   }
 
   LimbStore store_;
   std::vector<LimbLibrary> libraries_;  // (goals)
   std::vector<std::string> names_;
-  int found_ = 0;  // cells that were stored
+  int found_ = 0;  // cells loaded from the store
 };
 
 // The search of the upper layer on one approach; for LayeredApproach::body it searches weights
@@ -118,13 +119,13 @@ class UpperSearch {
     return run_search(task_, run_, searched, evaluations, !run_.evaluations, progress);
   }
 
-  // The found postures that are worth expanding, best first.
+  // The distinct postures to expand, best first.
   [[nodiscard]] Selection selection(const SearchResult& found) const {
     return keeps_ends() ? distinct_postures(archive_, kPickedPerCandidate * task_.candidates)
                         : Selection{.picked = ranked_population(found)};
   }
 
-  // The values that a point's motion is generated from, with all that the layers below find for it.
+  // The parameter values of a point, including the results of the layers below.
   Expanded expanded(std::span<const double> point) {
     if (!layers_) return {parameters_of(problem_.layers, whole(decoded(point)))};
     LayeredScorer::Played played =
@@ -133,7 +134,7 @@ class UpperSearch {
                                       .seed = run_.seed});
     return {parameters_of(problem_.layers, std::move(played.values)), played.searches};
   }
-  // The values of a point as the search scored them.
+  // The values of a point as scored by the search.
   Parameters as_searched(std::span<const double> point) {
     const LayeredValues upper = decoded(point);
     return parameters_of(problem_.layers,
@@ -146,7 +147,7 @@ class UpperSearch {
     return decode_searched(problem_, genes_, point, searches_paper_code(task_));
   }
 
-  // upper values above the start values of the layers below
+  // the upper layer's values with start values for the layers below
   [[nodiscard]] LayeredValues whole(const LayeredValues& upper) const {
     return below_upper(start_values(problem_.layers), upper);
   }
@@ -162,7 +163,7 @@ class UpperSearch {
       scores[k] = score_motion(task_.body, arrival->rolled.motion, criteria).total;
       copy_end(arrival->rolled.motion.clip, std::span(postures_).subspan(k * dofs, dofs));
     };
-    // a user's criteria are called by one thread
+    // user criteria are called from one thread
     parallel_for(static_cast<int>(scores.size()), criteria.user.empty() ? task_.batch.threads : 1,
                  score);
   }
@@ -233,7 +234,7 @@ class LayeredPlanner : public Planner {
 
  private:
   const Problem& posed_;
-  LayeredProblem problem_;  // the same in layers
+  LayeredProblem problem_;  // the problem in layers
   ArmLibraries libraries_;
   std::vector<LayeredApproach> tried_;
   std::optional<UpperSearch> search_;

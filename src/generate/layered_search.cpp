@@ -14,7 +14,7 @@
 namespace shigusa {
 namespace {
 
-// Whether a freedom of the upper layer's body moves anything that must be somewhere.
+// Whether a dof of the upper layer's body moves an effector with a goal, or a foot.
 bool has_use(const LayeredProblem& problem, int dof) {
   for (const BodyLimb& arm : problem.limbs.arms) {
     const Dof& flexion = problem.reach.body->dof(arm.flexion);
@@ -25,26 +25,26 @@ bool has_use(const LayeredProblem& problem, int dof) {
   return true;
 }
 
-// Each final angle of a limb that no goal moves takes this many motions to be found.
+// Evaluations spent per final angle of an idle limb.
 constexpr int kRestEvaluations = 40;
 
 // Scores of motions by their final angles: `finals` is (scores × angles) rad.
 using RestEvaluation = std::function<void(std::span<const double> finals, std::span<double>)>;
 
-// The final angles that one freedom may have (rad).
+// Range of one final angle (rad).
 struct Range {
   double low;
   double high;
 
-  // rounding could take the last share beyond the range
+  // rounding could exceed the range at a share of 1
   [[nodiscard]] double at(double share) const { return min(high, low + share * (high - low)); }
   [[nodiscard]] double share(double value) const {
     return high > low ? clamp((value - low) / (high - low), 0.0, 1.0) : 0.0;
   }
 };
 
-// Sets the final angles to those with the lowest score, searched from `finals` on by CMA-ES within
-// their ranges. They stay if none is better, or where the layers have no final angles.
+// Replaces the final angles by the best found by CMA-ES within their ranges, starting at `finals`.
+// They stay if none is better, or if the layers have no final angles.
 void search_finals(std::span<const Layer> layers, std::uint64_t seed, const RestEvaluation& score,
                    std::vector<double>& finals) {
   std::vector<Range> ranges;
@@ -69,7 +69,7 @@ void search_finals(std::span<const Layer> layers, std::uint64_t seed, const Rest
   problem.evaluate = [&](std::span<const double> points, std::span<double> scores) {
     score(angles_of(points), scores);
   };
-  // no rounding of shares may lose the motion as it is
+  // the motion as it is, scored without the rounding of shares, must not be lost
   double before = 0.0;
   score(finals, std::span(&before, 1));
   const SearchResult found =
@@ -112,7 +112,7 @@ LayeredValues decode_searched(const LayeredProblem& problem, std::span<const std
   const auto moves = [](ParameterKind kind) { return kind == ParameterKind::weight; };
   if (!paper) {
     const std::vector<double> values(point.begin(), point.end());
-    // the middle is a weight of 1
+    // 0.5 is a weight of 1
     return decode_layer_point(
         layer, spread([&](ParameterKind kind) { return moves(kind) ? 0.5 : 0.0; }, values));
   }

@@ -14,8 +14,8 @@ namespace shigusa {
 struct MotionPlayer::Made {
   Task task;
   std::unique_ptr<const Problem> problem;
-  std::unique_ptr<Planner> planner;     // of the problem
-  std::optional<MotionPlayer> other{};  // of the other side, once a motion of it was asked for
+  std::unique_ptr<Planner> planner;     // planner of `problem`
+  std::optional<MotionPlayer> other{};  // player of the mirrored task, made on demand
 
   Result<Candidate> play(const Parameters& values);
 
@@ -31,10 +31,11 @@ Result<Candidate> MotionPlayer::Made::play(const Parameters& values) {
   return played(*planner, values);
 }
 
-// The image of the motion that the other side's values make; none where the body has no image.
+// The mirror image of the motion that the mirrored values make; none if the body has no mirror
+// image.
 Result<std::optional<Candidate>> MotionPlayer::Made::reflect(const Parameters& values) {
   if (!other) {
-    // a body that stands on the foot of the task's one side has no other: it is the image itself
+    // a body on one foot has no mirrored task: it is its own image
     Result<MotionPlayer> made = MotionPlayer::of(mirrored_task(task));
     if (!made) return std::optional<Candidate>{};
     other = std::move(*made);

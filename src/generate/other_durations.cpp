@@ -21,12 +21,12 @@ bool first_strains(const GenerateResult& generation) {
   return generation.candidates.front().judgement.verdict == Verdict::strains;
 }
 
-// Where the first choice jolts or strains, and the task gives no duration, the candidates take
-// longer by these factors, until their first does not; for a strain by no more than kCalmest.
+// Factors on the duration, tried in order while the first candidate jolts or strains and the task
+// sets no duration; for a strain only up to kCalmest.
 constexpr std::array kGentler{1.15, 1.3, 1.5, 1.75};
 constexpr double kCalmest = 1.3;
 
-// A time that is told to be enough is in tenths of a second, and at most this many are tried.
+// Resolution (s) of a reported duration, and the number of durations tried.
 constexpr double kToldStep = 0.1;
 constexpr int kToldTries = 4;
 
@@ -62,7 +62,7 @@ void check_possible_in(const Problem& problem, bool on_all, JointProgress& progr
                        GenerateResult& found) {
   const std::optional<double> least = possible_duration(found);
   if (!wants_more(found) || !least) return;
-  // a budget that was given is used up
+  // a budget set by the task is used up
   const bool plays = problem.task.evaluations.has_value();
   std::optional<double> told;
   double tenths = std::ceil(*least / kToldStep);

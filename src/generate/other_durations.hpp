@@ -8,12 +8,12 @@
 
 namespace shigusa {
 
-// Takes the candidates in a longer duration where the first of them jolts or strains in the usual
-// one, and not in that.
+// Replays the candidates in a longer duration if the first of them jolts or strains, and does not
+// in that duration.
 void try_gentler(const Problem& problem, GenerateResult& found);
 
-// Leaves of all times in which single candidates would be possible one in which the task was
-// searched again and something is; none where nothing was.
+// Keeps one of the durations in which single candidates would be possible: one in which a new
+// search succeeded; none if all failed.
 void check_possible_in(const Problem& problem, bool on_all, JointProgress& progress,
                        GenerateResult& found);
 

@@ -13,13 +13,13 @@
 namespace shigusa {
 namespace {
 
-// The logarithm of the least weight that is searched for a freedom that gives way last (Dof::give).
+// Lower bound of the logarithm of a weight for a dof that yields last (Dof::give).
 constexpr double kLastLogWeight = -1.0;
 
-// The share of the body's weight that a resting hand presses with in the plain motion.
+// Share of the body's weight carried by a resting hand in the plain motion.
 constexpr double kSupportStart = 0.05;
 
-// Whether each freedom moves a target: the others do nothing in weighted IK.
+// Whether each dof moves a target: the others have no effect in weighted IK.
 std::vector<bool> useful_dofs(const ReachProblem& problem) {
   std::vector<bool> useful(problem.body->dofs().size());
   const auto use = [&](int link) {
@@ -33,7 +33,8 @@ std::vector<bool> useful_dofs(const ReachProblem& problem) {
   return useful;
 }
 
-// "hip.flexion" of "left_hip.flexion", "spine.flexion" of all of its joints; arms keep their side
+// The shared name: "hip.flexion" for "left_hip.flexion", "spine.flexion" for all joints of the
+// spine; arms keep their side.
 std::string shared_name(const Dof& dof) {
   const JointPlace& part = dof.part;
   if (part.joint_kind == JointKind::chest || part.joint_kind == JointKind::upper_chest) {
@@ -48,7 +49,7 @@ void repeat(std::span<const float> values, std::size_t motions, std::vector<floa
   for (std::size_t i = 0; i < motions; ++i) rows.insert(rows.end(), values.begin(), values.end());
 }
 
-// The number of the freedom, the posture mode, the timing or the support that a parameter is of.
+// Index of the dof, posture mode, timing or support of a parameter.
 std::size_t number_of(const ParameterInfo& info) {
   return static_cast<std::size_t>(info.applies_to[0]);
 }
@@ -74,13 +75,13 @@ ParameterSpace::ParameterSpace(const ReachProblem& problem, const ParameterList&
       base_.locked[i] = fixed->values.locked[i];
       base_.posed = base_.posed || !weight;
     }
-    // a genome of the paper's has a gene for each freedom
+    // a genome of the paper has a gene for each dof
     if (!set_[i] || (code_ == GeneCode::paper && weight)) add(i, useful);
   }
   start_rows();
 }
 
-// The cells of each gene, and all others as the fixed parameters have it.
+// Sets the cells of each gene, and the other elements from the fixed parameters.
 void ParameterSpace::start_rows() {
   const HeldInput held(*body_, base_, supports_);
   const MotionInput<double> input = held.input();
@@ -94,7 +95,7 @@ void ParameterSpace::start_rows() {
   }
   for (Gene& gene : genes_) {
     for (const std::size_t p : gene.parameters) add_cells(list_->all[p], gene.cells);
-    if (gene.kind != ParameterKind::weight) continue;  // the others begin at 0
+    if (gene.kind != ParameterKind::weight) continue;  // other rows accumulate from 0
     for (const Cell& cell : gene.cells) base_rows_[cell.row][cell.column] = 0.0F;
   }
 }
@@ -154,7 +155,7 @@ void ParameterSpace::add_weight(std::size_t parameter, const std::vector<bool>& 
       own->parameters.push_back(parameter);
       return;
     }
-    // a freedom that gives way last is not to be among the first
+    // a dof that yields last must not be among the lightest
     if (body_->dofs()[d].give < 1.0) gene.lower = kLastLogWeight;
   }
   genes_.push_back(std::move(gene));
@@ -195,7 +196,7 @@ double ParameterSpace::coordinate(int gene, double value) const {
   return clamp(genes_[static_cast<std::size_t>(gene)].of(value), 0.0, 1.0);
 }
 
-// The paper's genes of a point; none of other codes.
+// The paper's genes of a point; empty for other codes.
 Genome ParameterSpace::genome_of(std::span<const double> point) const {
   return code_ == GeneCode::paper ? genome_of_point(point, kPaperBitsPerGene) : Genome{};
 }

@@ -15,9 +15,10 @@
 namespace shigusa {
 namespace {
 
-constexpr std::size_t kPairedAxes = 3;  // of more criteria, pairs are too many searches
+constexpr std::size_t kPairedAxes = 3;  // with more criteria, pairs are too many searches
 
-// The settings with other weights, by the criterion's number in kCriteria.
+// The settings with equal weights for the given criteria (indices in kCriteria) and none for the
+// others.
 CriteriaSettings weighted(const CriteriaSettings& criteria, std::span<const std::size_t> axes) {
   CriteriaSettings settings = criteria;
   settings.user.clear();
@@ -38,7 +39,7 @@ bool dominates(const Score& a, const Score& b) {
   return better;
 }
 
-// Best first, of those that end alike.
+// The best of each group of candidates with similar ends.
 std::vector<Candidate> without_copies(std::vector<Candidate> front) {
   std::stable_sort(front.begin(), front.end(), RanksBefore{});
   std::vector<Candidate> apart;
@@ -51,7 +52,7 @@ std::vector<Candidate> without_copies(std::vector<Candidate> front) {
   return apart;
 }
 
-// Penalties over the range that they have in the front, 0 for the best.
+// Penalties divided by their range in the front, 0 for the best.
 std::vector<std::vector<double>> scaled_penalties(std::span<const Candidate> front) {
   std::vector<std::vector<double>> scaled(front.size());
   for (std::size_t k = 0; k < front.front().score.terms.size(); ++k) {
@@ -73,8 +74,8 @@ double square_distance(std::span<const double> a, std::span<const double> b) {
   return squares;
 }
 
-// The candidates that are best by one criterion, each once; of equals by that criterion, the one
-// that is better by the others.
+// The best candidate by each criterion, without repetition; ties are broken by the sum of
+// penalties.
 std::vector<std::size_t> best_by_each(std::span<const std::vector<double>> scaled) {
   const auto sum = [](const std::vector<double>& penalties) {
     return std::accumulate(penalties.begin(), penalties.end(), 0.0);
@@ -91,7 +92,7 @@ std::vector<std::size_t> best_by_each(std::span<const std::vector<double>> scale
   return taken;
 }
 
-// The candidate that is farthest from all that are taken.
+// The candidate farthest from all those taken.
 std::size_t farthest_from(std::span<const std::size_t> taken,
                           std::span<const std::vector<double>> scaled) {
   double farthest = -1.0;

@@ -10,8 +10,8 @@
 namespace shigusa {
 namespace {
 
-// The search counts a motion as one of the target when it ends this near to it (rad), and aims
-// nearer; each radian beyond that aim costs so much that no criterion makes up for it.
+// Tolerance (rad) within which a motion meets a fixed squat, the smaller error (rad) that the
+// search aims for, and the cost per radian beyond the aim, which outweighs any criterion.
 constexpr double kSquatSlack = radians(8.0);
 constexpr double kSquatAim = radians(4.0);
 constexpr double kSquatPull = 1.0;
@@ -92,7 +92,7 @@ void PointScorer::score_one_by_one(std::span<const double> points, std::span<dou
                     : worst_score(criteria_);
     copy_end(rolled.motion.clip, std::span(angles_).subspan(i * dofs, dofs));
   };
-  // a user's functions are called from one thread only
+  // user criteria are called from one thread
   parallel_for(static_cast<int>(scores.size()), criteria_.user.empty() ? threads_ : 1, score);
 }
 

@@ -13,30 +13,30 @@
 
 namespace shigusa {
 
-// The squat that a person has fixed, as the knees' flexion at the end. Weights and the other modes
-// leave more or less of it, so that the score says how much.
+// A squat fixed by the user, as the knees' flexion in the last frame. Weights and the other modes
+// change it, so the score penalises the difference.
 class SquatTarget {
  public:
-  // None where the task fixes no squat.
+  // None if the task fixes no squat.
   static std::optional<SquatTarget> of(const Problem& problem);
 
-  // How far (rad) the mean of the knees' angles is off.
+  // Error (rad) of the mean knee angle.
   [[nodiscard]] double off(std::span<const float> angles) const;
 
  private:
   std::vector<std::size_t> knees_;
-  double wanted_ = 0.0;  // rad, of all knees together
+  double wanted_ = 0.0;  // rad, sum over the knees
 };
 
-// Scores the points of one island, and keeps the postures that their motions end in.
-// Problem, approach and criteria outlive it.
+// Scores the points of one island, and archives the final postures of their motions. Problem,
+// approach and criteria outlive it.
 class PointScorer {
  public:
-  // `threads` as BatchSettings has them (0: one for each core).
+  // `threads`: see BatchSettings (0: one per core).
   PointScorer(const Problem& problem, const ReachProblem& approach,
               const CriteriaSettings& criteria, const ParameterSpace& space, int threads);
 
-  // Scores points (motions × genes) → scores (motions), lower is better, and adds the cost of
+  // Scores points (motions × genes) → scores (motions), lower is better, including the cost of
   // missing a fixed squat.
   void score(std::span<const double> points, std::span<double> scores);
 
@@ -48,17 +48,16 @@ class PointScorer {
   const Task& task_;
   const ReachProblem& approach_;
   const CriteriaSettings& criteria_;
-  ParameterSpace space_;  // has scratch memory of its own
+  ParameterSpace space_;  // own copy, as it has scratch memory
   int threads_;
   BatchRollout batch_;
   Archive archive_;
   std::optional<SquatTarget> squat_;
-  std::vector<float> angles_;        // (motions × dofs) rad, where they end
-  std::vector<double> kept_scores_;  // (motions), without what is added
+  std::vector<float> angles_;        // (motions × dofs) rad, in the last frame
+  std::vector<double> kept_scores_;  // (motions), without the squat cost
 };
 
-// Whether motions are scored one by one: criteria of the user's own want whole motions, and NLP-IK
-// has no lanes.
+// Whether motions are scored one by one: user criteria take whole motions, and NLP-IK has no lanes.
 [[nodiscard]] bool scores_whole_motions(const Task& task, const CriteriaSettings& criteria);
 
 }  // namespace shigusa

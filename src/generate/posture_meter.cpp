@@ -8,17 +8,17 @@
 namespace shigusa {
 namespace {
 
-constexpr double kLeastDrop = 0.1;  // of the stature
-// Where words begin.
+constexpr double kLeastDrop = 0.1;  // share of the stature
+// Thresholds of the words for postures.
 constexpr double kLeaning = radians(15.0);
 constexpr double kKneesGive = radians(12.0);
 constexpr double kTurned = radians(20.0);
 constexpr double kElbowOut = radians(50.0);
-// Where nobody ends who can end otherwise.
+// Thresholds of unnatural final postures.
 constexpr double kFolded = radians(110.0);
 constexpr double kBentKnees = radians(25.0);
 constexpr double kElbowIn = radians(-60.0);
-constexpr double kStraightArm = 0.05;  // of its length: how far a bent elbow leaves the line
+constexpr double kStraightArm = 0.05;  // of its length: offset of a bent elbow
 
 using Bone = HumanoidBone;
 constexpr std::array kPlaceBones{
@@ -72,7 +72,7 @@ double PostureMeter::trunk_lean() const {
   return atan2(trunk.z, trunk.y);
 }
 
-// of the line from the right shoulder to the left, seen from above; 0 faces +Z
+// Heading of the line from the right shoulder to the left, seen from above; 0 faces +Z.
 double PostureMeter::heading() const {
   if (!known(kLeftShoulder) || !known(kRightShoulder)) return 0.0;
   const Vec3d across = at(kLeftShoulder) - at(kRightShoulder);

@@ -11,23 +11,23 @@
 
 namespace shigusa {
 
-// Measures postures of one body, which outlives it, beside its start.
+// Measures postures of one body relative to its start posture. The body outlives it.
 class PostureMeter {
  public:
   explicit PostureMeter(const BodyModel& body);
 
-  // Measures angles (dofs, rad); `effector` is the index of the hand that the elbow belongs to.
+  // Measures angles (dofs, rad); `effector` is the index of the hand whose elbow is measured.
   [[nodiscard]] FinalPosture measure(std::span<const double> angles, int effector);
   // The stoop-squat index alone.
   [[nodiscard]] std::optional<double> index(std::span<const double> angles);
 
  private:
   enum Place { kLeftHip, kRightHip, kLeftShoulder, kRightShoulder, kLeftElbow, kRightElbow };
-  static constexpr std::size_t kPlaces = 8;  // and the wrists, in the same order
+  static constexpr std::size_t kPlaces = 8;  // including the wrists, in the same order
 
   [[nodiscard]] bool known(std::size_t place) const { return nodes_[place] != nullptr; }
   [[nodiscard]] Vec3d at(std::size_t place) const;
-  [[nodiscard]] Vec3d between(std::size_t left) const;  // that place and the next, or one of them
+  [[nodiscard]] Vec3d between(std::size_t left) const;  // midpoint with the next, or either
   [[nodiscard]] std::optional<double> index_now() const;
   [[nodiscard]] double trunk_lean() const;
   [[nodiscard]] double heading() const;
@@ -37,13 +37,13 @@ class PostureMeter {
   std::array<const BodyNode*, kPlaces> nodes_{};
   Kinematics<double> kinematics_;
   bool sits_ = false;
-  double hip_height_ = 0.0;       // m, at the start …
-  double shoulder_height_ = 0.0;  // m …
-  double heading_ = 0.0;          // rad
+  double hip_height_ = 0.0;       // m, at the start
+  double shoulder_height_ = 0.0;  // m, at the start
+  double heading_ = 0.0;          // rad, at the start
 };
 
-// Whether people end so only where they cannot otherwise: folded over straight knees, with bent
-// knees below shoulders that stay up, or with an elbow that points inwards.
+// Whether a final posture is unnatural: folded over straight knees, crouching with the shoulders
+// up, or with an elbow pointing inwards.
 [[nodiscard]] bool is_strange(const FinalPosture& posture);
 
 }  // namespace shigusa

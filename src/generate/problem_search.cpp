@@ -23,15 +23,15 @@ void search_best(const Task& task, const RunSettings& run, Planner& planner, std
   deliver_candidates(task, planner, approach, std::move(found), generation);
 }
 
-// The one candidate that given values make.
+// The candidate of the given values.
 Candidate only_candidate(const Planner& planner, const Parameters& values) {
   return planner.candidate({.values = values}, planner.nearest(values));
 }
 
-// The approaches that are searched, one after the other.
+// The approaches to search, in order.
 struct Approaches {
   std::size_t first = 0;
-  // all of them, unless the first leads to something possible; else until something arrives
+  // All of them, unless the first leads to a possible motion; otherwise until one arrives.
   bool all = false;
 };
 
@@ -39,7 +39,7 @@ bool has_possible(const GenerateResult& generation) {
   return status_of(true, generation.candidates) == ReachStatus::reached;
 }
 
-// Whether the best of one approach's candidates is better than another's, possible ones first.
+// Whether the best candidate of one approach is better than another's, possible ones first.
 bool is_better(const GenerateResult& one, const GenerateResult& other) {
   if (other.candidates.empty()) return true;
   if (one.candidates.empty()) return false;
@@ -47,7 +47,7 @@ bool is_better(const GenerateResult& one, const GenerateResult& other) {
   return one.candidates.front().score.total < other.candidates.front().score.total;
 }
 
-// Adds another approach's search, and takes its candidates where they are better.
+// Adds another approach's search, and takes its candidates if they are better.
 void add_approach(GenerateResult other, GenerateResult& generation) {
   const SearchEnd end = other.end;
   if (is_better(other, generation)) std::swap(other, generation);
@@ -55,8 +55,7 @@ void add_approach(GenerateResult other, GenerateResult& generation) {
   generation.end = end;
 }
 
-// Searches on approaches until something arrives: where the first does it, as nearly always, that
-// is all.
+// Searches on the approaches until one arrives, nearly always the first.
 void search_approaches(const Task& task, const RunSettings& run, Planner& planner,
                        const Approaches& approaches, JointProgress& progress,
                        GenerateResult& generation) {
@@ -72,16 +71,16 @@ void search_approaches(const Task& task, const RunSettings& run, Planner& planne
   }
 }
 
-// Where nothing arrives by the first posture at the edge of reach, this number of others is tried.
+// Other postures tried if no motion arrives by the first posture at the edge of reach.
 constexpr int kOtherPostures = 3;
 
-// The paper has a person choose from this many distinct candidates (section 4.1).
+// Distinct candidates from which a person chooses in the paper (section 4.1).
 constexpr int kPaperCandidates = 3;
 
-// Whether the search of a task begins again with other random numbers: of the preset paper, of
-// whose genetic algorithm one run often ends with all genomes alike, where the task does not say
-// how many motions are scored; until there are kPaperCandidates candidates, or as many as the task
-// asks for, or Task::most_runs are done.
+// Whether a search is repeated with other random numbers: for the preset paper, whose genetic
+// algorithm often converges to identical genomes, if the task sets no number of motions; until
+// there are kPaperCandidates candidates, or as many as the task asks for, or after Task::most_runs
+// runs.
 bool runs_again(const Task& task, const RunSettings& run, const GenerateResult& generation) {
   if (task.preset != Preset::paper || run.evaluations || task.own_search) return false;
   if (task.search.value_or(SearchMethod::paper_ga) != SearchMethod::paper_ga) return false;
@@ -89,7 +88,7 @@ bool runs_again(const Task& task, const RunSettings& run, const GenerateResult& 
   return static_cast<int>(generation.candidates.size()) < min(kPaperCandidates, task.candidates);
 }
 
-// Adds the candidates of another run, but for those that move as one that is there does.
+// Adds the candidates of another run, without copies of present ones.
 void take_in(std::vector<Candidate> candidates, GenerateResult& generation) {
   std::vector<Candidate>& all = generation.candidates;
   for (Candidate& candidate : candidates) {

@@ -8,21 +8,20 @@
 
 namespace shigusa {
 
-// One search of a problem, with its candidates delivered. `on_all`: on all approaches where the
-// first leads to nothing possible. Fails where the planner cannot be made, or where check_values
-// does.
+// One search of a problem, with its candidates delivered. `on_all`: on all approaches if the first
+// leads to no possible motion. Fails if the planner cannot be made or check_values fails.
 [[nodiscard]] Result<GenerateResult> search_problem(const Problem& problem, const RunSettings& run,
                                                     const Progress& progress, bool on_all);
 
-// The candidate that values make; by another posture at the edge of reach where the usual one
+// The candidate of the given values; at the edge of reach, by another posture if the usual one
 // misses.
 [[nodiscard]] Candidate played(Planner& planner, const Parameters& values);
 
-// A search's candidates as another problem plays them, of the same body and goals.
+// The candidates of a result replayed on another problem of the same body and goals.
 [[nodiscard]] Result<GenerateResult> played_anew(const Problem& problem,
                                                  const GenerateResult& generation);
 
-// Sets the status by all candidates, and what is left to the goals by the first.
+// Sets the status from all candidates, and the remaining distance and turn from the first.
 void tell_status(bool in_reach, GenerateResult& generation);
 
 }  // namespace shigusa

@@ -12,13 +12,13 @@
 namespace shigusa {
 namespace {
 
-// A freedom of the other side, and the sign of its angle there.
+// The dof on the other side, and the sign of its angle there.
 struct Fellow {
   int dof = 0;
   double sign = 1.0;
 };
 
-// The fellow of each freedom; none where one has no fellow.
+// The counterpart of each dof; none if some dof has no counterpart.
 std::optional<std::vector<Fellow>> fellows_of(const BodyModel& body) {
   std::vector<Fellow> fellows;
   for (const Dof& dof : body.dofs()) {
@@ -30,8 +30,8 @@ std::optional<std::vector<Fellow>> fellows_of(const BodyModel& body) {
   return fellows;
 }
 
-// Differences of lengths (m) and start angles (rad) of both sides that nobody sees; a foot that
-// does not carry the base slides by less.
+// Negligible differences of lengths (m) and start angles (rad) between the sides; the foot that is
+// not the base slides by less.
 constexpr double kAlike = 1e-4;
 
 Clip reflected(const std::vector<Fellow>& fellows, const Clip& clip) {
@@ -45,8 +45,8 @@ Clip reflected(const std::vector<Fellow>& fellows, const Clip& clip) {
   return image;
 }
 
-// Whether a posture is the image of another one: each joint is where its fellow is, across the
-// middle.
+// Whether a posture is the mirror image of another: each effector is at its counterpart's mirrored
+// position.
 bool is_image(const BodyModel& body, std::span<const double> angles,
               std::span<const double> of_angles) {
   Kinematics<double> image(body);
@@ -56,7 +56,7 @@ bool is_image(const BodyModel& body, std::span<const double> angles,
   for (int e = 0; e < body.effector_count(); ++e) {
     const Effector& effector = body.effector(e);
     const auto other = body.find_effector(with_other_side(effector.name));
-    if (!other) continue;  // a foot that carries the base is none
+    if (!other) continue;  // a foot that is the base is no effector
     const Effector& fellow = body.effector(*other);
     const Vec3d across_it = across(of.point(fellow.link, fellow.point));
     if (!(norm(image.point(effector.link, effector.point) - across_it) < kReachTolerance)) {
@@ -88,7 +88,7 @@ std::vector<std::vector<Vec3d>> paths_of_goals(const ReachProblem& problem, cons
   return paths;
 }
 
-// The link of the other side: each link is moved by the freedom of its number.
+// The link on the other side: link and dof numbers are the same.
 int other_link(const std::vector<Fellow>& fellows, int link) {
   return link == kBaseLink ? kBaseLink : fellows[index(link)].dof;
 }

@@ -8,11 +8,11 @@
 
 namespace shigusa {
 
-// The task on the other side of the body's middle, without criteria of the user's own.
+// The task mirrored in the sagittal plane, without user criteria.
 [[nodiscard]] Task mirrored_task(Task task);
 
-// The mirror image of a motion of the body, its effectors at the problem's goals. None of a body
-// that is not alike on both sides, or does not stand so at the start.
+// The mirror image of a motion of the body, with its effectors at the problem's goals. None if the
+// body is not symmetric, or its start posture is not.
 [[nodiscard]] std::optional<Motion> reflection(const ReachProblem& problem, const Motion& of);
 
 }  // namespace shigusa

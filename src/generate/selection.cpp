@@ -16,7 +16,7 @@ Selection distinct_postures(const Archive& archive, int most) {
   const auto near = [](const Archived& a, const Archived& b) {
     return posture_distance(a.posture, b.posture) < kDistinctEnd + kEndSlack;
   };
-  // for what is met upright nobody squats
+  // people do not squat for goals they reach standing
   const bool bends = !ranked.empty() && ranked.front().style != Style::upright;
   for (const bool new_style_only : {true, false}) {
     selection.worse = 0;

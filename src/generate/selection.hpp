@@ -11,28 +11,27 @@
 
 namespace shigusa {
 
-// The points of a search that are worth a replay, best first, and those that are not.
+// The points of a search to replay, best first, and the rest.
 struct Selection {
   std::vector<Individual> picked;
-  std::vector<Archived> spare{};  // for where those picked will not do, best first
-  int similar = 0;                // of those not delivered, that end as a better one does
-  int worse = 0;                  // score more than kCandidateSpread worse than the best
+  std::vector<Archived> spare{};  // replacements for picked points, best first
+  int similar = 0;                // not delivered, as they end like a better one
+  int worse = 0;                  // more than kCandidateSpread worse than the best
 };
 
-// Picks at most `most` points of all that a search came upon, which end differently and are not
-// much worse than the best: first the best of each style, then the others, best first. All others
-// are spare.
+// Picks at most `most` archived points that end differently and are not much worse than the best:
+// first the best of each style, then the others, best first. The rest are spare.
 [[nodiscard]] Selection distinct_postures(const Archive& archive, int most);
 
-// Whether a candidate ends less than `apart` (rad) from where an archived motion does.
+// Whether a candidate and an archived motion end less than `apart` (rad) from each other.
 [[nodiscard]] bool ends_like(const Candidate& candidate, const Archived& archived, double apart);
 
-// The number of spare points little worse than the best that end nearly as a candidate does, less
-// the `taken` ones, which became candidates themselves.
+// Number of spare points little worse than the best that end like a candidate, less the `taken`
+// ones, which became candidates.
 [[nodiscard]] int count_similar(const Selection& selection, std::span<const Candidate> candidates,
                                 int taken);
 
-// Why there are fewer candidates than the task asks for; empty where there are not.
+// The reason for fewer candidates than the task asks for; empty if there are enough.
 [[nodiscard]] Message why_fewer(const Task& task, const GenerateResult& generation,
                                 const Selection& selection);
 

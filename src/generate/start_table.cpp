@@ -12,8 +12,8 @@
 namespace shigusa {
 namespace {
 
-// Of the bent postures (deg): leans of the trunk and bends of the knees, and the least values of
-// both modes for a body that stands.
+// Bent postures (deg): leans of the trunk and bends of the knees, and the lower bounds of both
+// modes for a standing body.
 constexpr double kLeans[] = {0.0, 30.0, 60.0, 90.0};
 constexpr double kSquatLeast = 0.0;
 constexpr double kLeanLeast = -20.0;
@@ -21,13 +21,13 @@ constexpr double kSquats[] = {0.0, 40.0, 80.0, 120.0};
 
 constexpr double kPlaceUnit = 1e-3;  // statures
 
-// Of the tables' bodies, in statures: the shoulder's height and the way from it to the hand's
-// point.
+// Dimensions of the tables' bodies, in statures: the shoulder's height and the length from it to
+// the hand's point.
 using F = StatureFractions;
 constexpr double kTableShoulder = F::kShoulderHeight;
 constexpr double kTableArm = F::kUpperArm + F::kForearm + kGripFraction * F::kHand;
 
-// From joint to joint as far as the hand's point (m).
+// The length (m) of the arm along its joints to the hand's point.
 double arm_length(const BodyModel& body, const Effector& hand, const Kinematics<double>& start) {
   double length = 0.0;
   Vec3d at = start.origin[index(hand.limb_root)];
@@ -58,9 +58,9 @@ double coordinate_of(char digit) {
 
 // One column of a table for one hand.
 struct Column {
-  int gene = -1;          // that it sets; -1: none
-  bool mirrored = false;  // turns round in the mirror
-  bool arm = false;       // of the hand's own arm
+  int gene = -1;          // gene that it sets; -1: none
+  bool mirrored = false;  // changes its sign in the mirror
+  bool arm = false;       // belongs to the hand's own arm
 };
 
 std::vector<Column> columns_of(const StartTable& table, const ParameterSpace& space, bool left) {
@@ -74,8 +74,8 @@ std::vector<Column> columns_of(const StartTable& table, const ParameterSpace& sp
   return columns;
 }
 
-// The table with the most columns that the space has, of equals that of as many feet; none where
-// the space has but few of them.
+// The table with the most columns that the space has, then one with as many feet; none if the space
+// has at most half of them.
 const StartTable* table_of(const ParameterSpace& space, std::size_t feet, bool left) {
   const StartTable* best = nullptr;
   std::pair<std::size_t, bool> most{};
@@ -91,7 +91,7 @@ const StartTable* table_of(const ParameterSpace& space, std::size_t feet, bool l
   return best;
 }
 
-// The rows nearest to a place (statures), nearest first; of equals those that come first.
+// The rows nearest to a position (statures), nearest first; ties in the order of the table.
 std::vector<const StartRow*> nearest_rows(const StartTable& table, const Vec3d& place, int most) {
   std::vector<std::pair<double, const StartRow*>> rows;
   for (const StartRow& row : table.rows) {
@@ -116,7 +116,8 @@ std::optional<Vec3d> start_place(const BodyModel& body, int effector, const Vec3
   const double arm = arm_length(body, hand, start);
   if (arm <= 0.0) return std::nullopt;
   Vec3d place = (goal - shoulder) * (kTableArm / arm);
-  // down to the floor it is as far as the shoulder is high, of who has that below the arm
+  // below the shoulder, distances scale with the shoulder's height if the floor is beyond the arm's
+  // length
   if (place.y < 0.0 && shoulder.y > arm) place.y = (goal.y / shoulder.y - 1.0) * kTableShoulder;
   if (hand.part.side == Side::left) place.x = -place.x;
   return place;
@@ -124,7 +125,7 @@ std::optional<Vec3d> start_place(const BodyModel& body, int effector, const Vec3
 
 std::vector<double> bent_starts(const ParameterSpace& space) {
   std::vector<double> points;
-  // a body that starts bent straightens as far as one that stands
+  // a body with a bent start posture straightens as far as a standing one
   const auto set = [&](std::string_view mode, double standing, double value) {
     const int gene = space.find(mode);
     if (gene < 0) return;
@@ -192,7 +193,7 @@ std::vector<double> start_scales(std::span<const double> points, int genes) {
   const std::size_t n = index(genes);
   const std::size_t count = points.size() / n;
   if (count < 2) return {};
-  std::vector<double> scales(n, 0.0);  // first the variances
+  std::vector<double> scales(n, 0.0);  // variances first
   double sum = 0.0;
   for (std::size_t g = 0; g < n; ++g) {
     double mean = 0.0;

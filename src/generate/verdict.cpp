@@ -10,7 +10,7 @@
 namespace shigusa {
 namespace {
 
-// Gathers reasons that are beyond their bounds.
+// Collects the reasons that exceed their bounds.
 class Reasons {
  public:
   void add(VerdictBounds bounds, Reason reason) {
@@ -20,7 +20,7 @@ class Reasons {
     found_.push_back({reason.amount / bounds.impossible, std::move(reason)});
   }
 
-  // the worst first: by how many times each is what is impossible
+  // Sorts the reasons by their ratio to the impossible bound, the largest first.
   Judgement judgement() && {
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Found& a, const Found& b) { return a.beyond > b.beyond; });
@@ -44,7 +44,7 @@ std::string when(const Reason& reason) {
   return reason.time ? fmt::format(" at {:.2f} s", *reason.time) : std::string();
 }
 
-// The verdict on a motion in another duration: limits and collisions are what they were.
+// The verdict on a motion in another duration: limits and collisions are unchanged.
 Verdict verdict_in(double duration, const BodyModel& body, const Motion& motion,
                    MotionMeasures measures, ClipDynamics& dynamics) {
   Clip clip = motion.clip;

@@ -17,7 +17,7 @@
 namespace shigusa {
 namespace {
 
-// Postures beside the archive's best that a search delivers from, for each candidate asked for.
+// Archived postures considered per requested candidate.
 constexpr int kKeptPerCandidate = 4;
 
 Result<void> check_fixed(const Problem& problem) {
@@ -50,7 +50,7 @@ bool goes_around(const ReachProblem& problem) {
                      [](const ReachGoal& goal) { return goal.path.detour != Vec3d{}; });
 }
 
-// The best score of what a search would begin at.
+// The best score of the start points of a search.
 double best_start(const Problem& problem, const ReachProblem& approach) {
   const Task& task = problem.task;
   const ParameterSpace space(approach, *problem.parameters, gene_code(task), task.fixed);
@@ -64,11 +64,10 @@ double best_start(const Problem& problem, const ReachProblem& approach) {
   return best;
 }
 
-// The way without a detour is worth a search where it scores less than this share of the detour's
-// score.
+// The straight approach is searched if its score is below this share of the detour's.
 constexpr double kStraightShare = 0.9;
 
-// The approaches by a detour where one is needed: motions of uniform weights tell of one that the
+// The approaches with a detour where one is needed: the need is found with uniform weights, so the
 // best motions from the start table may do without.
 std::vector<ReachProblem> usual_approaches(const Problem& problem, const ReachProblem& there,
                                            const ClosestReach& reach) {
@@ -91,7 +90,7 @@ class WholeBodyPlanner : public Planner {
     ClosestReach closest = closest_reach(reach_);
     in_reach_ = closest.reached();
     if (!in_reach_ && traits_of(task_.preset).natural) {
-      // people stop before a hand is in their own body
+      // people stop before a hand enters their own body
       reach_ = clear_goals(reach_, closest);
       closest = closest_reach(reach_);
     }
@@ -153,7 +152,7 @@ class WholeBodyPlanner : public Planner {
   void finish(GenerateResult& /*generation*/) override {}
 
  private:
-  // The score in double of values that were searched in single precision.
+  // The score in double precision of values searched in single precision.
   [[nodiscard]] double replayed_score(const ReachProblem& approach,
                                       const Parameters& values) const {
     const RolledOut rolled = play(approach, values, task_.generator);
@@ -164,7 +163,7 @@ class WholeBodyPlanner : public Planner {
 
   const Problem& problem_;
   const Task& task_;    // the problem's
-  ReachProblem reach_;  // its own, with the places on which hands rest; as far as people would go
+  ReachProblem reach_;  // with the resting places of hands; natural goals are clear of the body
   bool in_reach_ = false;
   std::vector<ReachProblem> usual_approaches_;
   std::vector<ReachProblem> approaches_;

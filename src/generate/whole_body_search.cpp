@@ -12,11 +12,10 @@
 namespace shigusa {
 namespace {
 
-// Styles have a ninth of a budget or two, in full batches; what they leave is spent on all
-// parameters.
+// Styles get one or two ninths of a budget, in full batches; the rest is spent on all parameters.
 constexpr int kBatch = static_cast<int>(kFullBatch);
 constexpr int kUnit = 9 * kBatch;
-// The motions that tell late styles where to begin: known starts leave little to find after them.
+// Motions after which late styles begin: known starts leave little to find after them.
 constexpr int kGuess = 8 * kBatch;
 
 int style_part(const Task& task, int budget) {
@@ -25,7 +24,7 @@ int style_part(const Task& task, int budget) {
 
 }  // namespace
 
-// The paper's own searches go over its codes; the others over a wider range.
+// The paper's own searches use its codes; others a wider range.
 GeneCode gene_code(const Task& task) {
   if (task.preset != Preset::paper) return GeneCode::natural;
   if (task.own_search) return GeneCode::logarithmic;
@@ -43,7 +42,7 @@ WholeBodySearch::WholeBodySearch(const Problem& problem, const ReachProblem& app
       part_(style_part(problem.task, budget_)),
       threads_(problem.task.batch.threads),
       own_threads_(threads_) {
-  // other people's functions are called from one thread, and whole motions take all of them
+  // user functions are called from one thread, and whole motions use all threads
   const bool together =
       !problem.task.own_search && !scores_whole_motions(problem.task, run.criteria);
   if (!together) threads_ = 1;
@@ -54,7 +53,7 @@ SearchResult WholeBodySearch::run(const Progress& progress) {
   JointProgress joint(progress);
   StylePlans styles(space_, part_);
   const bool paper = problem_.task.preset == Preset::paper;
-  // where a person gives the squat, knees go by it
+  // if the user fixes the squat, the knees follow it
   Niche knees = !paper && space_.find("squat") < 0 ? stiff_knees(space_) : Niche{};
   const bool bent = !paper && (knees.empty() || !problem_.task.starts.empty());
   add_islands({{.niche = std::move(knees),
@@ -89,7 +88,7 @@ void WholeBodySearch::add_islands(std::vector<IslandPlan> plans, JointProgress& 
   }
 }
 
-// Runs each island to that number of motions, or to its end.
+// Runs each island to this number of motions, or to its end.
 void WholeBodySearch::run_islands(int motions) {
   parallel_for(static_cast<int>(islands_.size()), threads_,
                [&](int i, int) { islands_[index(i)].run_to(motions); });

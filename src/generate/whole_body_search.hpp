@@ -13,20 +13,19 @@
 
 namespace shigusa {
 
-// The meaning of the points of a task's search.
+// The code of the points of a task's search.
 [[nodiscard]] GeneCode gene_code(const Task& task);
 
-// The search on one approach, with the archive of the points that it came upon. Problem, approach
-// and run outlive it.
+// The search on one approach, with the archive of its points. Problem, approach and run outlive it.
 class WholeBodySearch {
  public:
   WholeBodySearch(const Problem& problem, const ReachProblem& approach, const RunSettings& run);
 
-  // A search that is good at finding the best ends with one motion, and no criterion decides
-  // between that and what people do otherwise. So the preset flat spends a third of the budget on
+  // Runs the search. One that finds the best well ends with one motion, and no criterion decides
+  // between that and the alternatives of people. So the preset flat spends a third of the budget on
   // all parameters together, and a ninth or two on each style (StylePlans). Each is an island;
-  // islands run side by side, one to a thread:
-  //   the first starts | all parameters to kGuess motions, early styles | the rest, late styles
+  // islands run in parallel, one per thread:
+  //  the first starts | all parameters to kGuess motions, early styles | the rest, late styles
   // Styles begin at the best of the first starts or of the first kGuess motions: at fixed counts,
   // never at times. The points of a smaller budget are not the first of a larger one's.
   SearchResult run(const Progress& progress);
@@ -44,9 +43,9 @@ class WholeBodySearch {
   ParameterSpace space_;
   Archive archive_;
   int budget_;       // motions
-  int part_;         // motions of a style; 0: there are none
-  int threads_;      // that islands run on …
-  int own_threads_;  // … and that each has for its motions
+  int part_;         // motions per style; 0: no styles
+  int threads_;      // threads for the islands
+  int own_threads_;  // threads for the motions of each island
   std::deque<Island> islands_;
 };
 

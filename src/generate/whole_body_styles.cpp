@@ -14,8 +14,8 @@ struct StyleRange {
   std::string_view mode;
   double low;  // deg
   double high;
-  bool early = false;  // needs no good motion to begin at
-  int parts = 1;       // two: far from what is found otherwise, and begins by itself
+  bool early = false;  // needs no good motion to start from
+  int parts = 1;       // two: far from the other styles, with a start of its own
 };
 
 namespace {
@@ -23,15 +23,15 @@ namespace {
 constexpr StyleRange kBentStyles[] = {
     {"squat", 115, 138, true, 2}, {"squat", 0, 30}, {"squat", 50, 90}};
 constexpr StyleRange kUprightStyles[] = {{"lean", 8, 25, true}, {"squat", 12, 35, true}};
-// To the side that the best does not turn to: one of each pair.
+// One of each pair: the side opposite to the best motion's.
 constexpr StyleRange kOtherSides[][2] = {
     {{"twist", 20, 65}, {"twist", -65, -20}},
     {{"right_swivel", 20, 60}, {"right_swivel", -60, -20}},
     {{"left_swivel", 20, 60}, {"left_swivel", -60, -20}},
 };
-// The logarithm of the least weight of a knee that goes by the target.
+// Lower bound of the logarithm of a stiff knee's weight.
 constexpr double kStiffKnee = 1.0;
-// Late styles begin near: with the usual step they would lose what they begin at.
+// Initial step of late styles: the usual step would lose their start point.
 constexpr double kNearStep = 0.1;
 
 std::span<const StyleRange> bends_of(const Archived* best) {
@@ -66,7 +66,7 @@ std::vector<IslandPlan> StylePlans::late(const Archived* best) {
     const bool turns = best != nullptr && best->point[index(gene)] > space_->coordinate(gene, 0.0);
     add(turns ? negative : positive, best, plans);
   }
-  if (left_ > 0) {  // of the styles that the task has not
+  if (left_ > 0) {  // budget of the styles that do not apply to the task
     plans.push_back({.niche = space_->find("squat") < 0 ? stiff_knees(*space_) : Niche{},
                      .from = best != nullptr ? best->point : std::vector<double>{},
                      .budget = left_ * part_});
@@ -79,7 +79,7 @@ std::vector<IslandPlan> StylePlans::late(const Archived* best) {
   return plans;
 }
 
-// Adds the plan of a style that has none yet, if the task has its mode and enough motions are left.
+// Adds the plan of an unplanned style, if the task has its mode and enough motions are left.
 void StylePlans::add(const StyleRange& style, const Archived* best,
                      std::vector<IslandPlan>& plans) {
   const bool planned = std::find(planned_.begin(), planned_.end(), &style) != planned_.end();
@@ -93,7 +93,7 @@ void StylePlans::add(const StyleRange& style, const Archived* best,
   left_ -= style.parts;
 }
 
-// Keeps the mode within the range.
+// The bounds that keep the mode within the range.
 Niche StylePlans::niche_of(const StyleRange& style) const {
   const bool bends_knees = style.mode == "squat" || space_->find("squat") < 0;
   Niche niche = bends_knees ? stiff_knees(*space_) : Niche{};

@@ -11,26 +11,27 @@
 
 namespace shigusa {
 
-// A range of a posture mode that is a style of its own.
+// A range of a posture mode that makes a style.
 struct StyleRange;
 
-// The knees' weights where their flexion is given: they go by it, as light ones would bend as the
-// hand has it.
+// Bounds that keep the knees' weights high where their flexion is given: light knees would follow
+// the hand instead.
 [[nodiscard]] Niche stiff_knees(const ParameterSpace& space);
 
-// Plans the islands that look for styles: what people do otherwise than the best does. Squat,
-// stoop, half squat, the other turn of the trunk, the other side of the elbow; or for what is met
-// upright a lean and bent knees.
+// Plans the islands that search for styles, the alternatives to the best motion: squat, stoop, half
+// squat, the other turn of the trunk, the other side of the elbow; for goals reached upright a lean
+// and bent knees.
 class StylePlans {
  public:
   static constexpr int kParts = 6;
 
-  // For a search on a space that outlives it; all plans together have kParts times `part` motions.
+  // Plans for a search on a space that outlives the object; all together have kParts times `part`
+  // motions.
   StylePlans(const ParameterSpace& space, int part) : space_(&space), part_(part) {}
 
-  // Styles that may begin when the best of the first postures is known (null: none arrives).
+  // Styles that begin once the best of the first postures is known (null: none arrives).
   [[nodiscard]] std::vector<IslandPlan> early(const Archived* best);
-  // The others, which begin at the best of more motions.
+  // The other styles, which begin at the best of more motions.
   [[nodiscard]] std::vector<IslandPlan> late(const Archived* best);
 
  private:

@@ -15,12 +15,12 @@ namespace shigusa {
 namespace {
 
 constexpr int kMaxDofs = 128;
-constexpr double kTurnLength = 0.03;  // m: what a turn of 1 rad counts as
-constexpr double kDamping = 1e-9;     // of the mean squared column, where all goes well
+constexpr double kTurnLength = 0.03;  // m, distance equivalent to a turn of 1 rad
+constexpr double kDamping = 1e-9;     // minimum, as a share of the mean squared column
 constexpr double kMostDamping = 1e6;
 constexpr int kSteps = 60;
-constexpr int kFirstSteps = 500;      // it may be far from the start
-constexpr double kLeastStep = 1e-10;  // rad: a step that ends the search
+constexpr int kFirstSteps = 500;  // for the first frame, which may be far from the start posture
+constexpr double kLeastStep = 1e-10;  // rad: termination by step size
 
 // The rotation vector of a rotation (rad).
 Vec3d turn_of(const Mat3d& rotation) {
@@ -79,7 +79,7 @@ class ClipFitter {
   }
 
  private:
-  // A bone that a link of the body carries, and where the record has it.
+  // A bone that moves with a link of the body, with its recorded placement.
   struct Target {
     HumanoidBone bone;
     std::size_t node = 0;
@@ -87,10 +87,10 @@ class ClipFitter {
     Vec3d point{};  // m, link frame
     Mat3d turn{};   // R_link = (turn of the node from rest) · turn
     bool turns = false;
-    std::optional<ForearmTurn> twist{};  // which the node goes without
-    Vec3d axis{};                        // unit, link frame: of that
-    Vec3d position{};                    // m, world, as recorded …
-    Mat3d rotation{};                    // … of the link
+    std::optional<ForearmTurn> twist{};  // excluded from the node's turn
+    Vec3d axis{};                        // unit, link frame: axis of that twist
+    Vec3d position{};                    // m, world, as recorded
+    Mat3d rotation{};                    // of the link, as recorded
   };
 
   void find_targets() {
@@ -114,8 +114,8 @@ class ClipFitter {
     }
   }
 
-  // Twist bones take up the twist that such a bone goes without. An upper
-  // limb's bone then gives no turn, and a forearm's gives it without the turn about itself.
+  // Chooses the turn that a bone contributes. If twist bones take up its twist, an upper limb's
+  // bone contributes no turn, and a forearm's contributes its turn without the twist.
   void give_turn(Target& target, const Mat3d& link, std::vector<bool>& given) const {
     const bool apart = untwisted(rig_.twists, target.bone);
     bool upper = false;
@@ -140,7 +140,7 @@ class ClipFitter {
     }
   }
 
-  // of angles whose placement is known
+  // Cost of the angles with the present placement.
   [[nodiscard]] double cost() const {
     double sum = 0.0;
     for (const Target& target : targets_) {
@@ -160,7 +160,7 @@ class ClipFitter {
     return turn_of(target.rotation * transpose(now));
   }
 
-  // angles_ are brought to a minimum
+  // Minimises the cost from angles_ on.
   void settle(int steps) {
     double damping = kDamping;
     forward_kinematics<double>(body_, angles_, placed_);
@@ -184,7 +184,7 @@ class ClipFitter {
     forward_kinematics<double>(body_, angles_, placed_);
   }
 
-  // (JᵀJ + damping) step = Jᵀ residual; returns the step's largest number
+  // Solves (JᵀJ + damping) step = Jᵀ residual; returns the step's largest absolute value.
   double find_step(double damping) {
     const int dofs = body_.dof_count();
     SmallSymmetric<double, kMaxDofs>& a = *normal_;
@@ -214,7 +214,7 @@ class ClipFitter {
     }
     double trace = 0.0;
     for (int i = 0; i < dofs; ++i) trace += a(i, i);
-    // freedoms that no bone tells of stay
+    // dofs that no bone determines stay
     const double floor = trace / dofs * damping;
     for (int i = 0; i < dofs; ++i) a(i, i) += floor;
     ldlt_solve(a, step_.data(), dofs, 0.0);
@@ -223,7 +223,7 @@ class ClipFitter {
     return largest;
   }
 
-  // the mean distance of this frame
+  // The mean distance in this frame.
   double measure(int frame, ClipFit& result) const {
     double sum = 0.0;
     int count = 0;
@@ -240,7 +240,7 @@ class ClipFitter {
     return count > 0 ? sum / count : 0.0;
   }
 
-  // of who lifts heels the toes stand
+  // Tracks the travel of the feet; with lifted heels, the toes are the contact.
   void follow_feet(bool first, ClipFit& result) {
     using enum HumanoidBone;
     const auto feet = body_.feet();
@@ -266,7 +266,7 @@ class ClipFitter {
 
   const BodyModel& body_;
   const Rig& rig_;
-  Mat3d axes_;                    // the file's directions in the world's
+  Mat3d axes_;                    // from the file's axes to the world's
   std::vector<Transformd> rest_;  // (nodes) file's world
   std::vector<Target> targets_;
   std::vector<Transformd> first_feet_;

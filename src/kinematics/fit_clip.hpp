@@ -8,25 +8,25 @@
 
 namespace shigusa {
 
-// Which frames of a record are fitted: those that are looked at, and as far as there are any so
-// many on either side of them.
+// The fitted frames of a record: a range, with up to `around` more frames on either side where
+// there are any.
 struct FitFrames {
   int first = 0;
   int last = 0;  // included; 0 ≤ first ≤ last < frames of the record
   int around = 0;
 };
 
-// Frames of a motion of the rig's skeleton, in the units and axes of the rig's placement: in each,
-// the angles whose joints stand nearest to the recorded ones,
+// Fits a body to frames of a motion of the rig's skeleton, in the units and axes of the rig's
+// placement: the angles with the joints nearest to the recorded ones,
 //
 //   min over q of  Σ_bones |p_bone(q) - p_recorded|² + l² |turn from R_link(q) to R_recorded|²,
 //
-// by Levenberg's damped Gauss-Newton steps from the frame beside it, the first from the body's
-// start. Of bones that are one link the first tells its turn; l is 3 cm, so that turns decide what
-// joints leave open (a forearm's rotation, a straight arm's) and little else. A motion of this very
-// body comes out exactly. Limits are not asked: people pass them.
+// by Levenberg's damped Gauss-Newton steps from the neighbouring frame, for the first frame from
+// the start posture. Among bones on one link the first determines its turn; l is 3 cm, so that
+// turns decide only the dofs left open by the joints (a forearm's rotation, a straight arm's). A
+// motion of the body itself is recovered exactly. Limits are ignored: people exceed them.
 //
-// The body's base stays where it is. Where the recorded one moves, the rest follows as it can.
+// The body's base is fixed. If the recorded one moves, the other joints follow as far as possible.
 // Source: D. W. Marquardt, J. SIAM 11 (1963) 431-441.
 [[nodiscard]] ClipFit fit_clip(const BodyModel& body, const Rig& rig,
                                const SkeletonMotion& recorded, const FitFrames& frames);

@@ -13,12 +13,12 @@ namespace shigusa {
 // World placement of every link of a body. One entry per dof, in the body's order.
 template <class S>
 struct Kinematics {
-  // (dofs) R_WL of the link that the dof moves; of a joint's freedoms only the last one has it
+  // (dofs) R_WL of the link that the dof moves; set only for the last dof of a joint
   std::vector<Mat3<S>> rotation;
   std::vector<Vec3<S>> origin;  // (dofs) m, joint centre in the world
   std::vector<Vec3<S>> axis;    // (dofs) unit vector, world: positive angles turn about it
   std::vector<SinCos<S>> turn;  // (dofs) sine and cosine of the angle about the axis
-  Mat3<S> base_rotation{};      // of the standing foot
+  Mat3<S> base_rotation{};      // of the base foot
   Vec3<S> base_origin{};        // m
 
   explicit Kinematics(const BodyModel& body)
@@ -33,14 +33,14 @@ struct Kinematics {
   [[nodiscard]] const Vec3<S>& link_origin(int link) const {
     return link == kBaseLink ? base_origin : origin[index(link)];
   }
-  // World position (m) of a point that is fixed in a link.
+  // World position (m) of a point fixed in a link.
   template <class T = double>
   [[nodiscard]] Vec3<S> point(int link, const Vec3<T>& local) const {
     return link_origin(link) + link_rotation(link) * to_scalar<S>(local);
   }
 };
 
-// rotation times a place that may have a y only
+// Rotation times a vector; `upright`: the vector has only a y component.
 template <class S, class T>
 [[nodiscard, gnu::always_inline]] inline Vec3<S> times_place(const Mat3<S>& rotation,
                                                              const Vec3<T>& place, bool upright) {
@@ -48,8 +48,8 @@ template <class S, class T>
   return rotation.cx * S(place.x) + rotation.cy * S(place.y) + rotation.cz * S(place.z);
 }
 
-// Places the link of a joint whose one axis is no coordinate axis: R_WL = R_WP T R(q) Tᵀ. The turn
-// must be known.
+// Places the link of a joint whose single axis is not a coordinate axis: R_WL = R_WP T R(q) Tᵀ. Its
+// turn must be known.
 template <class S>
 void turn_slanting(const BodyConstants<Element<S>>& constants, std::size_t joint,
                    const Mat3<S>& carrier, Kinematics<S>& kinematics) {
@@ -73,7 +73,7 @@ template <class S>
     Kinematics<S>& kinematics) {
   const std::size_t first = index(joint.first);
   const std::size_t link = index(joint.link);
-  // by columns, each in registers
+  // separate columns stay in registers
   Vec3<S> x = carrier.cx;
   Vec3<S> y = carrier.cy;
   Vec3<S> z = carrier.cz;
@@ -107,7 +107,7 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
   const BodyConstants<Element<S>>& constants = body.constants<Element<S>>();
   kinematics.base_rotation = to_scalar<S>(constants.base_rotation);
   kinematics.base_origin = to_scalar<S>(constants.base_origin);
-  // first, as none of these waits for another
+  // computed first, as they are independent of one another
   for (std::size_t i = 0; i < constants.dofs.size(); ++i) {
     kinematics.turn[i] = sin_cos(constants.dofs[i].negative ? -q[i] : q[i]);
   }
@@ -122,7 +122,7 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
   }
 }
 
-// Where the body is in its start posture.
+// Placement of the body in its start posture.
 [[nodiscard]] Kinematics<double> start_kinematics(const BodyModel& body);
 
 // Velocity (m/rad, world) of the world point `at`, carried by the dof's link, per unit of the

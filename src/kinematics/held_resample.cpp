@@ -11,7 +11,7 @@ void append(const Vec3d& v, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {v.x, v.y, v.z});
 }
 
-// Holds what is held, frame by frame.
+// Corrects the held points, frame by frame.
 class Holder {
  public:
   Holder(const BodyModel& body, const Clip& clip, double rate, const Held& held)
@@ -26,7 +26,7 @@ class Holder {
     }
   }
 
-  // `angles`: of the frame at the rate.
+  // `angles`: of the frame at the new rate.
   void hold(int frame, std::span<double> angles) {
     constexpr int kResampleSteps = 4;
     constexpr double kNear = 1e-7;  // m
@@ -46,8 +46,8 @@ class Holder {
   }
 
  private:
-  // (frames × 6 for each foot and 3 for each effector) m and rad: where soles are and how they are
-  // turned since the first frame, and where effectors are.
+  // (frames × 6 for each foot and 3 for each effector) m and rad: positions of soles and their
+  // turns since the first frame, and positions of effectors.
   Clip ways_of(const Clip& clip) {
     Clip ways{.dofs = static_cast<int>(6 * held_.feet.size() + 3 * held_.effectors.size()),
               .frames = clip.frames,
@@ -108,7 +108,7 @@ Clip resampled(const BodyModel& body, const Clip& clip, double rate, const Held&
   if (held.feet.empty() && held.effectors.empty()) return result;
   Holder holder(body, clip, rate, held);
   const std::size_t dofs = index(clip.dofs);
-  // the first and the last are the clip's own
+  // the first and the last frame are the clip's own
   for (int f = 1; f < result.frames - 1; ++f) {
     holder.hold(f, std::span<double>(result.angles).subspan(index(f) * dofs, dofs));
   }

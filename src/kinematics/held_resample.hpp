@@ -7,16 +7,16 @@
 
 namespace shigusa {
 
-// The points that stay on their paths between a clip's frames.
+// Points that stay on their paths between a clip's frames.
 struct Held {
-  std::vector<Foot> feet;           // planted ones: their soles, and how these are turned
+  std::vector<Foot> feet;           // planted feet: position and orientation of their soles
   std::vector<Effector> effectors;  // the points of goals
 };
 
-// The clip at `rate` frames a second as resampled(clip, rate) has it, with what is held on splines
-// of its own through where it is in the clip's frames: splines of angles alone move a second foot
-// by millimetres where angles change fast. Steps of IK with equal weights take that back; freedoms
-// that do not move in the clip stay.
+// The clip at `rate` frames a second as by resampled(clip, rate), with the held points on splines
+// through their positions in the clip's frames: splines of angles alone move a second foot by
+// millimetres where angles change fast. IK steps with equal weights correct that; dofs that do not
+// move in the clip stay.
 [[nodiscard]] Clip resampled(const BodyModel& body, const Clip& clip, double rate,
                              const Held& held);
 

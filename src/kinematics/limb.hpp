@@ -9,7 +9,7 @@ namespace shigusa {
 
 namespace limb_detail {
 
-// In the y-z plane.
+// Length in the y-z plane.
 template <class S>
 [[nodiscard]] S plane_length(const Vec3<S>& v) {
   return sqrt(v.y * v.y + v.z * v.z);
@@ -20,12 +20,12 @@ template <class S>
 // Two segments with a hinge between them, in closed form: thigh and shank, upper arm and forearm.
 // The hinge turns about x. In the first segment's frame the far end is at
 //   end(bend) = first + Rx(sign · bend) · second,
-// whose x never changes; what is left is a triangle in the y-z plane (law of cosines).
+// whose x is constant; the rest is a triangle in the y-z plane (law of cosines).
 template <class S>
 class BasicHingedLimb {
  public:
-  // first, second (m): from joint to joint, each in its own segment's frame; both are off the x
-  // axis. sign is that of the hinge's dof: +1 where a positive angle turns about +x.
+  // Makes a limb of the segments first, second (m), from joint to joint, each in its own frame and
+  // off the x axis. sign is that of the hinge's dof: +1 if a positive angle turns about +x.
   BasicHingedLimb(const Vec3<S>& first, const Vec3<S>& second, double sign)
       : near_(limb_detail::plane_length(first)),
         far_(limb_detail::plane_length(second)),
@@ -45,16 +45,16 @@ class BasicHingedLimb {
         near_turn_(limb.near_turn_),
         far_turn_(limb.far_turn_) {}
 
-  // m, of the far end from the near one along x.
+  // Offset (m) of the far end from the near one along x.
   [[nodiscard]] const S& across() const { return across_; }
-  // m, from end to end in the plane of the hinge.
+  // Distance (m) from end to end in the plane of the hinge.
   [[nodiscard]] S length(const S& bend) const {
     const S turn = far_turn_ - near_turn_ + S(sign_) * bend;
     const S square = near_ * near_ + far_ * far_ + S(2) * near_ * far_ * sin_cos(turn).cos;
     return sqrt(max(square, S(0)));
   }
-  // The bend (rad, in 0..π where the segments have no offset) at which the limb has that length in
-  // the plane. A length that no bend gives is held to the nearest one that a bend gives.
+  // The bend (rad, in 0..π for segments without offset) at which the limb has the given length in
+  // the plane. Lengths out of range are clamped.
   [[nodiscard]] S bend(const S& length) const {
     const S cosine =
         (length * length - near_ * near_ - far_ * far_) * (S(1) / (S(2) * near_ * far_));
@@ -66,12 +66,12 @@ class BasicHingedLimb {
     const SinCos<S> second = sin_cos(far_turn_ + S(sign_) * bend);
     return atan2(near_ * first.sin + far_ * second.sin, near_ * first.cos + far_ * second.cos);
   }
-  // That angle at the bend which gives the length (m); the length is held as bend() holds it.
+  // The same angle as a function of the length (m), which is clamped as by bend().
   [[nodiscard]] S direction_of_length(const S& length) const {
     return near_turn_ + S(sign_) * acos(near_cosine(length));
   }
-  // By how much that angle grows with the length (rad/m), held to ±most: it has no bound as the
-  // limb gets straight.
+  // Derivative of that angle by the length (rad/m), clamped to ±most: it is unbounded as the limb
+  // straightens.
   [[nodiscard]] S turn_by_length(const S& length, double most) const {
     const S cosine = near_cosine(length);
     const S along = length - near_ * cosine;
@@ -79,7 +79,7 @@ class BasicHingedLimb {
     const S slope = along / max(height * length, abs(along) * S(1.0 / most) + S(1e-12));
     return clamp(S(-sign_) * slope, S(-most), S(most));
   }
-  // m, lengths that some bend gives.
+  // Range of lengths (m).
   [[nodiscard]] S shortest() const { return abs(near_ - far_); }
   [[nodiscard]] S longest() const { return near_ + far_; }
 
@@ -87,39 +87,39 @@ class BasicHingedLimb {
   template <class>
   friend class BasicHingedLimb;
 
-  // of the angle between the first segment and the line from end to end
+  // Cosine of the angle between the first segment and the line from end to end.
   [[nodiscard]] S near_cosine(const S& length) const {
     const S cosine =
         (near_ * near_ + length * length - far_ * far_) / max(S(2) * near_ * length, S(1e-9));
     return clamp(cosine, S(-1), S(1));
   }
 
-  S near_;           // m, the first segment's length in the plane
-  S far_;            // m, the second one's
+  S near_;           // m, length of the first segment in the plane
+  S far_;            // m, length of the second segment
   S across_;         // m
   Element<S> sign_;  // of the hinge
-  S near_turn_;      // rad, about x: the first segment's direction in its own frame …
-  S far_turn_;       // … and the second one's in its own
+  S near_turn_;      // rad, about x: direction of the first segment in its own frame
+  S far_turn_;       // rad, of the second segment in its own frame
 };
 using HingedLimb = BasicHingedLimb<double>;
 
-// The turn about z (rad) that brings a plane of that x, square to it, through the point `far` of
-// positive y: how an ankle inverts for a leg's plane to go through the hip. Nearer to the z axis
-// than `across`, the plane gets as near as it can.
+// Turn about z (rad) that brings the plane of constant x = `across` through the point `far` of
+// positive y: the inversion of an ankle whose leg plane passes through the hip. For a point nearer
+// to the z axis than `across`, the plane comes as near as it can.
 template <class S>
 [[nodiscard]] S plane_turn(const Vec3<S>& far, const S& across) {
   const S away = sqrt(far.x * far.x + far.y * far.y);
   return atan2(far.y, far.x) - acos(across / max(away, abs(across)));
 }
 
-// angle + 2 π k, the nearest to `near` (rad); |angle - near| below 1e6.
+// The angle plus whole turns nearest to `near` (rad); |angle - near| below 1e6.
 template <class S>
 [[nodiscard]] S unwrapped(const S& angle, const S& near) {
   return angle + nearest_integer((near - angle) * S(0.5 / kPi)) * S(kTwoPi);
 }
 
-// Angles of the ball joints of a body, whose relative rotation is R = Rx(x) · Rz(z) · Ry(y): from
-// the piece that carries, to the limb (or its transpose, where the limb carries the trunk).
+// Angles of a body's ball joint, with the relative rotation R = Rx(x) · Rz(z) · Ry(y) from the
+// carrying link to the limb (or its transpose, if the limb carries the trunk).
 template <class S>
 struct BasicBallTurns {
   S x{};  // rad
@@ -136,11 +136,11 @@ template <class S>
 
 namespace limb_detail {
 
-// z is within this of 90° (as a cosine) where x and y turn about one line
+// Bound of cos z near z = 90°, where x and y turn about one line.
 template <class S>
 inline constexpr double kOneLine = sizeof(Element<S>) == sizeof(double) ? 1e-9 : 1e-5;
 
-// the turns that make r if x is what it is, nearest to `near`; `flexed`: sine and cosine of x
+// The turns of r for a given x, nearest to `near`; `flexed`: sine and cosine of x.
 template <class S>
 [[nodiscard]] BasicBallTurns<S> turns_with(const S& x, const SinCos<S>& flexed, const Mat3<S>& r,
                                            const BasicBallTurns<S>& near) {
@@ -152,9 +152,9 @@ template <class S>
 
 }  // namespace limb_detail
 
-// The turns that make the rotation R, of all ways to write it the one whose angles are nearest to
-// `near`: so a moving joint's angles do not jump. Where z is 90° to within rounding, x and y turn
-// about one line; then x is near.x.
+// The turns of the rotation R; among all solutions the one with angles nearest to `near`, so that a
+// moving joint's angles do not jump. If z is 90° to within rounding, x and y turn about one line,
+// and x is near.x.
 template <class S>
 [[nodiscard]] BasicBallTurns<S> ball_turns(const Mat3<S>& r, const BasicBallTurns<S>& near = {}) {
   // the second column is Rx(x) · (-sin z, cos z, 0)
@@ -174,7 +174,7 @@ template <class S>
   const BasicBallTurns<S> one = limb_detail::turns_with(x, flexed, r, near);
   const S off = distance(one);
   if (!any(off >= S(0.5 * kPi))) return one;
-  // the other way has another x by half a turn
+  // the second solution has x + π
   const BasicBallTurns<S> other =
       limb_detail::turns_with<S>(x + S(kPi), {-flexed.sin, -flexed.cos}, r, near);
   const auto nearer = (distance(other) < off) & !one_line;
@@ -182,8 +182,8 @@ template <class S>
           select(nearer, other.y, one.y)};
 }
 
-// Rule R4: where a pelvis may be, by the limits of ankle and knee. The line from ankle to hip, in
-// the plane of the leg, has a lean (rad, about the ankle's axis, forwards) and a length (m).
+// Rule R4: range of a pelvis by the limits of ankle and knee. The line from ankle to hip, in the
+// plane of the leg, has a lean (rad, about the ankle's axis, forwards) and a length (m).
 class PelvisRange {
  public:
   struct Limits {
@@ -195,12 +195,12 @@ class PelvisRange {
   // `leg` goes up from the ankle: shank, then thigh; its direction leans back as the knee bends.
   PelvisRange(const HingedLimb& leg, const Limits& limits);
 
-  // m, at the knee's two limits.
+  // Leg lengths (m) at the knee's two limits.
   [[nodiscard]] double shortest() const { return shortest_; }
   [[nodiscard]] double longest() const { return longest_; }
-  // How far ankle or knee would pass its limit (rad, the larger; 0 within) with that lean and
-  // length. A leg that is stretched beyond its length counts by the angle whose tangent the gap is
-  // of that length.
+  // Excess (rad) of ankle or knee over its limit, whichever is larger, at this lean and length; 0
+  // within. A leg stretched beyond its length counts as the angle whose tangent is the gap over the
+  // length.
   [[nodiscard]] double excess(double lean, double length) const;
 
  private:

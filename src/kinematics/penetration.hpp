@@ -11,45 +11,45 @@
 
 namespace shigusa {
 
-// Two capsules of a body (indices) that should not meet: one of an effector's limb that is not
-// grown on the trunk, and one that the limb does not move.
+// Two capsules of a body (indices) that must not meet: one of an effector's limb, unless grown on
+// the trunk, and one that the limb does not move.
 struct CapsulePair {
   int limb = 0;
   int part = 0;
-  double allowed = 0.0;  // m, of their depth, that does not count
+  double allowed = 0.0;  // m, depth that is tolerated
 };
-// Those of one effector's limb.
+// The pairs of one effector's limb.
 [[nodiscard]] std::vector<CapsulePair> limb_pairs(const BodyModel& body, const Effector& effector);
-// Those of one leg and the other.
+// The pairs of one leg and the other.
 [[nodiscard]] std::vector<CapsulePair> leg_pairs(const BodyModel& body);
-// Those of all arms and of the legs, each pair once.
+// The pairs of all arms and of the legs, each pair once.
 [[nodiscard]] std::vector<CapsulePair> all_limb_pairs(const BodyModel& body);
 
-// By how much (m) the softer of both yields.
+// Compliance (m) of the softer of both.
 [[nodiscard]] double give_of(const BodyModel& body, const CapsulePair& pair);
-// The pairs with the depths that they have in the start posture, which do not count.
+// The pairs with their depths in the start posture as the tolerated ones.
 [[nodiscard]] std::vector<CapsulePair> allowed_as_at_start(const BodyModel& body,
                                                            std::vector<CapsulePair> pairs);
 
-// How deep a limb is inside the rest of the body.
+// Depth of a limb inside the rest of the body.
 struct Penetration {
-  double depth = -1e9;  // m; negative: that far apart
-  Vec3d outward{};      // unit vector, world: where the limb is out soonest
+  double depth = -1e9;  // m; negative: distance
+  Vec3d outward{};      // unit vector, world: shortest way out of the part
 };
 
 // The deepest of the pairs.
 [[nodiscard]] Penetration deepest_of(const BodyModel& body, const Kinematics<double>& kinematics,
                                      std::span<const CapsulePair> pairs);
-// The deepest of the effector's pairs, which allow nothing.
+// The deepest of the effector's pairs, without tolerated depths.
 [[nodiscard]] Penetration limb_penetration(const BodyModel& body,
                                            const Kinematics<double>& kinematics,
                                            const Effector& effector);
 
-// Squared distances (m²) are compared with room for rounding, and more, before capsules are left
-// out as too far apart.
+// Factor on squared distances (m²), for rounding, beyond which capsules are discarded as too far
+// apart.
 inline constexpr double kApartSlack = 1.0001;
 
-// A capsule's ends and middle in the world (m).
+// A capsule's ends and midpoint in the world (m).
 template <class S>
 struct PlacedCapsule {
   Vec3<S> from{};
@@ -80,12 +80,12 @@ template <class S>
   return placed;
 }
 
-// Where two lines, which may be points, are nearest; of parallel ones some place where they lie
-// beside each other.
+// Nearest points of two segments, which may be single points; any of the nearest points if they are
+// parallel.
 template <class S>
 struct NearestPlaces {
   Vec3<S> apart{};  // m, from b's to a's
-  S along_a{};      // 0..1 of the lines
+  S along_a{};      // 0..1 along the segments
   S along_b{};
 };
 template <class S>
@@ -94,7 +94,7 @@ template <class S>
   const Vec3<S> along_a = a.to - a.from;
   const Vec3<S> along_b = b.to - b.from;
   const Vec3<S> between = a.from - b.from;
-  constexpr double kPoint = 1e-12;  // m², so that a point is divided by something
+  constexpr double kPoint = 1e-12;  // m², avoids a division by 0 for points
   const S aa = max(dot(along_a, along_a), S(kPoint));
   const S bb = max(dot(along_b, along_b), S(kPoint));
   const S ab = dot(along_a, along_b);
@@ -107,8 +107,8 @@ template <class S>
   return {between + along_a * s - along_b * t, s, t};
 }
 
-// How deep (m, less than 0: that far apart) two capsules are in each other where their lines are
-// nearest, whose radii sum up to `radii` (m) at their first ends.
+// Depth (m, negative: distance) of two capsules in each other at the nearest points of their axes;
+// `radii` (m): sum of the radii at their first ends.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline S depth_of(const PlacedCapsule<S>& a,
                                                     const PlacedCapsule<S>& b, double radii,
@@ -123,21 +123,20 @@ template <class S>
   return depth_of(a, b, of_a.radius + of_b.radius, taper_of(of_a), taper_of(of_b));
 }
 
-// False where two capsules, whose greatest radii sum up to `radii` (m), are certainly apart: seen
-// along the line of their middles. `between` (m) is from b's middle to a's, `square` (m²) its
-// square.
+// False if two capsules are certainly apart along the line of their midpoints. `radii` (m): sum of
+// their largest radii; `between` (m): from b's midpoint to a's; `square` (m²): its square.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline auto may_touch(const PlacedCapsule<S>& a,
                                                         const PlacedCapsule<S>& b,
                                                         const Vec3<S>& between, const S& square,
                                                         double radii) {
-  // the gap between both segments, times the distance of their middles
+  // gap between the segments, times the distance of their midpoints
   const S gap = square - abs(dot(between, a.to - a.middle)) - abs(dot(between, b.to - b.middle));
   const S apart = max(gap, S(0));
   return apart * apart < square * S(kApartSlack * radii * radii);
 }
 
-// Signed distance (m) of a point from an obstacle, less than 0 inside. axes: R_WO of its rotation.
+// Signed distance (m) of a point from an obstacle, negative inside. axes: R_WO of its rotation.
 template <class S>
 [[nodiscard]] S obstacle_distance(const Obstacle& obstacle, const Mat3d& axes,
                                   const Vec3<S>& point) {

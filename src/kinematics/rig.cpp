@@ -16,10 +16,10 @@ namespace {
 
 using Bone = HumanoidBone;
 
-// An affine map p -> linear p + at; rotations of the file come with scales in them.
+// An affine map p -> linear p + at; rotations from the file include its scales.
 using Affine = Transformd;
 
-// To rounding; q and -q are the same.
+// Equality of rotations to within rounding; q and -q are the same.
 bool same_rotation(const Quatd& a, const Quatd& b) {
   constexpr double kSame = 1e-9;  // half the angle between them (rad)
   const double sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0.0 ? -1.0 : 1.0;
@@ -27,10 +27,10 @@ bool same_rotation(const Quatd& a, const Quatd& b) {
              max(abs(a.z - sign * b.z), abs(a.w - sign * b.w))) < kSame;
 }
 
-// The driver of the bone that moves a node, and the share of its limb's twist that the node has.
+// The driver of a node's bone, with the node's share of its limb's twist.
 struct NodeDriver {
   BoneDriver bone;
-  int limb = -1;  // of LimbTwists; -1: all of it
+  int limb = -1;  // index in LimbTwists; -1: full twist
   double share = 0.0;
 };
 
@@ -60,12 +60,12 @@ class RigMover {
       const int limb = twists_.find(twist.bone);
       auto driver = bone_driver(twist.bone, body, rig, rest, start);
       if (limb < 0 || !driver) continue;
-      // one below the limb is carried by it
+      // a twist bone below the limb is carried by it
       driver->carries = !hangs_on(twist.node, rig.bones[twist.bone]);
       drive(twist.node, {*driver, limb, twist.share});
     }
     for (const Side side : {Side::left, Side::right}) {
-      // one that a hand's other node is goes with the hand, and is where goals are to be
+      // a grip that is another bone's node moves with that bone; otherwise with the hand
       const int grip = rig.grips[static_cast<std::size_t>(side)];
       const auto hand = side == Side::left ? Bone::left_hand : Bone::right_hand;
       if (grip < 0 || driver_[index(grip)] >= 0) continue;
@@ -100,7 +100,7 @@ class RigMover {
     drivers_.push_back(driver);
   }
 
-  // of nodes at rest, and who moves those that are no bones
+  // Finds the rest placements of the nodes, and the drivers of those that are not bones.
   void find_places() {
     for (std::size_t i = 0; i < rig_.nodes.size(); ++i) {
       const RigNode& node = rig_.nodes[i];
@@ -119,8 +119,8 @@ class RigMover {
     placed_ = rest_;
   }
 
-  // Where a driver takes what stands at rest at p, in the file's units: of all maps the rotation
-  // alone has a linear part, as the units cancel.
+  // Placement of a node by its driver from its rest placement, in the file's units: only the
+  // rotation has a linear part, as the units cancel.
   [[nodiscard]] Affine moved(const NodeDriver& driver, const Affine& rest) const {
     const int link = driver.bone.link;
     const Transformd from{start_.link_rotation(link), start_.link_origin(link)};
@@ -135,7 +135,7 @@ class RigMover {
             transpose_times(axes, at) * (1.0 / file.unit) + file.origin};
   }
 
-  // A node in its parent, whose place in this frame is known.
+  // A node's transform in its parent, whose placement in this frame is known.
   LocalTransform place(std::size_t i, RigMotion& motion) {
     const RigNode& node = rig_.nodes[i];
     LocalTransform local{node.translation, node.rotation};
@@ -171,7 +171,7 @@ class RigMover {
     }
     if (!driver.bone.carries) return;
     const Vec3d at = to_parent * (goal.translation - above.translation);
-    // what rounding alone moves stays
+    // displacements by rounding alone are dropped
     constexpr double kStill = 1e-6;  // m
     const double off = norm(above.rotation * (at - node.translation)) * rig_.placement.unit;
     if (node.parent >= 0 && driver_[index(node.parent)] >= 0 && off < kStill) {

@@ -14,7 +14,7 @@ Transformd segment(const Mat3d& frame, const Vec3d& joint, const Vec3d& far) {
   return {along_segment(frame, joint, far), joint};
 }
 
-// A bone's segment in one posture: its orientation, and the joint that it hangs on.
+// A bone's segment in one posture: its orientation and its proximal joint.
 Transformd segment(Bone bone, const Landmarks& person, const HumanFrames& frames) {
   const Landmarks::Leg& left_leg = person.left_leg;
   const Landmarks::Leg& right_leg = person.right_leg;
@@ -57,7 +57,7 @@ std::optional<BoneDriver> bone_driver(Bone bone, const BodyModel& body, const Ri
   const Transformd to_start =
       segment(bone, rig.start, start) * inverse(segment(bone, rig.rest, rest));
   const bool left_leg = bone >= Bone::left_upper_leg && bone <= Bone::left_toes;
-  // a half body's left leg goes as its right one
+  // a half body's left leg moves with its right one
   const bool half = left_leg && body.find_node(humanoid_bone_name(Bone::left_lower_leg)) == nullptr;
   const std::string name(humanoid_bone_name(bone));
   const BodyNode* node = body.find_node(half ? with_other_side(name) : name);

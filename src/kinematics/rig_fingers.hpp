@@ -9,28 +9,28 @@
 
 namespace shigusa {
 
-// The share of the open posture in a reaching hand, the rest of which is the relaxed one, at a
-// share of the motion's time: 0 at both ends and 1 at kWidestAt, by two curves of minimum jerk, so
-// that its second derivative has no jump. Source: M. Jeannerod, "The timing of natural prehension
-// movements", 1984: the aperture is widest at 60 to 70 % of the transport.
+// Share of the open posture in a reaching hand, relative to the relaxed one, at a share of the
+// motion's time: 0 at both ends and 1 at kWidestAt, by two minimum-jerk curves with a continuous
+// second derivative. Source: M. Jeannerod, "The timing of natural prehension movements", 1984: the
+// aperture is widest at 60 to 70 % of the transport.
 inline constexpr double kWidestAt = 0.65;
 [[nodiscard]] double openness(double share);
 
-// How the fingers of a rig are turned, frame by frame.
+// Rotations of a rig's fingers, frame by frame.
 class FingerMover {
  public:
-  // Fingers that carry the node of a hand's grip stay, as the goal is for that node.
+  // Fingers that carry the node of a hand's grip stay, as the goal refers to that node.
   FingerMover(const Rig& rig, const HandPlay& hands);
 
-  // The rotation of a node in its parent at a share of the motion's time; `rotation` is that
-  // without a finger's turn.
+  // The rotation of a node in its parent at a share of the motion's time; `rotation` is without the
+  // finger's turn.
   [[nodiscard]] Quatd turned(std::size_t node, double share, const Quatd& rotation) const;
   [[nodiscard]] bool turns(std::size_t node) const { return !bones_.empty() && bone_[node] >= 0; }
 
  private:
   struct Bone {
     Vec3d axis{};       // unit, the node's own axes
-    double open = 0.0;  // rad, from where the rig has it
+    double open = 0.0;  // rad, relative to the rig
     double relaxed = 0.0;
     double start = 0.0;  // in the first frame
     bool reaches = false;

@@ -27,20 +27,20 @@ std::array<Vec3d, 2> ends_of(const TwistSegment& segment, const Landmarks& perso
   return segment.lower ? std::array{leg.knee, leg.ankle} : std::array{leg.hip, leg.knee};
 }
 
-// The bones that an upper limb hangs on, the nearest first.
+// The bones that may carry an upper limb, the nearest first.
 std::vector<Bone> bones_above(Bone bone) {
   if (!is_arm(bone)) return {Bone::hips};
   return {is_left(bone) ? Bone::left_shoulder : Bone::right_shoulder, Bone::upper_chest,
           Bone::chest, Bone::spine, Bone::hips};
 }
 
-// T's angle of a rotation S T about a unit axis.
+// Angle of the twist T in a rotation S T about a unit axis.
 double twist_of(const Mat3d& rotation, const Vec3d& axis) {
   const Quatd q = to_quat(rotation);
   return 2.0 * atan2(q.x * axis.x + q.y * axis.y + q.z * axis.z, q.w);
 }
 
-// The same angle by whole turns, as near to `before` as there is.
+// The same angle modulo whole turns, nearest to `before`.
 double near_to(double before, double angle) {
   while (angle - before > kPi) angle -= kTwoPi;
   while (angle - before < -kPi) angle += kTwoPi;

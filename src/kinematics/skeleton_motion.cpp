@@ -13,7 +13,7 @@ Skeleton body_skeleton(const BodyModel& body) {
   std::vector<Vec3d> world;
   for (const BodyNode& node : body.nodes()) {
     const Vec3d at = kinematics.point(node.link, node.point);
-    // at rest all frames have the base's orientation, so a node's offset is seen in that
+    // at rest all frames have the base's orientation, in which a node's offset is expressed
     const Vec3d from = node.parent < 0 ? Vec3d{} : world[static_cast<std::size_t>(node.parent)];
     const Vec3d offset =
         node.parent < 0 ? at : transpose_times(kinematics.base_rotation, at - from);

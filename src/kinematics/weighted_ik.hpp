@@ -13,88 +13,90 @@
 
 namespace shigusa {
 
-// Where one point of the body is to be, and how its link is to be turned. A contact is met exactly
-// and also keeps its orientation; a goal gives way (is damped) where it cannot be met.
+// Target position of one point of the body, and target orientation of its link. A contact is met
+// exactly and also keeps its orientation; a goal is damped where it cannot be met.
 template <class S>
 struct IkTarget {
   int link = 0;
   Vec3<Element<S>> point{};  // m, in the link frame
-  Vec3<S> position{};        // m, world: where the point is to be
-  bool contact = false;      // a planted foot: position and orientation
-  Mat3<S> orientation{};     // R_WL wanted of the link; of contacts and Turning::whole
-  S lag{};                   // m, how far the goal was missed before: raises its damping
-  // How much the step is known to fall short, as joints move on arcs: added to what is left to go.
+  Vec3<S> position{};        // m, world: target position of the point
+  bool contact = false;      // planted foot: position and orientation
+  Mat3<S> orientation{};     // target R_WL of the link; for contacts and Turning::whole
+  S lag{};                   // m, the goal's previous error: raises its damping
+  // Known shortfall of a step, as joints move on arcs: added to the remaining error.
   Vec3<S> lead{};                   // m
-  Vec3<S> tilt_lead{};              // rad; read where turns() is true
-  Turning turning = Turning::free;  // of a goal
-  Vec3<Element<S>> axis{};          // of Turning::axis: unit vector in the link's frame …
-  Vec3<S> direction{};              // … and where it is to point, unit vector in the world
+  Vec3<S> tilt_lead{};              // rad; used if turns() is true
+  Turning turning = Turning::free;  // for goals
+  Vec3<Element<S>> axis{};          // for Turning::axis: unit vector in the link's frame
+  Vec3<S> direction{};              // target direction of the axis, unit vector in the world
 
   [[nodiscard]] bool turns() const { return contact || turning != Turning::free; }
 };
 
-// The world, as the carrier of a place that stands still.
+// The world as the carrier of a fixed place.
 inline constexpr int kWorldCarrier = -2;
 
-// A point of one link that is to be at a place of another one, its carrier: a hand on a thigh. Met
-// exactly, as a contact is.
+// A point of one link held at a place on another, its carrier: a hand on a thigh. Met exactly, like
+// a contact.
 template <class S>
 struct IkSupport {
   int link = 0;
   Vec3<Element<S>> point{};     // m, in the link frame
   int carrier = kWorldCarrier;  // link, or kWorldCarrier
   Vec3<S> place{};              // m, in the carrier's frame, or the world's
-  S holds{};                    // 1, or 0 where the point is free
-  Vec3<S> lead{};               // m, as IkTarget's
+  S holds{};                    // 1, or 0 if the point is free
+  Vec3<S> lead{};               // m, see IkTarget
 };
 
-// The request of one step of IK.
+// The inputs of one IK step.
 template <class S>
 struct IkStep {
   std::span<const IkTarget<S>> targets;
-  // (dofs) 1 / w_i > 0, or 0 for a locked joint, which then does not move at all
+  // (dofs) 1 / w_i > 0, or 0 for a locked joint, which does not move at all
   std::span<const S> inverse_weights;
-  // (dofs, rad) Δq_ref: the change that is made as far as the targets leave it open; or empty
+  // (dofs, rad) Δq_ref: the change made within the null space of the targets; or empty
   std::span<const S> reference{};
   std::span<const IkSupport<S>> supports{};
 };
 
 struct IkSettings {
-  // Damping of the goals, as a share of the mean diagonal of J W⁻¹ Jᵀ: what is always there …
+  // Constant damping of the goals, as a share of the mean diagonal of J W⁻¹ Jᵀ.
   double damping = 1e-6;
-  // … and what is added where the goal lags behind by `lag_scale`; grows with the lag squared.
+  // Additional damping at a lag of `lag_scale`; grows with the lag squared.
   double lag_damping = 1.0;
   double lag_scale = 0.1;  // m
   // The damping of contacts, just enough for redundant rows.
   double contact_damping = 1e-9;
-  double support_damping = 1e-9;  // and of supports
-  double max_step = 0.25;         // rad, no angle changes by more in one step
+  double support_damping = 1e-9;  // damping of supports
+  double max_step = 0.25;         // rad, largest change of an angle in one step
 };
 
-// Size of the largest system: a foot and two hands that turn × 6 rows, head and hips × 3 rows.
+// Size of the largest system: a foot and two hands with orientations × 6 rows, head and hips × 3
+// rows.
 inline constexpr int kMaxIkRows = 24;
-// Pivots below this share of the diagonal are rounding: their rows depend on others.
+// Share of the diagonal below which a pivot counts as rounding: its row depends on others.
 template <class T>
 inline constexpr double kIkPivotFloor = 1e-14;
 template <>
 inline constexpr double kIkPivotFloor<float> = 1e-7;
-// m; one radian of a contact's tilt counts as this much displacement, about a foot's half length.
+// m; displacement equivalent to one radian of a contact's tilt, about half a foot's length.
 inline constexpr double kContactLength = 0.1;
 
-// Scratch of weighted_ik_step; make one per thread.
+// Scratch memory of weighted_ik_step; one per thread.
 template <class S>
 struct IkWorkspace {
-  // A target has a block of three rows for its position, and one that turns another for that. Of a
-  // block's columns only those along the chain of dofs that move the target are not 0.
+  // Three rows of the Jacobian: each target has a block for its position, and another for its
+  // orientation, if it has one. Only the columns along the chain of dofs that move the target are
+  // not 0.
   struct Block {
     std::span<const int> chain;
-    const Vec3<S>* columns = nullptr;  // (dofs), of those in the chain: m/rad, or a tilt's axis
-    Element<S> scale{1};               // m/rad that a tilt counts as; 1 of a position
+    const Vec3<S>* columns = nullptr;  // (dofs), of the chain: m/rad, or a tilt's axis
+    Element<S> scale{1};               // m/rad equivalent to a tilt; 1 for a position
   };
   std::vector<Vec3<S>> columns;  // of positions, and of turns about two axes, (blocks × dofs)
   Block blocks[kMaxIkRows / 3];
-  std::vector<S> pull;   // (dofs) Jᵀ y: times the inverse weight, the step of the last solve …
-  std::vector<S> step;   // (dofs, rad) … and that step as it was returned
+  std::vector<S> pull;   // (dofs) Jᵀ y: times the inverse weight, the step of the last solve
+  std::vector<S> step;   // (dofs, rad) that step as returned
   std::vector<int> all;  // (dofs) the chain of a support's block
   SmallSymmetric<S, kMaxIkRows> system;
   S residual[kMaxIkRows];
@@ -106,13 +108,13 @@ struct IkWorkspace {
   }
 };
 
-// How far the target's point is from where it is to be (m, world).
+// Error of the target's point (m, world).
 template <class S>
 [[nodiscard]] Vec3<S> position_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
   return target.position - kinematics.point(target.link, target.point);
 }
 
-// Where the place of a support is (m, world).
+// Position of a support's place (m, world).
 template <class S>
 [[nodiscard]] Vec3<S> place_in_world(const Kinematics<S>& kinematics, const IkSupport<S>& support) {
   if (support.carrier == kWorldCarrier) return support.place;
@@ -120,28 +122,27 @@ template <class S>
          kinematics.link_rotation(support.carrier) * support.place;
 }
 
-// How far the support's point is from its place (m, world); 0 where it is free.
+// Error of the support's point (m, world); 0 if it is free.
 template <class S>
 [[nodiscard]] Vec3<S> support_error(const Kinematics<S>& kinematics, const IkSupport<S>& support) {
   const Vec3<S> at = kinematics.point(support.link, support.point);
   return (place_in_world(kinematics, support) - at) * support.holds;
 }
 
-// How a contact's link must turn to have its orientation again (rad for small ones, world).
+// Rotation of a contact's link back to its orientation (rad for small ones, world).
 template <class S>
 [[nodiscard]] Vec3<S> tilt_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
   return rotation_sine(kinematics.link_rotation(target.link), target.orientation);
 }
 
-// How far a contact's link is turned from its orientation (rad for small turns, see
-// rotation_chord).
+// Angle of a contact's link from its orientation (rad for small turns, see rotation_chord).
 template <class S>
 [[nodiscard]] S tilt(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
   return rotation_chord(kinematics.link_rotation(target.link), target.orientation);
 }
 
-// How the link must turn to have what the target wants of its orientation (rotation vector, rad,
-// world); of contacts as tilt_error.
+// Rotation of the link to the target's orientation (rotation vector, rad, world); for contacts as
+// tilt_error.
 template <class S>
 [[nodiscard]] Vec3<S> turn_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
   const Mat3<S>& now = kinematics.link_rotation(target.link);
@@ -152,7 +153,7 @@ template <class S>
   return rotation_vector(target.orientation * transpose(now));
 }
 
-// Rows that a target takes in the IK.
+// Number of rows of a target in the IK.
 template <class S>
 [[nodiscard]] int row_count(const IkTarget<S>& target) {
   return target.turns() ? 6 : 3;
@@ -174,7 +175,7 @@ void put(S* rows, const Vec3<S>& v) {
   rows[2] = v.z;
 }
 
-// fills the blocks and the residual, target by target
+// Fills the blocks and the residual, target by target.
 template <class S>
 void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
                std::span<const IkTarget<S>> targets, IkWorkspace<S>& workspace) {
@@ -198,7 +199,8 @@ void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
     put(workspace.residual + 3 * b, tilt * S(kContactLength));
     const Vec3<S>* axes = kinematics.axis.data();
     if (target.turning == Turning::axis) {
-      // a turn about the axis itself changes nothing: of each joint's only what is square to it
+      // a turn about the axis itself has no effect: only the perpendicular part of each joint
+      // counts
       const Vec3<S> along = kinematics.link_rotation(target.link) * to_scalar<S>(target.axis);
       for (const int d : chain) {
         const std::size_t k = index(d);
@@ -211,7 +213,7 @@ void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
   }
 }
 
-// one 3 × 3 block of J A Jᵀ, below the diagonal: Σ a_d A_d b_dᵀ over the dofs of the chain
+// One 3 × 3 block of J A Jᵀ, below the diagonal: Σ a_d A_d b_dᵀ over the dofs of the chain.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Mat3<S> block_product(const Vec3<S>* a, const Vec3<S>* b,
                                                                std::span<const int> chain,
@@ -229,7 +231,7 @@ template <class S>
   return {x, y, z};
 }
 
-// one block on the diagonal: it is symmetric, and what lies above its own diagonal stays 0
+// One block on the diagonal: it is symmetric, and elements above its own diagonal stay 0.
 template <class S>
 [[nodiscard, gnu::always_inline]] inline Mat3<S> square_product(
     const Vec3<S>* a, std::span<const int> chain, std::span<const S> inverse_weights) {
@@ -253,7 +255,7 @@ void scale_block(Mat3<S>& m, S scale) {
   m = {m.cx * scale, m.cy * scale, m.cz * scale};
 }
 
-// fills J A Jᵀ, block by block: chains of two targets share what lies before they part
+// Fills J A Jᵀ, block by block: two chains share their dofs up to their branching.
 template <class S>
 void fill_products(int blocks, std::span<const S> inverse_weights, IkWorkspace<S>& workspace) {
   for (int i = 0; i < blocks; ++i) {
@@ -282,7 +284,7 @@ void fill_products(int blocks, std::span<const S> inverse_weights, IkWorkspace<S
   }
 }
 
-// e - J Δq_ref, without the locked dofs' part
+// Computes e - J Δq_ref, without the locked dofs' part.
 template <class S>
 void take_off_reference(int blocks, std::span<const S> inverse_weights,
                         std::span<const S> reference, IkWorkspace<S>& workspace) {
@@ -298,7 +300,7 @@ void take_off_reference(int blocks, std::span<const S> inverse_weights,
   }
 }
 
-// solves the system for the residual in place
+// Solves the system for the residual in place.
 template <class S>
 void solve(int rows, S pivot_floor, IkWorkspace<S>& workspace) {
   switch (rows) {
@@ -315,7 +317,7 @@ void solve(int rows, S pivot_floor, IkWorkspace<S>& workspace) {
   }
 }
 
-// adds the damping of each target to its rows; returns the largest mean diagonal of a target
+// Adds the damping of each target to its rows; returns the largest mean diagonal of a target.
 template <class S>
 S add_damping(std::span<const IkTarget<S>> targets, const IkSettings& settings,
               IkWorkspace<S>& workspace) {
@@ -337,15 +339,15 @@ S add_damping(std::span<const IkTarget<S>> targets, const IkSettings& settings,
   return largest;
 }
 
-// fills the blocks of supports, from block `b` on, and their residual: the columns of a point less
-// those of its place, which are 0 where the lane is free, so that such rows drop out
+// Fills the blocks of supports, from block `b` on, and their residual: the columns of a point minus
+// those of its place. They are 0 in free lanes, whose rows so drop out.
 template <class S>
 void fill_support_rows(const BodyModel& body, const Kinematics<S>& kinematics,
                        std::span<const IkSupport<S>> supports, std::size_t b,
                        IkWorkspace<S>& workspace) {
   const auto& dofs = body.constants<Element<S>>().dofs;
   for (const IkSupport<S>& support : supports) {
-    // no block before this one has more than one array of columns
+    // every block before this one has at most one array of columns
     Vec3<S>* columns = workspace.columns.data() + b * dofs.size();
     for (std::size_t d = 0; d < dofs.size(); ++d) columns[d] = {};
     const auto add = [&](int link, const Vec3<S>& at, const S& sign) {
@@ -366,8 +368,8 @@ void fill_support_rows(const BodyModel& body, const Kinematics<S>& kinematics,
   }
 }
 
-// the blocks of J A Jᵀ from block `first` on, which are those of supports, with their damping; the
-// largest mean diagonal of one
+// Fills the blocks of J A Jᵀ of supports, from block `first` on, with their damping; returns the
+// largest mean diagonal of a block.
 template <class S>
 S fill_support_products(int first, int blocks, std::span<const S> inverse_weights, double damping,
                         IkWorkspace<S>& workspace) {
@@ -401,8 +403,8 @@ S fill_support_products(int first, int blocks, std::span<const S> inverse_weight
   return largest;
 }
 
-// adds the rows of a step's supports after those of its targets; the largest mean diagonal of one.
-// A function of its own, as few motions have supports.
+// Adds the rows of a step's supports after those of its targets; returns the largest mean diagonal
+// of a block. Kept out of line, as few motions have supports.
 template <class S>
 [[gnu::noinline]] S add_supports(const BodyModel& body, const Kinematics<S>& kinematics,
                                  const IkStep<S>& step, const IkSettings& settings,
@@ -414,7 +416,7 @@ template <class S>
                                workspace);
 }
 
-// Jᵀ y, y being the solution that stands in the residual
+// Computes Jᵀ y, with the solution y in the residual.
 template <class S>
 [[gnu::always_inline]] inline void pull_joints(int blocks, IkWorkspace<S>& workspace) {
   for (S& pull : workspace.pull) pull = S(0);
@@ -437,16 +439,15 @@ template <class S>
 //   min Σ w_i (Δq_i - Δq_ref,i)²   s.t.   J Δq = e,
 //   Δq = Δq_ref + A Jᵀ (J A Jᵀ + D)⁻¹ (e - J Δq_ref),   A = diag(1 / w_i), 0 where locked,
 //
-// where e is all that is left from where the points are to where they are to be (closed loop with
-// gain 1), with the targets' leads. D is diagonal and damps each goal on its own:
+// where e is the whole remaining error of the points (closed loop with gain 1), plus the targets'
+// leads. D is diagonal and damps each goal separately:
 //
 //   D = (ε + λ (lag / ℓ)²) · mean diag(J A Jᵀ),   over the rows of the goal,
 //
-// ε, λ and ℓ being IkSettings' damping, lag_damping and lag_scale; contacts have contact_damping
-// for the bracket, and supports, whose rows are those of their points less those of their places,
-// support_damping. The step is scaled down as
-// a whole where an angle would change by more than settings.max_step. Scaling all weights changes
-// nothing.
+// with ε, λ and ℓ the damping, lag_damping and lag_scale of IkSettings; contacts have
+// contact_damping for the bracket, and supports, with the rows of their points minus those of their
+// places, support_damping. The whole step is scaled down if an angle would change by more than
+// settings.max_step. Scaling all weights has no effect.
 //
 // At most kMaxIkRows rows in all. Returns Δq (dofs, rad), which stays in the workspace.
 template <class S>

@@ -5,7 +5,7 @@
 
 namespace shigusa {
 
-// The number of the largest coordinate in size, of equal ones the first.
+// Index of the coordinate with the largest absolute value, the first among equals.
 [[nodiscard]] inline int main_axis(const Vec3d& v) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) axis = abs(v[i]) > abs(v[axis]) ? i : axis;
@@ -20,7 +20,7 @@ namespace shigusa {
   return unit;
 }
 
-// Whether every coordinate is a number of at most that size.
+// Whether every coordinate is a number with an absolute value of at most `most`.
 [[nodiscard]] inline bool is_within(const Vec3d& v, double most) {
   return abs(v.x) <= most && abs(v.y) <= most && abs(v.z) <= most;
 }

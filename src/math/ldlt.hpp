@@ -15,8 +15,8 @@
 
 namespace shigusa {
 
-// A symmetric matrix of up to Max rows, stored as its lower triangle, row after row. How many rows
-// are in use is said at each call.
+// A symmetric matrix of up to Max rows, stored as its lower triangle, row by row. Each call states
+// the number of rows in use.
 template <class S, int Max>
 struct SmallSymmetric {
   S lower[static_cast<unsigned>(Max * (Max + 1) / 2)];
@@ -35,19 +35,19 @@ struct SmallSymmetric {
 // Factorises the leading n × n part of A in place: A = L D Lᵀ, L with a unit diagonal. On return
 // a(i, j), j < i, holds L and a(i, i) holds 1 / D_i.
 //
-// A must be positive semi-definite, so that no pivoting is needed: where a pivot D_i vanishes, what
-// is left of its column vanishes too. A pivot at or below `pivot_floor` (≥ 0, in the unit of A's
-// diagonal) is stored as 1 / D_i = 0: row and column i are then as if deleted from A, in each lane
-// of a pack S on its own. Rows are taken in order: of rows that depend on each other the last drops
-// out. NaN stays NaN.
+// A must be positive semi-definite, so that no pivoting is needed: if a pivot D_i vanishes, the
+// rest of its column vanishes too. A pivot at or below `pivot_floor` (≥ 0, in the unit of A's
+// diagonal) is stored as 1 / D_i = 0: row and column i are then dropped from A, separately in each
+// lane of a pack S. Rows are processed in order: the last of several dependent rows is dropped. NaN
+// stays NaN.
 //
-// Choosing the floor, for A = J Jᵀ and b = J e: a dropped row is left unsolved by up to
-// √pivot_floor |e|, so a low floor costs nothing in accuracy. But where a pivot should be 0,
-// rounding leaves up to about n · 1e-16 s² / d, with s the largest diagonal entry and d the
-// smallest pivot kept: only a floor above √(n · 1e-16) s is sure to drop every dependent row.
+// Choosing the floor, for A = J Jᵀ and b = J e: a dropped row is left with an error of up to
+// √pivot_floor |e|, so a low floor costs no accuracy. But where a pivot should be 0, rounding
+// leaves up to about n · 1e-16 s² / d, with s the largest diagonal entry and d the smallest pivot
+// kept: only a floor above √(n · 1e-16) s is sure to drop every dependent row.
 //
 // Source: Golub and Van Loan, Matrix Computations, chapter 4 (LDLᵀ without pivoting), by outer
-// products: what follows a pivot does not wait for each other.
+// products: the operations after a pivot are independent of one another.
 template <class S, int Max>
 void ldlt_factorize(SmallSymmetric<S, Max>& a, int n, S pivot_floor) {
   SHG_ASSERT(0 <= n && n <= Max);
@@ -56,7 +56,7 @@ void ldlt_factorize(SmallSymmetric<S, Max>& a, int n, S pivot_floor) {
     const auto dropped = pivot <= pivot_floor;
     const S inverse = select(dropped, S(0), S(1) / pivot);
     a(k, k) = inverse;
-    // the next pivot first: its division is what takes longest
+    // the next pivot first: its division takes longest
     for (int i = k + 1; i < n; ++i) {
       const S scaled = a(i, k);  // L_ik D_k
       a(i, k) = scaled * inverse;
@@ -65,8 +65,8 @@ void ldlt_factorize(SmallSymmetric<S, Max>& a, int n, S pivot_floor) {
   }
 }
 
-// Solves A x = b for the n numbers at `b`, in place, from what ldlt_factorize left in `a`.
-// Components of dropped rows come out as 0; the others solve the equations that were kept.
+// Solves A x = b for the n numbers at `b`, in place, with the factors of ldlt_factorize in `a`.
+// Components of dropped rows are 0; the others solve the equations that were kept.
 template <class S, int Max>
 void ldlt_substitute(const SmallSymmetric<S, Max>& a, S* b, int n) {
   for (int k = 0; k < n; ++k) {
@@ -87,15 +87,15 @@ void ldlt_solve(SmallSymmetric<S, Max>& a, S* b, int n, S pivot_floor) {
   ldlt_substitute(a, b, n);
 }
 
-// The same for an n that the compiler knows: in the same order of operations, with all loops
-// unrolled, so that the system stays in registers as far as they go. `a` is left as it was.
+// The same for an n known to the compiler: in the same order of operations, with all loops
+// unrolled, so that the system stays in registers where possible. `a` is unchanged.
 template <int n, class S, int Max>
 void ldlt_solve_fixed(const SmallSymmetric<S, Max>& a, S* b, S pivot_floor) {
   static_assert(0 < n && n <= Max && n <= 16);
   S l[static_cast<unsigned>(n * (n + 1) / 2)];
   S x[static_cast<unsigned>(n)];
   constexpr auto at = [](int i, int j) { return i * (i + 1) / 2 + j; };
-  // what is left of A before step k: nothing is copied beforehand
+  // the rest of A before step k: nothing is copied beforehand
   const auto left = [&](int i, int j, int k) -> const S& {
     return k == 0 ? a.lower[at(i, j)] : l[at(i, j)];
   };

@@ -13,7 +13,7 @@ namespace shigusa {
   return {x, cross(z, x), z};
 }
 
-// Of a matrix with three columns that are no plane.
+// The inverse of a matrix; none if its columns lie nearly in a plane.
 [[nodiscard]] inline std::optional<Mat3d> inverse_of(const Mat3d& m) {
   const Vec3d a = cross(m.cy, m.cz);
   const Vec3d b = cross(m.cz, m.cx);

@@ -6,7 +6,7 @@
 namespace shigusa {
 namespace {
 
-// a turn with x along a direction
+// A rotation with x along a direction.
 Mat3d pointing(const Vec3d& direction) {
   const Vec3d beside = abs(direction.x) > 0.7 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
   const Vec3d z = normalized(cross(direction, beside));

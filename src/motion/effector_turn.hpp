@@ -5,30 +5,30 @@
 
 namespace shigusa {
 
-// How much of the orientation of an effector's link a goal is about.
+// Part of the orientation of an effector's link that a goal prescribes.
 enum class Turning {
-  free,   // nothing
+  free,   // none
   whole,  // all of it
-  axis,   // where one of its axes points; it may turn about that
+  axis,   // the direction of one axis; the turn about it is free
 };
 
-// How an effector turns along its path: by the shortest turn, with the minimum-jerk profile.
+// Turn of an effector along its path: the shortest rotation, with the minimum-jerk profile.
 struct EffectorTurn {
   Turning kind = Turning::free;
   Mat3d start{};             // R_WL in the start posture
-  Mat3d goal{};              // R_WL wanted; of Turning::whole
-  Vec3d axis{0, 0, 1};       // unit vector in the link's frame; of Turning::axis …
-  Vec3d direction{0, 1, 0};  // … and where it is to point, unit vector in the world
+  Mat3d goal{};              // target R_WL; for Turning::whole
+  Vec3d axis{0, 0, 1};       // unit vector in the link's frame; for Turning::axis
+  Vec3d direction{0, 1, 0};  // target direction of the axis, unit vector in the world
 
-  // The orientation wanted at tau = time / duration in [0, 1]: R_WL, and of Turning::axis a turn
-  // whose x is the axis' direction.
+  // The target orientation at tau = time / duration in [0, 1]: R_WL, or for Turning::axis a
+  // rotation whose x column is the axis' direction.
   [[nodiscard]] Mat3d at(double tau) const;
 
-  // How far the orientation R_WL is from the one wanted at the end: rad, in 0..π.
+  // Angle between the orientation R_WL and the final target: rad, in 0..π.
   template <class S>
   [[nodiscard]] S miss(const Mat3<S>& orientation) const;
 
-  // The same turn to where the orientation R_WL has it.
+  // The same turn with the orientation R_WL as its end.
   [[nodiscard]] EffectorTurn ending_at(const Mat3d& orientation) const;
 };
 
@@ -45,14 +45,14 @@ template <class S>
   return {turned({S(1), S(0), S(0)}), turned({S(0), S(1), S(0)}), turned({S(0), S(0), S(1)})};
 }
 
-// The shortest turn (rotation vector, rad, in their frame) that takes unit vector a to b; of
-// opposite ones it is about any axis square to them.
+// The shortest turn (rotation vector, rad, in their frame) from unit vector a to b; for opposite
+// vectors about any perpendicular axis.
 template <class S>
 [[nodiscard]] Vec3<S> turn_between(const Vec3<S>& a, const Vec3<S>& b) {
   const Vec3<S> across = cross(a, b);
   const S sine = norm(across);
   const S cosine = dot(a, b);
-  // a sine below this is divided by no more: the angle is its own sine, or the axis is any
+  // for a smaller sine no division: the angle equals its sine, or the axis is arbitrary
   const auto tiny = sine < S(1e-6);
   const Vec3<S> near =
       across * (select(tiny, S(1), atan2(sine, cosine)) / select(tiny, S(1), sine));

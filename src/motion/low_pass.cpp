@@ -7,10 +7,10 @@
 namespace shigusa {
 namespace {
 
-constexpr double kTwice = 0.80224326;  // (√2 - 1)^¼: the cutoff of two passes over that of one
+constexpr double kTwice = 0.80224326;  // (√2 - 1)^¼: cutoff of two passes over that of one
 constexpr double kRoot2 = 1.41421356237309504880;
 constexpr double kSettles =
-    2.0;  // periods of the cutoff, after which a pass has forgotten its begin
+    2.0;  // periods of the cutoff, after which the effect of the initial value vanishes
 
 // y = b0 (x + 2 x₋₁ + x₋₂) - a1 y₋₁ - a2 y₋₂
 class Butterworth {
@@ -24,7 +24,7 @@ class Butterworth {
     a2_ = (1.0 - kRoot2 * k + k * k) * scale;
   }
 
-  // in place, as if the first value had been there for ever
+  // Filters in place, as if the first value had always been there.
   template <class Iterator>
   void run(Iterator begin, Iterator end) const {
     double first = *begin * (1.0 - b0_);

@@ -9,17 +9,17 @@
 namespace shigusa {
 namespace {
 
-// How far rounding takes a whole number of frames or steps.
+// Tolerance of rounding in a whole number of frames or steps.
 constexpr double kWhole = 1e-6;
 
-// The slope of freedom d in a frame of the clip (rad a frame).
+// The slope of dof d in a frame of the clip (rad per frame).
 double slope(const Clip& clip, int frame, std::size_t d) {
   if (frame == 0 || frame == clip.frames - 1) return 0.0;
   return 0.5 * (clip.frame(frame + 1)[d] - clip.frame(frame - 1)[d]);
 }
 
-// Appends the posture between a frame and the next one: at the frame for a share of 0, at the next
-// for 1.
+// Appends the posture between a frame and the next: at the frame for a share of 0, at the next for
+// 1.
 void append_between(const Clip& clip, int frame, double share, std::vector<double>& angles) {
   const double t = share;
   const double u = 1.0 - share;

@@ -6,14 +6,14 @@
 namespace shigusa {
 namespace {
 
-// Where a correction leaves more than this share of the contacts' error, they become stiffer by
-// this factor, up to this.
+// Share of the contacts' error left by a correction above which they are stiffened, the factor, and
+// its limit.
 constexpr double kSlowCorrection = 0.25;
 constexpr double kStiffer = 4.0;
 constexpr double kStiffnessMax = 1e8;
-// Feet that are off by more than this many slacks after all their corrections have moved.
+// Error of the feet, in slacks after all corrections, above which they count as moved.
 constexpr double kLostContact = 5.0;
-// Where a correction leaves more than this share of a goal's miss, the goal is out of reach.
+// Share of a goal's error left by a correction above which the goal counts as out of reach.
 constexpr double kIdleCorrection = 0.7;
 
 void check(const NlpIkSettings& s) {
@@ -30,7 +30,7 @@ void check(const NlpIkSettings& s) {
   SHG_CHECK(s.goal_corrections >= 0 && s.goal_corrections <= 1000, "goal_corrections of NLP-IK");
 }
 
-// how a turn of the columns r changes `lead` · rotation_sine(r, wanted): a moment
+// Derivative of `lead` · rotation_sine(r, wanted) by a rotation of the columns r: a moment.
 Vec3d lead_moment(const Mat3d& r, const Mat3d& wanted, const Vec3d& lead) {
   return (cross(r.cx, cross(wanted.cx, lead)) + cross(r.cy, cross(wanted.cy, lead)) +
           cross(r.cz, cross(wanted.cz, lead))) *
@@ -66,7 +66,7 @@ void NlpIk::add_limits() {
       SHG_CHECK(c.gain >= 0.0, "NLP-IK knows no coupling that lowers a limit");
       const double slope = c.gain / c.driver_full;
       const double driver = start[index(c.driver)];
-      // a start posture with an overstretched driver has no use for what bending it would allow
+      // at an overstretched driver the coupled limit adds nothing for a start posture beyond it
       if (start[k] - slope * driver > upper) continue;
       angle_limits_.push_back({d, 1.0, c.driver, slope, upper});
       upper += c.gain;
@@ -93,7 +93,7 @@ void NlpIk::weigh(std::span<const IkTarget<double>> targets,
   }
   const double scale = largest > 0.0 ? 1.0 / largest : 0.0;
   for (std::size_t d = 0; d < size_.size(); ++d) {
-    // the guess stays the same change of angle
+    // the guess keeps its change of angle
     const double change = z_[d] * size_[d];
     size_[d] = sqrt(inverse_weights[d] * scale * body_->dofs()[d].give);
     z_[d] = size_[d] > 0.0 ? change / size_[d] : 0.0;
@@ -103,7 +103,7 @@ void NlpIk::weigh(std::span<const IkTarget<double>> targets,
   scale_limits();
 }
 
-// the mean diagonal of J W⁻¹ Jᵀ in the start posture, and what goes by it
+// Measures the mean diagonal of J W⁻¹ Jᵀ in the start posture, and sets the values based on it.
 void NlpIk::measure_goals(std::span<const IkTarget<double>> targets) {
   forward_kinematics<double>(*body_, body_->start(), kinematics_);
   double sum = 0.0;
@@ -117,12 +117,12 @@ void NlpIk::measure_goals(std::span<const IkTarget<double>> targets) {
       sum += dot(column, column);
     }
   }
-  // with goals that nothing moves, any scale will do
+  // if no dof moves the goals, any scale will do
   mean_diagonal_ = sum > 0.0 ? sum / (3.0 * goals) : 1.0;
   epsilon_ = settings_.damping * mean_diagonal_;
 }
 
-// the limits that the unlocked dofs can meet, in the variables that are searched
+// Converts the limits that the unlocked dofs can reach to the variables of the search.
 void NlpIk::scale_limits() {
   limits_.clear();
   limit_of_.clear();
@@ -139,7 +139,7 @@ void NlpIk::scale_limits() {
   }
 }
 
-// how much the angles' changes count where the targets lag behind
+// Weight of the angles' changes, by the lag of the targets.
 double NlpIk::damping(std::span<const IkTarget<double>> targets) const {
   double lag = 0.0;
   for (const IkTarget<double>& target : targets) {
@@ -195,7 +195,7 @@ NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const d
   }
 }
 
-// from the last posture's change, which is a good guess of this one's
+// Minimises from the last posture's change, a good guess of the present one's.
 void NlpIk::minimise(NlpIkOutcome& outcome) {
   const VariableMetricSettings settings{.tolerance = settings_.tolerance,
                                         .max_step = settings_.max_step,
@@ -210,7 +210,7 @@ void NlpIk::place(std::span<double> to) {
   forward_kinematics<double>(*body_, to, kinematics_);
 }
 
-// rather no change than feet that move
+// Keeps the last posture rather than let the feet move.
 void NlpIk::stand_still(std::span<IkTarget<double>> targets, std::span<double> to,
                         NlpIkOutcome& outcome) {
   outcome.converged = false;
@@ -219,7 +219,7 @@ void NlpIk::stand_still(std::span<IkTarget<double>> targets, std::span<double> t
   for (IkTarget<double>& target : targets) target.lead = target.tilt_lead = {};
 }
 
-// adds what targets are off by to their leads; returns the largest
+// Adds the errors of the targets to their leads; returns the largest errors.
 NlpIk::Misses NlpIk::correct_leads(std::span<IkTarget<double>> targets) const {
   Misses worst;
   for (IkTarget<double>& target : targets) {
@@ -238,7 +238,7 @@ NlpIk::Misses NlpIk::correct_leads(std::span<IkTarget<double>> targets) const {
   return worst;
 }
 
-// the contacts' stiffness grows, and the forces that their leads stand for stay the same
+// Increases the contacts' stiffness, with the forces of their leads unchanged.
 void NlpIk::stiffen(std::span<IkTarget<double>> targets) {
   if (stiffness_ >= kStiffnessMax) return;
   stiffness_ = stiffness_ * kStiffer;
@@ -250,7 +250,7 @@ void NlpIk::stiffen(std::span<IkTarget<double>> targets) {
   set_curvature();
 }
 
-// Gauss and Newton's: ε and J, seen from where the guess leads
+// Sets Gauss and Newton's curvature: ε and J, at the guess.
 void NlpIk::set_curvature() {
   for (std::size_t d = 0; d < size_.size(); ++d) angles_[d] = from_[d] + size_[d] * z_[d];
   forward_kinematics<double>(*body_, angles_, kinematics_);
@@ -271,7 +271,7 @@ void NlpIk::set_curvature() {
   metric_.set_curvature(epsilon_, rows_);
 }
 
-// three rows of the scaled Jacobian; column(d): of dof d, per radian
+// Adds three rows of the scaled Jacobian; column(d): of dof d, per radian.
 template <class Column>
 void NlpIk::add_rows(int link, double scale, Column&& column) {
   const std::size_t n = size_.size();
@@ -313,7 +313,7 @@ double NlpIk::evaluate(std::span<const double> z, std::span<double> gradient) {
   return value + 0.5 * epsilon_ * squares;
 }
 
-// what the targets add to the objective; each loads its link
+// Adds the targets' terms to the objective; each loads its link.
 double NlpIk::load_links() {
   std::fill(loads_.begin(), loads_.end(), Load{});
   double value = 0.0;
@@ -351,7 +351,7 @@ double NlpIk::pull_contact(const IkTarget<double>& target, const Vec3d& at) {
          turning * (0.5 * chord * chord + dot(sine, target.tilt_lead));
 }
 
-// per radian of each joint: what the links beyond it bear, about its axis
+// Computes the gradient per radian of each joint: the load of the links beyond it, about its axis.
 void NlpIk::unload_links(std::span<double> gradient) {
   for (std::size_t d = loads_.size(); d-- > 0;) {
     const Load& load = loads_[d];

@@ -38,7 +38,7 @@ void NlpRollout::begin(const MotionInput<double>& input) {
   forward_kinematics<double>(*problem_->body, start, now_);
 }
 
-// moves the angles of the next frame to where the paths are then
+// Moves the angles of the next frame to its points on the paths.
 void NlpRollout::follow(int frame, const MotionInput<double>& input, ReachOutcome& outcome) {
   const bool last = frame == problem_->steps;
   place_goals(frame, input);
@@ -48,7 +48,7 @@ void NlpRollout::follow(int frame, const MotionInput<double>& input, ReachOutcom
   const std::span<const double> reference =
       drawn_ ? std::span<const double>(reference_) : std::span<const double>{};
   (void)ik_.solve(targets, angles_[1], reference, angles_[2]);
-  // what rounding puts beyond a limit
+  // removes excess by rounding
   limits_.hold(angles_[2]);
   forward_kinematics<double>(*problem_->body, angles_[2], next_);
   measure(targets, last, outcome);
@@ -59,7 +59,7 @@ void NlpRollout::advance() {
   std::swap(now_, next_);
 }
 
-// where the effectors are to be in this frame
+// Sets the effectors' targets in this frame.
 void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
   const double tau = problem_->tau(frame);
   for (std::size_t g = 0; g < contacts_from_; ++g) {
@@ -76,7 +76,7 @@ void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
   }
 }
 
-// how far the null space is drawn in this frame, as in Rollout
+// Sets the null-space reference of this frame, as in Rollout.
 void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   if (!drawn_) return;
   const auto tau = [&](int f) { return problem_->tau(f); };
@@ -91,7 +91,7 @@ void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
 }
 
 void NlpRollout::measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome) {
-  // the larger of both, and NaN once either was
+  // the maximum of both; a NaN of the first persists
   const auto worse = [](double before, double now) { return max(now, before) + (before - before); };
   double missed = 0.0;
   for (IkTarget<double>& target : targets) {

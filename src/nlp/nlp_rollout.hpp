@@ -9,23 +9,25 @@
 
 namespace shigusa {
 
-// From parameters to a motion by nonlinear programming (see NlpIk) in place of weighted IK: the
-// same problems, inputs, frames and outcomes as Rollout<double>, so that both can be scored alike.
+// Generates a motion from parameters by nonlinear programming (see NlpIk) instead of weighted IK:
+// the same problems, inputs, frames and outcomes as Rollout<double>, so that both can be scored
+// alike.
 //
 //   for each frame:
-//     targets := where the paths are then
+//     targets := points of the paths in this frame
 //     reference := the null space's change of posture in this frame, or towards the guide
 //     posture := NlpIk's, after the posture of the frame before
 //
-// Of a ReachProblem's settings it does without those of weighted IK, which make up for steps that
-// are linear: damping, leads, corrections and their slacks. NlpIkSettings stands for them. Limits
-// are always kept, whatever problem.hold_limits says: they belong to the program.
+// It ignores the settings of a ReachProblem for weighted IK, which compensate for linear steps:
+// damping, leads, corrections and their slacks. NlpIkSettings replaces them. Limits are always
+// kept, whatever problem.hold_limits says: they belong to the program.
 class NlpRollout {
  public:
-  // The problem and its body outlive this.
+  // The problem and its body outlive the object.
   explicit NlpRollout(const ReachProblem& problem, const NlpIkSettings& settings = {});
 
-  // visit(const PlacedFrame<double>&) is called for the frames 0..steps in order.
+  // Rolls out one motion. visit(const PlacedFrame<double>&) is called for the frames 0..steps in
+  // order.
   template <class Visitor>
   ReachOutcome run(const MotionInput<double>& input, Visitor&& visit) {
     ReachOutcome outcome;
@@ -41,7 +43,7 @@ class NlpRollout {
     return outcome;
   }
 
-  // (dofs, rad) where the last motion ended.
+  // (dofs, rad) the last frame of the last motion.
   [[nodiscard]] std::span<const double> final_angles() const { return angles_[1]; }
 
  private:
@@ -58,15 +60,15 @@ class NlpRollout {
   NlpIk ik_;
   LimitGuard<double> limits_;
   FrameDynamics<double> dynamics_;
-  Kinematics<double> now_;                   // placement in this frame …
-  Kinematics<double> next_;                  // … and in the next
+  Kinematics<double> now_;                   // placement in this frame
+  Kinematics<double> next_;                  // placement in the next frame
   std::vector<std::vector<double>> angles_;  // of the frame before, this one and the next
-  bool drawn_ = false;                       // the null space is drawn somewhere, by …
-  std::vector<double> reference_;            // … (dofs, rad) in this frame
+  bool drawn_ = false;                       // whether the null space has a reference
+  std::vector<double> reference_;            // (dofs, rad) of this frame
   PostureDraw<double> posture_draw_;
 };
 
-// Generates and keeps the whole motion for the parameters.
+// Generates and records the whole motion of the parameters.
 [[nodiscard]] RolledOut roll_out_nlp(const ReachProblem& problem, const Parameters& parameters);
 
 }  // namespace shigusa

@@ -10,31 +10,31 @@
 namespace shigusa {
 namespace {
 
-// A limit this share of the tolerance away is met.
+// Distance to a limit, as a share of the tolerance, at which it counts as met.
 constexpr double kTouch = 1e-3;
-// A value that is larger by this share may be so by rounding: then the slope alone decides.
+// Relative increase of a value that may be due to rounding: then only the slope decides.
 constexpr double kValueNoise = 1e-10;
-// Unit normals whose rest after projection on others has a square below this depend on those.
+// Square of a unit normal's rest after projection on others below which it depends on them.
 constexpr double kDependent = 1e-12;
-// A direction that nears a limit by no more than this share of its length runs along it.
+// Speed towards a limit, as a share of a direction's length, below which it runs along the limit.
 constexpr double kGrazing = 1e-12;
-// Where the function bends less than this share of the least curvature, the metric learns nothing:
-// it would lose its scale.
+// Curvature, as a share of the least one, below which the metric is not updated: it would lose its
+// scale.
 constexpr double kCurvatureFloor = 1e-2;
-// The first trials of a line search, which may go wherever their secant points.
+// Number of first trials of a line search that follow their secant without bounds.
 constexpr int kFreeSecants = 3;
-// How far beyond the last trial a line search goes on, at most.
+// Largest ratio of a trial to the last one beyond it in a line search.
 constexpr double kStretch = 8.0;
-// How far from both ends of an interval a trial stays that is not free, as a share of it.
+// Margin of a bounded trial from both ends of an interval, as a share of it.
 constexpr double kSecantMargin = 0.1;
 
-// Where along a line the slope's root lies.
+// Bracket of the slope's root along a line.
 struct Bracket {
-  double low = 0.0;  // the function falls there …
+  double low = 0.0;  // the function decreases there
   double low_slope = 0.0;
-  double high = -1.0;  // … but not there; -1: not known yet
+  double high = -1.0;  // it does not decrease there; -1: unknown
   double high_slope = 0.0;
-  double before = 0.0;  // of two trials that fell, the former
+  double before = 0.0;  // the former of two trials with a decrease
   double before_slope = 0.0;
 
   void take(double t, double slope, bool falls) {
@@ -49,7 +49,7 @@ struct Bracket {
     }
   }
 
-  // Where to try next, by secants; `freely`: however near to an end of the bracket.
+  // The next trial, by secants; `freely`: without a margin from the bracket's ends.
   [[nodiscard]] double next(bool freely) const {
     if (high < 0.0) {
       const double bend = low_slope - before_slope;
@@ -69,20 +69,20 @@ double inner(std::span<const double> a, std::span<const double> b) {
   return sum;
 }
 
-// normal · v
+// Computes normal · v.
 double across(const LinearLimit& limit, std::span<const double> v) {
   double sum = limit.a * v[index(limit.first)];
   if (limit.b != 0.0) sum += limit.b * v[index(limit.second)];
   return sum;
 }
 
-// v += factor · normal
+// Computes v += factor · normal.
 void add_normal(const LinearLimit& limit, double factor, std::span<double> v) {
   v[index(limit.first)] += factor * limit.a;
   if (limit.b != 0.0) v[index(limit.second)] += factor * limit.b;
 }
 
-// normal · normal of two limits
+// Computes normal · normal of two limits.
 double product(const LinearLimit& p, const LinearLimit& q) {
   double sum = p.first == q.first ? p.a * q.a : 0.0;
   if (q.b != 0.0 && p.first == q.second) sum += p.a * q.b;
@@ -157,14 +157,14 @@ void VariableMetric::set_curvature(double least, std::span<const double> rows) {
   }
 }
 
-// the product becomes H v
+// Sets product_ to H v.
 void VariableMetric::multiply_metric(std::span<const double> v) {
   for (std::size_t i = 0; i < n_; ++i) {
     product_[i] = inner(std::span(metric_).subspan(i * n_, n_), v);
   }
 }
 
-// takes the active limits' normals out of a metric that does not know of them
+// Removes the active limits' normals from an unrestricted metric.
 void VariableMetric::restrict_metric(const Run& run) {
   kept_.swap(active_);
   active_.clear();
@@ -172,7 +172,7 @@ void VariableMetric::restrict_metric(const Run& run) {
   restricted_ = true;
 }
 
-// the factors of Nᵀ N, N being the normals of the active limits but for one of them
+// Factorises Nᵀ N, with N the normals of the active limits except one.
 void VariableMetric::factorize_active(const Run& run, int without) {
   int row = 0;
   for (std::size_t i = 0; i < active_.size(); ++i) {
@@ -187,7 +187,7 @@ void VariableMetric::factorize_active(const Run& run, int without) {
   ldlt_factorize(gram_, row, kDependent);
 }
 
-// v := v - N (Nᵀ N)⁻¹ Nᵀ v, with what factorize_active left; the multipliers are (Nᵀ N)⁻¹ Nᵀ v
+// Computes v := v - N (Nᵀ N)⁻¹ Nᵀ v after factorize_active; the multipliers are (Nᵀ N)⁻¹ Nᵀ v.
 void VariableMetric::project(const Run& run, int without, std::span<double> v) {
   int rows = 0;
   for (std::size_t i = 0; i < active_.size(); ++i) {
@@ -208,7 +208,7 @@ double VariableMetric::largest_part(const Run& run, std::span<const double> step
   return largest;
 }
 
-// how far the direction may be followed from z, and the limit that is met there, or -1
+// Length along the direction from z to the nearest limit, and its index, or -1.
 double VariableMetric::length_to_limits(const Run& run, int& nearest) const {
   const double least_speed = kGrazing * sqrt(inner(direction_, direction_));
   double length = __builtin_inf();
@@ -228,7 +228,7 @@ double VariableMetric::length_to_limits(const Run& run, int& nearest) const {
   return length;
 }
 
-// from the origin towards the guess, on the active limits where all of them can be reached
+// Starts at the origin and moves towards the guess, on the active limits if all can be reached.
 void VariableMetric::start(Run& run) {
   if (!restricted_) restrict_metric(run);
   factorize_active(run, -1);
@@ -247,7 +247,7 @@ void VariableMetric::start(Run& run) {
   run.outcome.value = run.evaluate(z_, gradient_);
 }
 
-// puts back what the active limits took from the metric, the last first
+// Restores the parts of the metric removed by the active limits, the last first.
 void VariableMetric::release_all() {
   for (std::size_t j = active_.size(); j-- > 0;) {
     const std::span<const double> v = std::span(taken_).subspan(j * n_, n_);
@@ -263,12 +263,12 @@ void VariableMetric::find_direction(const Run& run) {
     direction_[i] = -inner(std::span(metric_).subspan(i * n_, n_), gradient_);
   }
   if (active_.empty()) return;
-  // H a = 0 but for rounding, which adds up
+  // H a = 0 except for rounding, which accumulates
   factorize_active(run, -1);
   project(run, -1, direction_);
 }
 
-// Drops the active limit that promises the most, where that is more than `gain_of_staying`.
+// Drops the active limit that promises the most, if that is more than `gain_of_staying`.
 bool VariableMetric::drop_limit(const Run& run, double gain_of_staying) {
   double most = gain_of_staying;
   int dropped = -1;
@@ -281,7 +281,7 @@ bool VariableMetric::drop_limit(const Run& run, double gain_of_staying) {
       project(run, index, product_);
     }
     const double slope = inner(product_, gradient_);
-    // it would be left to the inside
+    // whether it would be left to the inside
     if (!(slope * across(run.limit(active_[j]), product_) > 0.0)) continue;
     if (!(slope * slope > most)) continue;
     if (largest_part(run, product_) * abs(slope) <= run.settings.tolerance) continue;
@@ -318,8 +318,8 @@ void VariableMetric::activate(const Run& run, int limit) {
   active_.push_back(limit);
 }
 
-// Sets the trial to where, along the direction and `most` times it away at most, the slope has
-// fallen and the value is no larger. Returns how many times; 0 where there is no such place.
+// Sets the trial to a point along the direction, at most `most` times its length away, where the
+// slope has fallen and the value is no larger. Returns the multiple; 0 if there is no such point.
 double VariableMetric::search_line(Run& run, double most) {
   const double slope0 = inner(direction_, gradient_);
   const double ceiling = run.outcome.value + kValueNoise * abs(run.outcome.value);
@@ -346,7 +346,7 @@ double VariableMetric::try_at(Run& run, double t) {
   return run.evaluate(trial_, trial_gradient_);
 }
 
-// BFGS, from z and its gradient to the trial's
+// BFGS update, from z and its gradient to the trial's.
 void VariableMetric::update_metric() {
   for (std::size_t i = 0; i < n_; ++i) {
     direction_[i] = trial_[i] - z_[i];

@@ -19,17 +19,17 @@ class SmoothFunction {
 // A half space of one variable or two: a z[first] + b z[second] ≤ bound, with a² + b² = 1.
 struct LinearLimit {
   int first = 0;
-  int second = 0;  // read where b is not 0
+  int second = 0;  // used if b is not 0
   double a = 1.0;
   double b = 0.0;
   double bound = 0.0;  // ≥ 0: the origin is inside
 };
 
 struct VariableMetricSettings {
-  double tolerance = 1e-7;    // a step left whose largest component is below this is none, > 0
-  double max_step = 0.25;     // no variable changes by more in one iteration, > 0
-  int iterations = 200;       // at most, 1..100000
-  double line_slope = 0.2;    // share of the slope that a line search may leave, 0.01..0.9
+  double tolerance = 1e-7;  // largest component of a step below which the search has converged, > 0
+  double max_step = 0.25;   // largest change of a variable in one iteration, > 0
+  int iterations = 200;     // at most, 1..100000
+  double line_slope = 0.2;  // share of the slope at which a line search ends, 0.01..0.9
   int line_evaluations = 20;  // of one line search at most, 2..100
 };
 
@@ -47,42 +47,42 @@ inline constexpr int kMaxMetricVariables = 64;
 //
 //   z := the origin, moved towards the guess on the active limits as far as all others allow;
 //     if that is not as far as the guess, no limit stays active
-//   until the step s = -H g is small and no active limit wants to be left:
-//     where leaving an active limit promises more than staying: drop it, H := H + v vᵀ
+//   until the step s = -H g is small and no active limit is worth dropping:
+//     if leaving an active limit promises more than staying: drop it, H := H + v vᵀ
 //     else search along s, up to the nearest limit, until the slope has fallen:
 //       H := BFGS update of H by the step and the gradient's change
 //       at a limit a: make it active, v := H a / √(aᵀ H a), H := H - v vᵀ, so that H a = 0
 //
 // H is the inverse of the Hessian on the active limits' common face, and 0 across. The v that a
-// limit takes out is kept and put back, made orthogonal to the other active limits, when it is
-// dropped: had nothing happened in between, H would be what it was. H and the active set stay for
-// the next call, which is to be about a similar function under the same limits with other bounds.
-// Where the function is nearly quadratic and its curvature given, an iteration or two are enough.
+// limit removes is kept and restored, orthogonal to the other active limits, when it is dropped:
+// without changes in between, H would be as before. H and the active set persist to the next call,
+// which should be about a similar function under the same limits with other bounds. If the function
+// is nearly quadratic and its curvature given, one or two iterations are enough.
 //
 // Source: D. Goldfarb, SIAM J. Applied Mathematics 17 (1969) 739-764, for the projected metric and
-// when to drop a limit, after J. Rosen's gradient projection, J. SIAM 8 (1960) 181-217; the update
-// of Broyden, Fletcher, Goldfarb and Shanno (1970). J. Zhao and N. Badler, ACM Trans. Graphics 13
-// (1994) 313-336, solve inverse kinematics so. Left out: the search for a feasible point, since the
-// origin is one. There the rank-one term of a dropped limit is a multiple of its projected normal;
-// here it is what was taken out, which knows the scale.
+// the dropping of limits, after J. Rosen's gradient projection, J. SIAM 8 (1960) 181-217; the
+// update of Broyden, Fletcher, Goldfarb and Shanno (1970). J. Zhao and N. Badler, ACM Trans.
+// Graphics 13 (1994) 313-336, use it for inverse kinematics. Left out: the search for a feasible
+// point, since the origin is one. There the rank-one term of a dropped limit is a multiple of its
+// projected normal; here it is the removed v, which has the right scale.
 //
 // Plain loops in a fixed order over + - * / and sqrt: the same bytes everywhere.
 class VariableMetric {
  public:
-  // 1..kMaxMetricVariables variables.
+  // Makes a minimiser of 1..kMaxMetricVariables variables.
   explicit VariableMetric(int variables);
 
-  // Forgets all: H becomes the identity, and no limit is active.
+  // Resets H to the identity, with no active limit.
   void reset();
 
-  // Takes what is known of the function's curvature: H becomes the inverse of `least` (> 0) times
-  // the identity plus Σ r rᵀ over the rows r, (rows × n). Active limits stay active.
+  // Sets the known curvature of the function: H becomes the inverse of `least` (> 0) times the
+  // identity plus Σ r rᵀ over the rows r, (rows × n). Active limits stay active.
   void set_curvature(double least, std::span<const double> rows);
 
-  // Minimises the function; `z` (n) holds a guess and then the result. `size` (n, ≥ 0): what a
-  // change by 1 of each variable counts as in the settings' tolerance and max_step. Settings
-  // outside their ranges and limits whose bound is negative throw PreconditionError. A gradient
-  // that is not finite ends the search where it was.
+  // Minimises the function; `z` (n) holds a guess and then the result. `size` (n, ≥ 0): size of a
+  // unit change of each variable in the settings' tolerance and max_step. Settings outside their
+  // ranges and limits with a negative bound throw PreconditionError. A gradient that is not finite
+  // ends the search at the last point.
   VariableMetricOutcome minimise(SmoothFunction& function, std::span<const LinearLimit> limits,
                                  std::span<const double> size,
                                  const VariableMetricSettings& settings, std::span<double> z);
@@ -91,7 +91,7 @@ class VariableMetric {
   [[nodiscard]] std::span<const int> active() const { return active_; }
 
  private:
-  struct Run;  // what one call refers to
+  struct Run;  // data of one call
 
   void start(Run& run);
   void restrict_metric(const Run& run);
@@ -110,17 +110,17 @@ class VariableMetric {
 
   std::size_t n_;
   std::vector<double> metric_;          // (n × n) H
-  bool restricted_ = true;              // … is 0 across the active limits
-  double least_ = 1.0;                  // curvature of the function, as far as it is known
+  bool restricted_ = true;              // whether H is 0 across the active limits
+  double least_ = 1.0;                  // least known curvature of the function
   std::vector<double> z_;               // (n)
   std::vector<double> gradient_;        // (n) at z
   std::vector<double> trial_;           // (n) along the line
   std::vector<double> trial_gradient_;  // (n)
   std::vector<double> direction_;       // (n) s
-  std::vector<double> change_;          // (n) scratch: of the gradient
+  std::vector<double> change_;          // (n) scratch: change of the gradient
   std::vector<double> product_;         // (n) scratch
   std::vector<int> active_;             // at most n
-  std::vector<int> kept_;               // scratch: the same
+  std::vector<int> kept_;               // scratch: copy of active_
   std::vector<double> taken_;           // (n × n) v of each active limit, row by row
   SmallSymmetric<double, kMaxMetricVariables> gram_;
   std::vector<double> multipliers_;  // (n)

@@ -14,7 +14,7 @@
 namespace shigusa {
 namespace {
 
-// Moves one arm by one genome after the other. One per thread.
+// Plays one arm with one genome after another. One per thread.
 class FreeArm {
  public:
   FreeArm(const ArmFeedback& feedback, const CriteriaSettings& criteria)
@@ -78,7 +78,7 @@ ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const 
                        .duration = problem.reach.duration,
                        .obstacles = {},
                        .limb = {}};
-  // the arm's links are numbered from its shoulder on; what it does not turn, its elbow holds
+  // the arm's links are numbered from its shoulder on; its elbow holds all links beyond its dofs
   const auto dofs = arm_dofs(arm, feedback.arm->dof_count() == kTurningArmDofs);
   for (const Capsule& capsule : body.capsules()) {
     if (capsule.link != arm.hinge && !body.moves(arm.hinge, capsule.link)) continue;

@@ -9,43 +9,42 @@
 
 namespace shigusa {
 
-// Rule R11: an arm that passes through the trunk goes back to the lower layer (paper, section 3.4).
-// It does so where its forearm is deeper than kCollisionDepth in the rest of the body, and deeper
-// than at the start. The lower layer searches the arm anew with a penalty
-// P = min(1, depth / kCollisionFull) of this weight …
+// Rule R11: an arm that passes through the trunk is returned to the lower layer (paper, section
+// 3.4), if its forearm is deeper than kCollisionDepth in the rest of the body, and deeper than at
+// the start. The lower layer searches the arm again with a penalty P = min(1, depth /
+// kCollisionFull) of this weight.
 inline constexpr double kCollisionWeight = 0.5;
-// … which each further round, of kCollisionRounds, multiplies by this.
+// Factor on the weight in each further round, of kCollisionRounds.
 inline constexpr double kCollisionGrowth = 4.0;
 
-// The largest depth (m) of a goal's forearm and hand inside the rest of the body at any frame, less
-// their depth at the start, if they have one; negative: they are that far apart.
+// Largest depth (m) of a goal's forearm and hand inside the rest of the body over all frames, less
+// their depth at the start, if any; negative: distance.
 [[nodiscard]] double collision_depth(const BodyModel& body, const Clip& clip,
                                      const Effector& effector);
 
-// One motion of the upper layer, as the lower layer's search of one arm sees it.
+// One motion of the upper layer, as input to the lower layer's search of one arm.
 struct ArmFeedback {
   const BodyModel* arm = nullptr;  // an arm_body
   HandPath path;
   HandTurn<double> turn{};  // of the hand at the end
   double duration = 1.0;    // s
-  // the capsules of the rest of the body, frame after frame, in the frame of `path`; (frames)
+  // the capsules of the rest of the body, frame by frame, in the frame of `path`; (frames)
   std::vector<std::vector<Capsule>> obstacles;
-  std::vector<Capsule> limb;  // of the arm from the elbow on, by its own links
+  std::vector<Capsule> limb;  // of the arm from the elbow on, with its own links
 };
 
-// `clip` is the whole body's motion, in which the arm may be anything; `turn` is of a hand that
-// turns.
+// Feedback on one goal's arm in a motion. `clip` is the whole body's motion, with any motion of the
+// arm; `turn` is for a hand with an orientation.
 [[nodiscard]] ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal,
                                        const HandPath& path, const Clip& clip,
                                        const HandTurn<double>& turn = {});
 
-// How deep the arm from the elbow on gets into a feedback's obstacles (m, at least 0, less its
-// depth at the start), frame by frame; 0 without obstacles. Feedback and kinematics are of the same
-// arm.
+// Depth of the arm from the elbow on in a feedback's obstacles (m, at least 0, less its depth at
+// the start), frame by frame; 0 without obstacles. Feedback and kinematics are of the same arm.
 template <class S>
 class ArmDepth {
  public:
-  // Forgets the frames seen; the feedback outlives those that come.
+  // Clears the frames seen; the feedback outlives the following ones.
   void begin(const ArmFeedback* feedback) {
     feedback_ = feedback;
     frame_ = 0;
@@ -75,12 +74,12 @@ class ArmDepth {
   S deepest_{};
 };
 
-// How deep (m, as collision_depth) the hand is in the body on its path whatever the arm does: with
-// more than kCollisionDepth no search of the arm helps.
+// Depth (m, as collision_depth) of the hand in the body on its path, whatever the arm's posture:
+// above kCollisionDepth no search of the arm helps.
 [[nodiscard]] double unavoidable_depth(const ArmFeedback& feedback);
 
-// The genome that moves the arm along the path best by the lower layer's criteria, penetration
-// counted by `weight`. Nothing where none can follow the path.
+// The genome of the arm's best motion along the path by the lower layer's criteria, with a penalty
+// for penetration of weight `weight`. None if no genome can follow the path.
 [[nodiscard]] std::optional<FoundArm> search_free_arm(const ArmFeedback& feedback,
                                                       const CriteriaSettings& criteria,
                                                       double weight, LimbSearch search,

@@ -9,7 +9,7 @@
 namespace shigusa {
 namespace {
 
-// The mass of the elbow's link with all links that it holds.
+// The mass of the elbow's link with all links beyond it.
 MassProperties held_mass(const BodyModel& body, int elbow) {
   LinkMass sum = link_mass(body.link_mass(elbow));
   for (int link = elbow + 1; link < body.dof_count(); ++link) {

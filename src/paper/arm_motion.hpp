@@ -10,22 +10,22 @@
 
 namespace shigusa {
 
-// Freedoms of an arm with forearm and wrist, for a hand that turns; without them it has kArmDofs.
+// Dofs of an arm with forearm and wrist, for a hand with an orientation; without them it has
+// kArmDofs.
 inline constexpr int kTurningArmDofs = 7;
 
-// An arm alone, on a trunk that stands upright and does not move: the body of the layer below. The
-// base's frame is that of the link that carries it with the origin in the shoulder; the arm starts
-// as the body's does. It has kArmDofs, and holds what is beyond the elbow as it is at the start;
-// `turning`, of an arm with a wrist: kTurningArmDofs.
+// An arm alone, on an upright, fixed trunk: the body of the layer below. The base's frame is that
+// of the link that carries it, with the origin in the shoulder; the start posture is the body's. It
+// has kArmDofs, and links beyond the elbow keep their start posture; with `turning`, for an arm
+// with a wrist, kTurningArmDofs.
 [[nodiscard]] BodyModel arm_body(const BodyModel& body, const BodyLimb& arm, bool turning = false);
 
-// The body's dofs that those of an arm_body are, in its order.
+// The body's dofs for those of an arm_body, in its order.
 [[nodiscard]] std::vector<int> arm_dofs(const BodyLimb& arm, bool turning);
 
-// Moves the hand of an arm_body along a path of any shape, by weighted IK with three steps a frame:
-// what three lengths' worth of path leave to choose is where the elbow goes. S is double, or a
-// pack: then each lane has a path and weights of its own. Holds its scratch memory: make one per
-// thread. The arm outlives it.
+// Moves the hand of an arm_body along a path of any shape, by weighted IK with three steps per
+// frame: the position of the hand leaves only the elbow's to choose. S is double, or a pack whose
+// lanes have separate paths and weights. Owns scratch memory: one per thread. The arm outlives it.
 template <class S>
 class ArmRollout {
  public:
@@ -33,9 +33,10 @@ class ArmRollout {
     SHG_CHECK(arm.dof_count() == kArmDofs, "an arm has four freedoms");
   }
 
-  // path (frames) m, of the hand from the shoulder in the trunk's frame, from the start posture's
-  // place on. inverse_weights (kArmDofs): 0 where locked. angles: (frames × kArmDofs) rad, the
-  // start posture first. Returns the largest distance of the hand from the path (m).
+  // Moves the hand along a path. path (frames) m, of the hand from the shoulder in the trunk's
+  // frame, from its position in the start posture on. inverse_weights (kArmDofs): 0 where locked.
+  // angles: (frames × kArmDofs) rad, the start posture first. Returns the largest distance of the
+  // hand from the path (m).
   S run(std::span<const Vec3<S>> path, std::span<const S> inverse_weights, std::vector<S>& angles) {
     const Effector& hand = arm_->effectors()[0];
     IkTarget<S> target{.link = hand.link, .point = to_scalar<Element<S>>(hand.point)};
@@ -57,7 +58,7 @@ class ArmRollout {
         miss = norm(position_error(placed_, target));
       }
       target.lag = miss;
-      // NaN counts as far off
+      // a NaN counts as far off
       worst = select(miss < S(1e9), max(worst, miss), S(1e9));
       for (std::size_t d = 0; d < q_.size(); ++d) angles[f * q_.size() + d] = q_[d];
     }

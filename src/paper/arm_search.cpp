@@ -10,10 +10,11 @@ namespace {
 
 constexpr int kCodes = 16;
 
-// Numbers that each gene may have.
+// Codes allowed for each gene.
 using Choices = std::array<std::vector<std::uint8_t>, kArmDofs>;
 
-// Only ratios of weights count, and three freedoms are needed to place a hand.
+// Whether a genome is worth scoring: only ratios of weights count, and a hand's position takes
+// three dofs.
 bool worth_trying(const ArmGenes& genes) {
   const auto locked = std::count(genes.begin(), genes.end(), 0);
   int divisor = 0;
@@ -35,7 +36,7 @@ std::vector<ArmGenes> combinations(const Choices& choices) {
   return all;
 }
 
-// all whose numbers differ by one at the most
+// All genomes with codes that differ by at most one.
 std::vector<ArmGenes> neighbours_of(const ArmGenes& genes) {
   Choices near;
   for (std::size_t k = 0; k < genes.size(); ++k) {
@@ -47,7 +48,7 @@ std::vector<ArmGenes> neighbours_of(const ArmGenes& genes) {
   return combinations(near);
 }
 
-// takes over the best of the genomes if it is better than `best`
+// Replaces `best` by the best of the genomes if that is better.
 bool improve(FoundArm& best, std::span<const ArmGenes> genomes, const ArmEvaluation& evaluate) {
   std::vector<double> scores(genomes.size(), best.score);
   evaluate(genomes, scores);

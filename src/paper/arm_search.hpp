@@ -16,7 +16,7 @@ namespace shigusa {
 using ArmGenes = std::array<std::uint8_t, kArmDofs>;
 [[nodiscard]] ArmWeights arm_weights(const ArmGenes& genes);
 
-// The codes that LimbSearch::ladder begins with.
+// The initial codes of LimbSearch::ladder.
 inline constexpr std::array<std::uint8_t, 5> kLimbLadder{0, 1, 3, 7, 15};
 
 // Scores (genomes); lower is better.
@@ -28,7 +28,7 @@ struct FoundArm {
   double score = 0.0;
 };
 
-// The genome with the lowest score, the first among equals; nothing if no score is below `worst`.
+// The genome with the lowest score, the first among equals; none if no score is below `worst`.
 [[nodiscard]] std::optional<FoundArm> search_arm(LimbSearch search, double worst,
                                                  const ArmEvaluation& evaluate);
 

@@ -10,7 +10,7 @@
 
 namespace shigusa {
 
-// The turn that is wanted of a hand at the end of its path, in the path's frame: see EffectorTurn.
+// Target orientation of a hand at the end of its path, in the path's frame: see EffectorTurn.
 template <class S>
 struct HandTurn {
   Turning kind = Turning::free;
@@ -19,58 +19,60 @@ struct HandTurn {
   Vec3<S> direction{};
 };
 
-// Moves the hand of an arm_body along a path in closed form. The distance from the shoulder gives
-// the elbow; of the shoulder's three turns the direction of the hand leaves one, the swivel of the
-// elbow about the line u from shoulder to hand. It is counted from where the hand's path takes the
-// elbow by itself: the axis of the elbow, square to u, is carried along from frame to frame by the
-// shortest turn from one u to the next, then turned about u by swivel · s(t), with s the minimum
-// jerk of the motion. So no direction of the hand is singular, hanging arms included, and an elbow
-// goes on evenly where its hand does. Where the upper arm points straight sideways, the angles of a
-// flexion-abduction-rotation joint turn fast all the same.
+// Moves the hand of an arm_body along a path in closed form. The distance from the shoulder
+// determines the elbow; the direction of the hand leaves one of the shoulder's three dofs, the
+// swivel of the elbow about the line u from shoulder to hand. It is relative to a parallel
+// transport of the elbow along the hand's path: the axis of the elbow, perpendicular to u, is
+// transported from frame to frame by the shortest rotation from one u to the next, then turned
+// about u by swivel · s(t), with s the minimum jerk of the motion. So no direction of the hand is
+// singular, hanging arms included, and the elbow moves as evenly as the hand. With the upper arm
+// straight sideways, the angles of a flexion-abduction-rotation joint still turn fast.
 //
-// A hand that turns has the turn that is wanted of it at the end: forearm and wrist go from their
-// start angles to those that give it, with minimum jerk, and in each frame the arm brings the hand
-// to its place with the wrist as it is then. The last angles are a fixed point, as the wrist moves
-// the hand's place beside the forearm: the arm is placed for a wrist, the wrist is turned to the
-// goal, and so on until both agree.
+// A hand with an orientation has it at the end: forearm and wrist move from their start angles to
+// the required ones, with minimum jerk, and in each frame the arm places the hand for the present
+// wrist. The last angles are a fixed point, as the wrist displaces the hand relative to the
+// forearm: the arm is placed for a wrist, the wrist is turned to the goal, and so on until both
+// agree.
 //
-// S is double, or a pack: then each lane has a path and a swivel of its own. Holds its scratch
-// memory: make one per thread. The arm outlives it.
+// S is double, or a pack whose lanes have separate paths and swivels. Owns scratch memory: one per
+// thread. The arm outlives it.
 template <class S>
 class SwivelArm {
  public:
   // `limb` is the arm on the whole body.
   SwivelArm(const BodyModel& arm, const BodyLimb& limb);
 
-  // Takes the path of all runs to come. path: as ArmRollout::run has it; turn: of the hand, where
-  // the arm has a wrist (kTurningArmDofs).
+  // Sets the path of all following runs. path: see ArmRollout::run; turn: of the hand, for an arm
+  // with a wrist (kTurningArmDofs).
   void follow(std::span<const Vec3<S>> path, const HandTurn<S>& turn = {});
-  // swivel (rad, positive outwards) is that of the last frame. angles: (frames × dofs of the arm)
-  // rad, the start posture first. Returns the largest distance of the hand from the path (m): what
-  // the path is longer or shorter than the arm can be.
+  // Moves the hand along the path with a swivel. swivel (rad, positive outwards) is that of the
+  // last frame. angles: (frames × dofs of the arm) rad, the start posture first. Returns the
+  // largest distance of the hand from the path (m): the excess of the path's distance over the
+  // arm's range of lengths.
   S run(const S& swivel, std::vector<S>& angles);
 
  private:
   static constexpr int kElbow = 3;
-  // The first of an arm's freedoms beyond it, and how often the last wrist is taken anew.
+  // The first dof beyond the elbow, and the largest number of iterations for the last wrist.
   static constexpr std::size_t kForearm = 4;
   static constexpr int kWristSteps = 60;
   static constexpr double kWristTolerance = sizeof(Element<S>) == sizeof(double) ? 1e-11 : 1e-5;
 
-  // Where a hand is from the shoulder and how its elbow is turned there: unit vectors.
+  // Direction of the hand from the shoulder, with the elbow's axis: unit vectors.
   struct Line {
     Vec3<S> along{};  // to the hand
-    Vec3<S> axis{};   // of the elbow, square to it
+    Vec3<S> axis{};   // of the elbow, perpendicular to `along`
     S distance{};     // m
   };
-  // An arm that brings its hand so far.
+  // An arm with its hand at a given distance.
   struct Bent {
     S bend{};       // rad, of the elbow
     S reach{};      // m
-    Mat3<S> own{};  // the frame of the hand's direction and the elbow's axis, seen from it: R_HU
+    Mat3<S> own{};  // R_HU: the upper arm seen from the frame of the hand's direction and the
+                    // elbow's axis
   };
 
-  // The part of v across the unit vector u, as a unit vector.
+  // The part of v perpendicular to the unit vector u, as a unit vector.
   static Vec3<S> square_to(const Vec3<S>& u, const Vec3<S>& v) {
     const Vec3<S> part = v - dot(u, v) * u;
     const S length = norm(part);
@@ -83,10 +85,11 @@ class SwivelArm {
   }
   static Vec3<S> hinge() { return {S(1), S(0), S(0)}; }
 
-  // v, square to u, after the shortest turn from u to w; both are unit vectors.
+  // The vector v, perpendicular to u, after the shortest rotation from u to w; both are unit
+  // vectors.
   static Vec3<S> carried(const Vec3<S>& v, const Vec3<S>& u, const Vec3<S>& w) {
     const S both = S(1) + dot(u, w);
-    // about half a turn any axis is as short, so v's own will do
+    // for half a turn any axis is equally short, so v is kept
     const auto opposite = both < S(1e-9);
     const Vec3<S> turned = square_to(w, v - (dot(v, w) / select(opposite, S(1), both)) * (u + w));
     return select(opposite, v, turned);
@@ -99,7 +102,7 @@ class SwivelArm {
     return {segments.across(), length * direction.cos, length * direction.sin};
   }
 
-  // Turns about y, z and x, in this order, that make the rotation; |z| ≤ 90°.
+  // Turns about y, z and x, in this order, with this product; |z| ≤ 90°.
   struct WristTurns {
     S turns[3];
   };
@@ -113,7 +116,7 @@ class SwivelArm {
     return {{y_turn, z_turn, atan2(rest.cy.z, rest.cy.y)}};
   }
 
-  // the arm with its hand at that distance; `bend`: near which the elbow's angle is
+  // The arm with its hand at that distance; `bend`: approximate angle of the elbow.
   static Bent bent(const BasicHingedLimb<S>& segments, const S& distance, const S& bend) {
     const S across = segments.across();
     const S square = distance * distance - across * across;
@@ -125,7 +128,7 @@ class SwivelArm {
     arm.own = transpose(frame_of(own, square_to(own, hinge())));
     return arm;
   }
-  // the upper arm in the path's frame
+  // The upper arm in the path's frame.
   static Mat3<S> upper_arm(const Bent& arm, const Vec3<S>& along, const Vec3<S>& axis) {
     return frame_of(along, axis) * arm.own;
   }
@@ -139,14 +142,14 @@ class SwivelArm {
     return sin_cos(arm_->dof(static_cast<int>(d)).sign < 0.0 ? -angle : angle);
   }
 
-  // the axis of the elbow in a frame, turned by its part of the swivel
+  // The axis of the elbow in a frame, turned by the swivel of that frame.
   Vec3<S> swivelled(std::size_t frame, const S& swivel) const {
     const Line& line = lines_[frame];
     const SinCos<S> turn = sin_cos(S(outwards_ * schedule(frame)) * swivel);
     return turn.cos * line.axis + turn.sin * cross(line.along, line.axis);
   }
 
-  // from shoulder to hand with the wrist as q (dofs, rad) has it
+  // The segments from shoulder to hand with the wrist at q (dofs, rad).
   BasicHingedLimb<S> segments_at(std::span<const S> q) const {
     Vec3<S> hand = to_scalar<S>(arm_->effectors()[0].point);
     for (std::size_t d = q.size() - 1; d >= kForearm; --d) {
@@ -166,14 +169,14 @@ class SwivelArm {
     return wrist;
   }
 
-  // the rotation that is wanted of the hand where it is turned so
+  // The target rotation of a hand with the given present rotation.
   Mat3<S> wanted(const Mat3<S>& hand) const {
     if (turn_.kind == Turning::whole) return turn_.goal;
-    // a turn about the axis is nobody's wish, and the wrist makes none
+    // the turn about the axis is free, and the wrist makes none
     return rotation_by(turn_between(hand * turn_.axis, turn_.direction)) * hand;
   }
 
-  // sets forearm and wrist of last_ to what turns the hand as wanted at the end of the path
+  // Sets forearm and wrist of last_ to the hand's target orientation at the end of the path.
   void turn_hand(const S& swivel) {
     const std::size_t end = lines_.size() - 1;
     const Vec3<S> axis = swivelled(end, swivel);
@@ -198,7 +201,7 @@ class SwivelArm {
     }
   }
 
-  // sets forearm and wrist of a frame, on their way to the last ones
+  // Sets forearm and wrist of a frame, on their way to the last angles.
   void turn_wrist(std::size_t frame) {
     const S share(schedule(frame));
     for (std::size_t d = kForearm; d < dofs(); ++d) {
@@ -207,7 +210,7 @@ class SwivelArm {
     }
   }
 
-  // sets the shoulder's angles in q_
+  // Sets the shoulder's angles in q_.
   void turn_shoulder(const Mat3<S>& upper) {
     const auto sign = [this](int dof) { return S(arm_->dof(dof).sign); };
     const BasicBallTurns<S> near{sign(0) * q_[0], sign(1) * q_[1], sign(2) * q_[2]};
@@ -218,13 +221,13 @@ class SwivelArm {
   }
 
   const BodyModel* arm_;
-  BasicHingedLimb<S> segments_;  // with the wrist as it starts
-  double outwards_;              // +1 or -1: the turn about u that lifts the elbow outwards
+  BasicHingedLimb<S> segments_;  // with the wrist in its start posture
+  double outwards_;              // sign of the turn about u that lifts the elbow outwards
   HandTurn<S> turn_;
   std::vector<Line> lines_;  // (frames)
-  std::vector<Bent> bents_;  // (frames) of a hand that does not turn: the same for all swivels
+  std::vector<Bent> bents_;  // (frames) for a hand without an orientation: the same for all swivels
   std::vector<S> q_;         // (dofs) rad
-  std::vector<S> last_;      // (dofs) rad, of a hand that turns
+  std::vector<S> last_;      // (dofs) rad, for a hand with an orientation
 };
 
 template <class S>
@@ -254,7 +257,7 @@ void SwivelArm<S>::follow(std::span<const Vec3<S>> path, const HandTurn<S>& turn
   for (std::size_t f = 1; f < path.size(); ++f) {
     const S distance = norm(path[f]);
     const Vec3<S> before = along;
-    // a hand in the shoulder's centre has no direction of its own
+    // a hand in the shoulder's centre has no direction
     const auto apart = distance > S(1e-9);
     along = select(apart, path[f] * (S(1) / select(apart, distance, S(1))), before);
     axis = carried(axis, before, along);
@@ -277,7 +280,7 @@ S SwivelArm<S>::run(const S& swivel, std::vector<S>& angles) {
     q_[kElbow] = arm.bend;
     turn_shoulder(upper_arm(arm, lines_[f].along, swivelled(f, swivel)));
     const S miss = abs(lines_[f].distance - arm.reach);
-    // NaN counts as far off
+    // a NaN counts as far off
     worst = select(miss < S(1e9), max(worst, miss), S(1e9));
     for (std::size_t d = 0; d < dofs(); ++d) angles[f * dofs() + d] = q_[d];
   }

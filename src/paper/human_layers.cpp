@@ -12,8 +12,8 @@ namespace {
 
 constexpr const char* kRest = "rest";
 
-// Where a free arm may end (rad): within its joints' limits and not across the body. It begins
-// where the start posture has it, even if that is beyond.
+// Range of the final angles of a free arm (rad): within its joints' limits and not across the body.
+// It includes the start posture, even beyond these bounds.
 struct FinalRange {
   int BodyLimb::*dof;
   double low;
@@ -25,21 +25,22 @@ constexpr std::array<FinalRange, 3> kFinalRanges{{
     {&BodyLimb::hinge, 0.0, radians(120.0)},
 }};
 
-// Swivels differ by the arm's posture and by how evenly it gets there, and little by torque.
+// Criteria for swivels, which differ by the arm's posture and the smoothness of its motion, and
+// little by torque.
 CriteriaSettings swivel_criteria() {
   CriteriaSettings criteria = default_criteria();
-  criteria.balance_zone_weight = 0.0;  // with the trunk held there is nothing to balance …
-  criteria.low_back_weight = 0.0;      // … and no back …
-  criteria.collision_weight = criteria.pressure_weight = 0.0;  // … and an arm alone has no feet …
+  criteria.balance_zone_weight = 0.0;                          // no balance with a fixed trunk
+  criteria.low_back_weight = 0.0;                              // no back
+  criteria.collision_weight = criteria.pressure_weight = 0.0;  // no feet on an arm alone
   criteria.coordination_weight = criteria.mass_ahead_weight = 0.0;
   criteria.jolts_weight = 0.0;
-  // … while its hand goes and its shoulder stays wherever it swivels
+  // the hand's path and the shoulder do not depend on the swivel
   criteria.hand_curve_weight = criteria.trunk_travel_weight = 0.0;
   criteria.torque_weight = 0.1;
   return criteria;
 }
 
-// The criteria of a free limb's own motion, beside the whole body's.
+// Criteria of a free limb's own motion, beside the whole body's.
 CriteriaSettings rest_criteria() {
   CriteriaSettings criteria;
   for_each_criterion([&](const auto& entry) { entry.weight(criteria) = 0.0; });
@@ -47,21 +48,21 @@ CriteriaSettings rest_criteria() {
   return criteria;
 }
 
-// the paper's layer of an arm with another parameter
+// Replaces the parameters of the paper's layer of an arm by its swivel.
 void search_swivel(Layer& layer) {
   layer.parameters = {
       within(parameter_info(ParameterKind::swivel, layer.name, {0, 1, 2}), kSwivelMin, kSwivelMax)};
   layer.criteria = swivel_criteria();
 }
 
-// an arm beside others, with the final angles that it may be given
+// Adds an arm to the idle layer, with the final angles that are searched.
 void add_idle_arm(const BodyModel& body, const BodyLimb& arm, const Layer& alone, Layer& rest) {
   const auto first = static_cast<int>(rest.body.dofs.size());
   for (ReducedDof dof : alone.body.dofs) {
     if (dof.parent >= 0) dof.parent += first;
     rest.body.dofs.push_back(std::move(dof));
   }
-  // a shoulder that PostureLaw draws has no angle of its own to end at
+  // a shoulder moved by PostureLaw has no final angle of its own
   const bool drawn = nods(body);
   for (const FinalRange& range : kFinalRanges) {
     if (drawn && range.dof != &BodyLimb::hinge) continue;

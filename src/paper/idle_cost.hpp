@@ -9,16 +9,16 @@
 
 namespace shigusa {
 
-// An idle arm that comes into the body costs P = min(1, depth / kCollisionFull) times this.
+// Weight of the cost P = min(1, depth / kCollisionFull) of an idle arm inside the body.
 inline constexpr double kIdleCollisionWeight = 2.0;
 
-// The cost of limbs that no goal moves, beside the whole body's criteria, frame by frame: the
-// torque that freedoms with a final angle take, by their layers' criteria (as the criterion Torque
-// has it, but of these freedoms alone), and how deep their arms get into the body.
+// Cost of idle limbs, in addition to the whole body's criteria, frame by frame: the torques of dofs
+// with a final angle, by their layers' criteria (as the criterion Torque, but for these dofs
+// alone), and the depth of their arms in the body.
 template <class S>
 class IdleCost {
  public:
-  // The setup outlives it.
+  // The setup outlives the object.
   explicit IdleCost(const LayeredSetup& setup) : body_(&setup.body()) {
     for (const auto& loads : setup.idle_loads) {
       const double count = static_cast<double>(loads.dofs.size()) * (setup.upper.reach->steps + 1);
@@ -27,7 +27,6 @@ class IdleCost {
     for (const auto& arm : setup.idle_arms) arms_.push_back({&arm, S(0), S(0)});
   }
 
-  // Forgets the frames seen.
   void reset() {
     first_ = true;
     for (Group& group : groups_) group.squares = S(0);
@@ -76,7 +75,7 @@ class IdleCost {
     S deepest{};   // m
   };
 
-  // How deep the arm is in the body (m), 0 where it is not.
+  // Depth of the arm in the body (m), 0 if it is outside.
   S deepest_pair(const Arm& arm, const Kinematics<S>& kinematics) const {
     S most(0);
     for (const CapsulePair& pair : arm.pairs->pairs) {

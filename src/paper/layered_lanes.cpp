@@ -35,7 +35,7 @@ struct LayeredBatch::Call {
   [[nodiscard]] std::size_t count(std::size_t batch) const {
     return std::min(lanes, motions() - first(batch));
   }
-  // the rows of a batch
+  // The rows of a batch.
   template <class T>
   [[nodiscard]] std::span<T> rows(std::span<T> all, std::size_t batch) const {
     const std::size_t columns = all.size() / motions();
@@ -71,7 +71,7 @@ void LayeredBatch::run_upper(Call& call, std::size_t batch, std::size_t slot) {
                         call.rows(std::span(call.hands), batch));
 }
 
-// libraries may have to be built, which one thread does
+// Chooses the arms' weights on one thread, which may have to build libraries.
 void LayeredBatch::choose_arms(Call& call, const ChooseArms& choose, std::size_t first,
                                std::size_t count) {
   const std::size_t goals = setup_->arms.size();
@@ -107,7 +107,7 @@ void LayeredBatch::score(const LayeredInputs& inputs, const ChooseArms& choose,
     });
     return;
   }
-  // as many batches at once as threads, since each keeps its upper motions meanwhile
+  // one batch per thread at a time, since each keeps its upper motions meanwhile
   for (std::size_t first = 0; first < batches; first += lanes_.size()) {
     const std::size_t some = std::min(lanes_.size(), batches - first);
     const auto each = [&](auto work) {

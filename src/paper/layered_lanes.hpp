@@ -11,18 +11,18 @@
 
 namespace shigusa {
 
-// Parameters of many motions of layers, one after the other, in single precision.
+// Parameters of many motions of layers, in sequence, in single precision.
 struct LayeredInputs {
   std::span<const float> inverse_weights;  // (motions × dofs of the upper layer) 0 where locked
   std::span<const float> contractions;     // (motions × limbs)
   std::span<const float> finals;           // (motions × final angles) rad
-  // (motions × arms by swivel) rad, or empty: the best of a few
+  // (motions × arms by swivel) rad, or empty: the best of a few angles
   std::span<const float> swivels{};
-  // (motions × arms by weights × kArmDofs) 0 where locked; chosen when the upper layer has moved
+  // (motions × arms by weights × kArmDofs) 0 where locked; chosen after the upper layer's motion
   std::span<const float> arms{};
-  bool idle = false;  // adds what IdleCost counts
+  bool idle = false;  // includes IdleCost
 
-  // `count` of `motions` from `first` on.
+  // The rows of `count` motions from `first` on, out of `motions`.
   [[nodiscard]] LayeredInputs part(std::size_t first, std::size_t count,
                                    std::size_t motions) const {
     const auto rows = [&](std::span<const float> all) {
@@ -34,20 +34,20 @@ struct LayeredInputs {
   }
 };
 
-// Scores as many motions of layers at once as a SIMD set has lanes: a motion's lower layers after
-// its upper one. One per batch that is under way.
+// Scores as many layered motions in parallel as a SIMD set has lanes: each motion's upper layer,
+// then its lower ones. One per batch in progress.
 class LayeredLanes {
  public:
   virtual ~LayeredLanes() = default;
-  // Moves the upper layer of at most simd_lanes() motions. hands: (motions × goals) m, where the
-  // paths of the hands end, as HandPath has them.
+  // Moves the upper layer of at most simd_lanes() motions. hands: (motions × goals) m, the ends of
+  // the hands' paths, as in HandPath.
   virtual void run_upper(const LayeredInputs& inputs, std::span<Vec3d> hands) = 0;
   // Moves the layers below, of the same motions. scores (motions); final_angles (motions × dofs).
   virtual void expand(const LayeredInputs& inputs, std::span<double> scores,
                       std::span<float> final_angles) = 0;
 };
 
-// One per SIMD set, each in a source file that is compiled for it.
+// One per SIMD set, each in a source file compiled for it.
 std::unique_ptr<LayeredLanes> make_scalar_layers(const LayeredSetup& setup,
                                                  const CriteriaSettings& criteria);
 std::unique_ptr<LayeredLanes> make_lanes_4_layers(const LayeredSetup& setup,
@@ -57,17 +57,17 @@ std::unique_ptr<LayeredLanes> make_avx2_layers(const LayeredSetup& setup,
 std::unique_ptr<LayeredLanes> make_avx512_layers(const LayeredSetup& setup,
                                                  const CriteriaSettings& criteria);
 
-// Where limits are to be held, an upper motion whose limbs pass them costs the first for each
-// radian in all, and the second at most: so a motion within its limits is better unless it is bad.
+// Cost per radian of exceeded limits, and its maximum, where limits are held: a motion within its
+// limits is preferred unless it is bad.
 inline constexpr double kOverLimitCost = 2.0;
 inline constexpr double kOverLimitMost = 0.5;
 
-// Scores motions of layers by the built-in criteria, many at once, as BatchRollout scores those of
-// the whole body. A motion's score depends on its parameters alone.
+// Scores batches of layered motions by the built-in criteria, as BatchRollout does for the whole
+// body. A motion's score depends on its parameters alone.
 class LayeredBatch {
  public:
-  // Finds the inverse weights (arms by weights × kArmDofs) of a motion whose hands' paths end there
-  // (goals). Called from one thread.
+  // Returns the inverse weights (arms by weights × kArmDofs) of a motion for the ends of its hands'
+  // paths (goals). Called from one thread.
   using ChooseArms = std::function<std::vector<float>(std::span<const Vec3d> hands)>;
 
   // Setup and criteria outlive the batch.
@@ -77,14 +77,14 @@ class LayeredBatch {
   LayeredBatch(const LayeredBatch&) = delete;
   LayeredBatch& operator=(const LayeredBatch&) = delete;
 
-  // scores (motions): the criteria's, and the cost of passing limits that are held; where hand or
-  // foot leaves its place, the worst of all and more, by what is missed. final_angles: (motions ×
-  // dofs) rad, how each motion ends, or empty.
+  // Scores layered motions. scores (motions): the criteria's, plus the cost of exceeded limits if
+  // they are held; if a hand or foot leaves its place, above the worst by the size of the error.
+  // final_angles: (motions × dofs) rad, the last frame of each motion, or empty.
   void score(const LayeredInputs& inputs, const ChooseArms& choose, std::span<double> scores,
              std::span<float> final_angles);
 
  private:
-  // The motions of one call, and what is found of them on the way.
+  // The motions of one call, with intermediate results.
   struct Call;
   LayeredLanes& lanes(std::size_t slot);
   [[nodiscard]] std::size_t arms_by_weights() const;
@@ -95,7 +95,7 @@ class LayeredBatch {
   const LayeredSetup* setup_;
   const CriteriaSettings* criteria_;
   BatchSettings settings_;
-  std::vector<std::unique_ptr<LayeredLanes>> lanes_;  // made when first needed
+  std::vector<std::unique_ptr<LayeredLanes>> lanes_;  // made on demand
 };
 
 }  // namespace shigusa

@@ -9,32 +9,33 @@
 
 namespace shigusa {
 
-// Plays and keeps motions of a hierarchy, one at a time (see LayeredRollout). Holds its scratch
-// memory: make one per thread. The problem outlives it.
+// Plays and records motions of a hierarchy, one at a time (see LayeredRollout). Owns scratch
+// memory: one per thread. The problem outlives it.
 class LayeredPlayer {
  public:
   explicit LayeredPlayer(const LayeredProblem& problem);
   LayeredPlayer(LayeredPlayer&&) noexcept;
   ~LayeredPlayer();
 
-  // The upper layer's motion.
+  // Plays the upper layer's motion.
   void run_upper(const LayeredValues& parameters, ReducedClip<double>& clip);
   // The hand's path of each goal in an upper motion.
   [[nodiscard]] std::vector<HandPath> hand_paths(const ReducedClip<double>& clip);
-  // How far the legs' joints would pass their limits for the pelvis of an upper motion (rad, the
-  // most of any frame; rule R4), and whether all legs can be so long.
+  // Excess of the legs' joints over their limits for the pelvis of an upper motion (rad, the
+  // largest over all frames; rule R4), and whether all legs can have the required lengths.
   struct PelvisCheck {
     double excess = 0.0;
     bool in_reach = true;
   };
   [[nodiscard]] PelvisCheck check_pelvis(const ReducedClip<double>& clip);
-  // The best of a few swivels for each arm that has one, on the paths of an upper motion.
+  // The best of a few swivels for each arm moved by swivel, on the paths of an upper motion.
   [[nodiscard]] std::vector<double> find_swivels(const ReducedClip<double>& clip);
   // The whole body's motion for an upper motion and the parameters of the layers below; those of
-  // the upper layer are the clip's. A hand whose arm cannot follow its path with its weights
-  // (locked, mostly) leaves it.
+  // the upper layer are the clip's. A hand leaves its path if its arm cannot follow it with its
+  // weights (mostly for locked joints).
   [[nodiscard]] RolledOut expand(const ReducedClip<double>& clip, const LayeredValues& parameters);
-  // Expands so, but gives an arm that cannot follow its path the weights of all freedoms alike.
+  // Expands in the same way, but gives an arm that cannot follow its path equal weights for all
+  // dofs.
   [[nodiscard]] RolledOut expand_freeing(const ReducedClip<double>& clip,
                                          LayeredValues& parameters);
 

@@ -10,28 +10,28 @@
 
 namespace shigusa {
 
-// The layers of a hierarchy, and the problem of the whole body: all that its motions depend on.
+// The layers of a hierarchy, and the problem of the whole body: the common data of its motions.
 struct LayeredProblem {
-  ReachProblem reach;         // points to the whole body
-  bool in_reach = true;       // of the whole body; if not, paths end at the closest point
-  std::vector<Layer> layers;  // those to the goals (layers_to_goals)
+  ReachProblem reach;         // refers to the whole body
+  bool in_reach = true;       // for the whole body; if false, paths end at the closest point
+  std::vector<Layer> layers;  // the layers that lead to the goals (layers_to_goals)
   BodyLimbs limbs;
   std::vector<int> arms;              // (goals) index in limbs.arms
   std::vector<BodyModel> arm_bodies;  // (goals)
-  // how all joints of the whole body at once go to the goals, or to the closest point
+  // approaches of all joints of the whole body at once, to the goals or to the closest point
   std::vector<ReachProblem> body_approaches{};
 };
 
 // Whether a goal moves the arm.
 [[nodiscard]] bool has_goal(const LayeredProblem& problem, const BodyLimb& arm);
 
-// Where the upper layer leads one arm: the path of its hand as its shoulder sees it.
+// Path of one arm's hand in an upper motion, relative to its shoulder.
 template <class S>
 using HandPathOf =
     std::vector<Vec3<S>>;  // (frames) m, in the frame of the link that carries the arm
 using HandPath = HandPathOf<double>;
 
-// The turn that a goal wants of its hand at the end of an upper motion, in its path's last frame.
+// Target orientation of a goal's hand at the end of an upper motion, in its path's last frame.
 template <class S>
 [[nodiscard]] HandTurn<S> hand_turn(const LayeredProblem& problem, const ReducedClip<S>& clip,
                                     std::size_t goal) {
@@ -41,30 +41,30 @@ template <class S>
           transpose_times(carrier, to_scalar<S>(turn.direction))};
 }
 
-// The search of the upper layer scores swivels by one frame of this number.
+// Every how many frames the search of the upper layer scores swivels.
 inline constexpr int kCoarseFrames = 2;
 
-// All that the motions of a layered problem have in common. The problem outlives it.
+// The data shared by all motions of a layered problem. The problem outlives it.
 struct LayeredSetup {
-  // One of the two methods that move a goal's arm, with its place among the parameters.
+  // Method that moves a goal's arm, and its index among the parameters of that method.
   struct GoalArm {
     bool by_swivel = false;
     std::size_t slot = 0;
   };
-  // A freedom that ends at an angle of its own.
+  // A dof with a final angle of its own.
   struct Final {
     std::size_t dof = 0;
     double start = 0.0;  // rad
   };
 
-  // The freedoms of one layer that end at angles of their own, and how its criteria see their
-  // torques (TorqueSettings).
+  // The dofs of one layer with final angles of their own, and the settings for their torques in its
+  // criteria (TorqueSettings).
   struct IdleLoads {
     double weight = 0.0;
     double share = 1.0;
     std::vector<int> dofs;
   };
-  // The pairs of capsules of an arm that no goal moves.
+  // The pairs of capsules of an idle arm.
   struct IdleArm {
     std::vector<CapsulePair> pairs;
   };
@@ -72,7 +72,7 @@ struct LayeredSetup {
   explicit LayeredSetup(const LayeredProblem& problem);
   LayeredSetup(const LayeredSetup&) = delete;
   LayeredSetup& operator=(const LayeredSetup&) = delete;
-  ~LayeredSetup();  // in the source file, where all SIMD sets share it
+  ~LayeredSetup();  // defined in the source file, shared by all SIMD sets
 
   [[nodiscard]] const BodyModel& body() const { return *problem->reach.body; }
   [[nodiscard]] const BodyLimb& arm(std::size_t goal) const {
@@ -81,14 +81,14 @@ struct LayeredSetup {
 
   const LayeredProblem* problem;
   ReducedProblem upper;
-  // (goals) of the arm: how long it moves, in how many steps; and in steps of kCoarseFrames frames
+  // (goals) of the arm: duration and number of steps; and in steps of kCoarseFrames frames
   std::vector<ReachProblem> alone;
   std::vector<ReachProblem> alone_coarsely;
   std::vector<GoalArm> arms;            // (goals)
-  std::vector<std::vector<int>> moved;  // (goals) the body's dofs that the arm's are
+  std::vector<std::vector<int>> moved;  // (goals) the body's dofs for those of the arm
   std::vector<Final> finals;            // in the layers' order
   std::vector<TrunkJoint> joints;       // those that carry an arm with a goal
-  std::vector<IdleLoads> idle_loads;    // of layers that have final angles
+  std::vector<IdleLoads> idle_loads;    // of layers with final angles
   std::vector<IdleArm> idle_arms;
   Kinematics<double> start;  // of the body
 

@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-// Values of the layers below the upper one as their rollout computes with them.
+// Values of the layers below the upper one, in the form of their rollout.
 template <class S>
 struct LowerInput {
   std::span<const S> inverse_weights{};  // (arms by weights × kArmDofs) 0 where locked
@@ -20,13 +20,13 @@ struct LowerInput {
 };
 
 // Plays a hierarchy from the top: the reduced body moves, then its rods become limbs again. Legs
-// follow in closed form from where the pelvis is (paper, section 3.4; rule R3), their feet where
-// they stand; arms that have a goal move along the path that the rod's end took, by weights or by
-// their swivel; what has a final angle goes to it with minimum jerk; head, free arm and its
-// clavicle follow PostureLaw, where the problem has it; the rest stays as it is.
+// follow in closed form from the pelvis (paper, section 3.4; rule R3), with their feet planted;
+// arms with a goal move along the path of the rod's end, by weights or by their swivel; dofs with a
+// final angle move to it with minimum jerk; head, free arm and its clavicle follow PostureLaw, if
+// the problem has it; all others stay.
 //
-// S is double, or a pack: then each lane has parameters of its own. Holds its scratch memory: make
-// one per thread. The setup outlives it.
+// S is double, or a pack whose lanes have separate parameters. Owns scratch memory: one per thread.
+// The setup outlives it.
 template <class S>
 class LayeredRollout {
  public:
@@ -59,7 +59,7 @@ class LayeredRollout {
     upper_.run(input, clip_);
     find_paths();
   }
-  // Takes a motion of the upper layer.
+  // Adopts a motion of the upper layer.
   void take(const ReducedClip<S>& clip) {
     clip_ = clip;
     find_paths();
@@ -69,10 +69,10 @@ class LayeredRollout {
   // (goals) of the upper layer's motion.
   [[nodiscard]] const std::vector<HandPathOf<S>>& paths() const { return paths_; }
 
-  // How far the length of a leg may be beyond those that it can have, where rounding counts (m).
+  // Tolerance (m) for a leg's length beyond its range, for rounding.
   static constexpr double kLegSlack = sizeof(Element<S>) == sizeof(double) ? 0.0 : 2e-6;
 
-  // Whether all legs can be as long as the upper layer's motion has them.
+  // Whether all legs can have the lengths of the upper layer's motion.
   [[nodiscard]] auto in_reach() const {
     auto within = S(0) <= S(1);
     for (int f = 1; f <= steps(); ++f) {
@@ -86,7 +86,7 @@ class LayeredRollout {
     return within;
   }
 
-  // The best swivels of a few (arms by swivel).
+  // Finds the best of a few swivels (arms by swivel).
   void find_swivels(std::span<S> swivels) {
     for (std::size_t k = 0; k < swivels_.size(); ++k) {
       Swivelled& moved = swivels_[k];
@@ -95,8 +95,8 @@ class LayeredRollout {
     }
   }
 
-  // Moves the arms along their paths. An arm that cannot follow its path with its weights (locked,
-  // mostly) leaves it; `freeing`: it takes the weights of all freedoms alike.
+  // Moves the arms along their paths. An arm that cannot follow its path with its weights (mostly
+  // for locked joints) leaves it, or with `freeing` gets equal weights for all dofs.
   void move_arms(const LowerInput<S>& input, bool freeing) {
     for (std::size_t k = 0; k < swivels_.size(); ++k) {
       Swivelled& moved = swivels_[k];
@@ -107,12 +107,11 @@ class LayeredRollout {
       move_by_weights(k, input.inverse_weights.subspan(k * kArmDofs, kArmDofs), freeing);
     }
   }
-  // (goals) m, by how much the hands miss their paths at the most, with the weights that were
-  // given.
+  // (goals) m, largest distance of the hands from their paths, with the given weights.
   [[nodiscard]] const std::vector<S>& arm_misses() const { return arm_misses_; }
 
-  // Plays the whole body's motion, once its arms are moved: calls visit(const PlacedFrame<S>&) for
-  // the frames 0..steps in order.
+  // Plays the whole body's motion after move_arms(): calls visit(const PlacedFrame<S>&) for the
+  // frames 0..steps in order.
   template <class Visitor>
   BasicReachOutcome<S> play(std::span<const S> finals, Visitor&& visit) {
     BasicReachOutcome<S> outcome;
@@ -134,14 +133,14 @@ class LayeredRollout {
     return outcome;
   }
 
-  // (dofs, rad) where the last motion ended.
+  // (dofs, rad) the last frame of the last motion.
   [[nodiscard]] std::span<const S> final_angles() const { return angles_[1]; }
 
-  // Where a hip is from its foot.
+  // Line from a foot to its hip.
   struct LegLine {
     S lean{};    // rad, in the leg's plane
     S length{};  // m
-    S turn{};    // rad, about the foot's z: of the leg's plane, where the ankle inverts
+    S turn{};    // rad, about the foot's z: of the leg's plane, by the ankle's inversion
   };
   [[nodiscard]] LegLine leg_line(std::size_t leg, int frame) const {
     return leg_line(legs_[leg], frame);
@@ -154,8 +153,9 @@ class LayeredRollout {
     BasicHingedLimb<S> segments;
     Mat3<S> foot{};   // R_WF
     Vec3<S> ankle{};  // m, world
-    T inverts{};      // +1 or -1: how an ankle's inversion turns the shank on the foot about z
-    T climbs{};       // … and how the knee turns the thigh on the shank, seen from the foot
+    T inverts{};  // +1 or -1: direction of an ankle's inversion as a turn of the shank on the foot
+                  // about z
+    T climbs{};   // the same for the knee's turn of the thigh on the shank, seen from the foot
   };
   struct Swivelled {
     std::size_t goal = 0;
@@ -175,7 +175,7 @@ class LayeredRollout {
   [[nodiscard]] Kinematics<S>& next() { return kinematics_[1 - now_]; }
 
   Leg leg_of(const BodyLimb& limb) const {
-    // the ankle's freedom that is next to the foot
+    // the ankle's dof next to the foot
     const int ankle = limb.inversion < 0 ? limb.ankle : limb.inversion;
     const int foot = limb.carries ? kBaseLink : ankle;
     const Vec3d in_foot = limb.carries ? body_->dof(ankle).offset : Vec3d{};
@@ -202,7 +202,7 @@ class LayeredRollout {
   }
 
   [[nodiscard]] LegLine leg_line(const Leg& leg, int frame) const {
-    // the base's leg has them as freedoms of its own, the first ones
+    // for the base's leg they are the first dofs
     const std::span<const S> values = clip_.frame(frame);
     if (leg.limb->carries && leg.limb->inversion < 0) return {values[0], values[1], S(0)};
     if (leg.limb->carries) return {values[1], values[2], S(leg.inverts) * values[0]};
@@ -216,7 +216,7 @@ class LayeredRollout {
     return {atan2(line.z, line.y), sqrt(line.y * line.y + line.z * line.z), turn};
   }
 
-  // `angles` has the frame before's, to go on from
+  // Sets the angles of a leg. `angles` holds those of the frame before, to continue from.
   void bend_leg(const Leg& leg, int frame, std::span<S> angles) const {
     const LegLine line = leg_line(leg, frame);
     const S knee = leg.segments.bend(line.length);
@@ -244,7 +244,7 @@ class LayeredRollout {
     rollout.run(paths_[g], freed_, arm_angles_[g]);
   }
 
-  // moves the angles of the next frame to where the layers have them
+  // Moves the angles of the next frame to those of the layers.
   void expand(int frame, std::span<const S> finals) {
     const std::span<S> angles = angles_[2];
     for (std::size_t d = 0; d < angles.size(); ++d) angles[d] = angles_[1][d];
@@ -267,16 +267,17 @@ class LayeredRollout {
     forward_kinematics<S>(*body_, angles, next());
   }
 
-  // draws what no goal moves by where the body is before the step, as a rollout of the whole body
+  // Moves the dofs of the posture law, from the body's placement before the step, as in a rollout
+  // of the whole body.
   void follow_law(int frame, std::span<S> angles) {
     for (S& drawn : drawn_) drawn = S(0);
-    // "guided": clavicles of arms with goals are the upper layer's
+    // guided, as clavicles of arms with goals belong to the upper layer
     constexpr bool kGuided = true;
     law_.draw(frame, now(), angles_[1], kGuided, drawn_);
     for (std::size_t d = 0; d < drawn_.size(); ++d) angles[d] = angles[d] + drawn_[d];
   }
 
-  // hands and feet in the next frame
+  // Measures the errors of hands and feet in the next frame.
   void measure(int frame, BasicReachOutcome<S>& outcome) {
     const ReachProblem& reach = setup_->problem->reach;
     for (std::size_t g = 0; g < reach.goals.size(); ++g) {
@@ -300,7 +301,7 @@ class LayeredRollout {
     }
   }
 
-  // NaN counts as far off
+  // Counts a NaN as far off.
   static S counted(const S& most, const S& now) { return select(now < S(1e9), most, S(1e9)); }
 
   const LayeredSetup* setup_;
@@ -314,12 +315,12 @@ class LayeredRollout {
   std::vector<Weighted> rollouts_;
   std::vector<Leg> legs_;
   FrameDynamics<S> dynamics_;
-  std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, taking turns …
-  std::size_t now_ = 0;                    // … and which is this frame's
+  std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, alternating
+  std::size_t now_ = 0;                    // index of this frame's
   std::vector<std::vector<S>> angles_;     // of the frame before, this one and the next
   std::vector<S> drawn_;                   // (dofs) rad, by the law
   std::vector<S> unlocked_;                // (kArmDofs)
-  std::vector<S> freed_ = unlocked_;       // (kArmDofs) inverse weights of an arm that is freed
+  std::vector<S> freed_ = unlocked_;       // (kArmDofs) inverse weights of a freed arm
   PostureLaw<S> law_;
 };
 

@@ -9,7 +9,7 @@
 namespace shigusa {
 namespace {
 
-// Values of as many of each kind as the layers have.
+// Values with the numbers of elements of each kind that the layers have.
 LayeredValues sized_for(std::span<const Layer> layers) {
   const ReducedBody& upper = layers.front().body;
   LayeredValues values{.joints = std::vector<JointWeight>(upper.dofs.size(), {1.0, true}),
@@ -24,8 +24,8 @@ LayeredValues sized_for(std::span<const Layer> layers) {
   return values;
 }
 
-// Shows where each parameter stands: visit(its number, value, lock or null), of a contraction once
-// for each limb.
+// Visits each parameter's place: visit(its number, value, lock or null), for a contraction once for
+// each limb.
 template <class Visit>
 void for_each_value(std::span<const Layer> layers, LayeredValues& values, Visit&& visit) {
   std::size_t number = 0;

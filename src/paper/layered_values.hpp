@@ -10,38 +10,37 @@
 
 namespace shigusa {
 
-// How readily one joint freedom moves.
+// Weight of one dof.
 struct JointWeight {
-  double weight = 1.0;  // > 0; the larger, the less the freedom moves beside the others
-  bool locked = false;  // it keeps its start angle
+  double weight = 1.0;  // > 0; the larger, the less the dof moves relative to others
+  bool locked = false;  // the dof keeps its start angle
 
   friend bool operator==(const JointWeight&, const JointWeight&) = default;
 };
 
-// The freedoms of an arm that moves by weights.
+// The dofs of an arm moved by weights.
 inline constexpr int kArmDofs = 4;
 // The weights of shoulder flexion, abduction and rotation, and of elbow flexion.
 using ArmWeights = std::array<JointWeight, kArmDofs>;
 
-// The values of a plan of several layers, as these compute with them.
+// The values of a plan of several layers, in the form used by its layers.
 struct LayeredValues {
   std::vector<JointWeight> joints;     // (dofs of the first layer's body)
   std::vector<double> contractions{};  // (its limbs) 0..kContractionMax
   std::vector<ArmWeights> arms{};      // (goals whose arm moves by weights)
   std::vector<double> swivels{};       // (goals whose arm moves by its swivel) rad
-  std::vector<double> finals{};        // (final angles that layers search) rad
+  std::vector<double> finals{};        // (searched final angles) rad
 
   friend bool operator==(const LayeredValues&, const LayeredValues&) = default;
 };
 
-// The values of a plan as its layers compute with them; a freedom that has no weight in it is
-// locked.
+// The values of a plan in the form used by its layers; dofs without a weight are locked.
 [[nodiscard]] LayeredValues layered_values(std::span<const Layer> layers,
                                            const Parameters& parameters);
-// The reverse; of a contraction that limbs share, the last one's.
+// The reverse; a contraction shared by several limbs is taken from the last.
 [[nodiscard]] Parameters parameters_of(std::span<const Layer> layers, LayeredValues values);
 
-// The values that layers begin with.
+// The initial values of the layers.
 [[nodiscard]] LayeredValues start_values(std::span<const Layer> layers);
 
 }  // namespace shigusa

@@ -16,12 +16,12 @@
 namespace shigusa {
 namespace {
 
-// Changes whenever the same body and settings would give other cells or another text.
+// To be changed whenever the same body and settings would give other cells or another text.
 constexpr std::uint32_t kVersion = 1;
 constexpr std::string_view kMagic = "shigusa-limbs\n";
-// A path around the shoulder may come nearer to it than the least radius by this share …
+// Share by which a path around the shoulder may fall below the least radius.
 constexpr double kShoulderSlack = 0.05;
-// … and is tried farther and farther out, by this (m).
+// Increment (m) of the detour until the path is far enough out.
 constexpr double kDetourStep = 0.01;
 
 std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings) {
@@ -52,7 +52,7 @@ std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings)
   return hash.value();
 }
 
-// four bits for each gene, the first one lowest
+// Packs the genes into four bits each, the first one lowest.
 std::uint16_t code_of(const ArmGenes& genes) {
   unsigned code = 0;
   for (std::size_t k = 0; k < genes.size(); ++k) code |= static_cast<unsigned>(genes[k]) << (4 * k);
@@ -67,7 +67,7 @@ ArmGenes genes_of(std::uint16_t code) {
   return genes;
 }
 
-// Takes an integer off the front.
+// Removes an integer from the front.
 template <class T>
 T take_off(std::string_view& from) {
   const T x = integer_at<T>(from, 0);
@@ -75,7 +75,7 @@ T take_off(std::string_view& from) {
   return x;
 }
 
-// m, of a path's frames from the shoulder.
+// Least radius (m) of a path's frames about the shoulder.
 double nearest_radius(const EffectorPath& path) {
   double least = norm(path.start);
   for (int f = 1; f <= kMotionSteps; ++f) {
@@ -84,7 +84,7 @@ double nearest_radius(const EffectorPath& path) {
   return least;
 }
 
-// When (0..1) a minimum-jerk motion has covered that share of its path.
+// Time (0..1) at which a minimum-jerk motion has covered that share of its path.
 double time_of(double share) {
   double low = 0.0;
   double high = 1.0;
@@ -148,9 +148,9 @@ EffectorPath LimbLibrary::path_to(int cell) const {
   const double share = clamp(-dot(path.start, line) / max(dot(line, line), 1e-12), 0.0, 1.0);
   const Vec3d nearest = path.start + line * share;
   path.detour_peak = clamp(time_of(share), kDetourMargin, 1.0 - kDetourMargin);
-  // from the shoulder's own centre a path leaves it forwards
+  // from the shoulder's own centre a path leaves forwards
   const Vec3d out = normalized(nearest, {0, 0, 1});
-  // beside its peak a detour is less, so it takes more than what is missing
+  // a detour decreases away from its peak, so it must exceed the gap
   for (double more = 0.0; more < longest_ && nearest_radius(path) < least; more += kDetourStep) {
     path.detour = out * (least - norm(nearest) + more);
   }
@@ -197,7 +197,8 @@ void LimbLibrary::build(int cell) {
   ++built_;
 }
 
-// "shigusa-limbs\n", version, hash, count of cells; cells; check sum: all numbers lowest byte first
+// "shigusa-limbs
+// ", version, hash, count of cells; cells; check sum: all numbers little-endian.
 std::string LimbLibrary::bytes() const {
   std::string text(kMagic);
   append_bytes(text, kVersion);

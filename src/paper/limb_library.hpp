@@ -15,8 +15,8 @@ namespace shigusa {
 
 // Rule R5: hand goals in the trunk's frame around the shoulder, by azimuth and elevation in steps
 // of 15° and by 6 radii from 0.35 to 1 of the arm's length at kLeastBend.
-inline constexpr int kLimbAzimuths = 24;    // 0 is forwards, the left is positive
-inline constexpr int kLimbElevations = 12;  // of the trunk's horizontal plane, upwards
+inline constexpr int kLimbAzimuths = 24;    // 0 is forwards, positive to the left
+inline constexpr int kLimbElevations = 12;  // from the trunk's horizontal plane, upwards
 inline constexpr int kLimbRadii = 6;
 inline constexpr int kLimbCells = kLimbAzimuths * kLimbElevations * kLimbRadii;
 inline constexpr double kLimbAngle = radians(15.0);
@@ -24,48 +24,47 @@ inline constexpr double kLimbRadiusMin = 0.35;
 
 struct LimbLibrarySettings {
   LimbSearch search = LimbSearch::ladder;
-  // The lower layer's: joint range and torque.
+  // Criteria of the lower layer: joint range and torque.
   CriteriaSettings criteria = [] {
     CriteriaSettings lower = paper_criteria();
     lower.balance_weight = 0.0;
     return lower;
   }();
-  BatchSettings batch{};  // changes no result
+  BatchSettings batch{};  // does not affect results
 };
 
-// The best weights to move an arm to each of a grid of goals, from where it hangs, with the trunk
-// held upright (paper, section 3.4; rule R5). A cell is searched when it is first asked for; cells
-// do not depend on each other nor on the order they are asked for in, so a library that was stored
-// gives the same results as a new one.
+// The best weights to move an arm to each of a grid of goals, from its hanging posture, with the
+// trunk held upright (paper, section 3.4; rule R5). A cell is searched on first use; cells do not
+// depend on one another nor on the order of use, so a stored library gives the same results as a
+// new one.
 class LimbLibrary {
  public:
-  // `arm` is an arm_body.
+  // Makes a library of an arm_body.
   explicit LimbLibrary(BodyModel arm, const LimbLibrarySettings& settings = {});
 
-  // The cell nearest to a hand's place (m, from the shoulder, in the trunk's frame).
+  // The cell nearest to a hand's position (m, from the shoulder, in the trunk's frame).
   [[nodiscard]] int cell_of(const Vec3d& hand) const;
-  // m, the goal that a cell stands for, and the path to it: straight, or around the shoulder where
-  // that would come nearer to it than the least radius.
+  // The goal of a cell (m), and the path to it: straight, or around the shoulder if that would come
+  // nearer to it than the least radius.
   [[nodiscard]] Vec3d goal_of(int cell) const;
   [[nodiscard]] EffectorPath path_to(int cell) const;
 
-  // Searches a cell that is not there yet; the next two do so too.
+  // Searches a cell that is not built yet; genes() and score() do so too.
   void build(int cell);
   // A cell's genome.
   [[nodiscard]] ArmGenes genes(int cell);
-  // Its score in that search; where no motion leads to the goal, the worst there is, and all
-  // weights are 1.
+  // A cell's score; if no motion leads to the goal, the worst score, and all weights are 1.
   [[nodiscard]] double score(int cell);
-  // Searches all cells that are not there yet.
+  // Searches all cells that are not built yet.
   void build_all();
   [[nodiscard]] int cells_built() const { return built_; }
 
-  // Body and settings by a number that is the same for the same ones; for a file's name.
+  // Hash of body and settings, for a file's name.
   [[nodiscard]] std::uint64_t hash() const { return hash_; }
-  // All cells that there are, with a header: hash, version and a check sum.
+  // All cells built, with a header: hash, version and a check sum.
   [[nodiscard]] std::string bytes() const;
-  // Takes over cells from what bytes() gave; those that are there already stay. False, and nothing
-  // is taken, where the text is damaged, or of another version, body or settings.
+  // Adds cells from the result of bytes(); existing ones stay. Returns false, and adds nothing, if
+  // the text is damaged, or of another version, body or settings.
   bool take(std::string_view bytes);
 
  private:
@@ -78,13 +77,13 @@ class LimbLibrary {
   BodyModel arm_;
   LimbLibrarySettings settings_;
   double longest_ = 0.0;  // m
-  Vec3d hanging_{};       // m, the hand at the start
+  Vec3d hanging_{};       // m, the hand in the start posture
   std::uint64_t hash_ = 0;
   std::vector<Cell> cells_;
   int built_ = 0;
 };
 
-// "right_arm-0123456789abcdef.limb"
+// File name of a library, such as "right_arm-0123456789abcdef.limb".
 [[nodiscard]] std::string limb_file_name(const std::string& arm, std::uint64_t hash);
 
 }  // namespace shigusa

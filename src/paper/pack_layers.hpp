@@ -8,8 +8,8 @@
 
 namespace shigusa {
 
-// The lanes of one Pack<float, N>, of layers. Included only by the source files that are compiled
-// for a SIMD set, with the same care as PackScorer.
+// Layered motions for the lanes of one Pack<float, N>. Included only by the source files compiled
+// for a SIMD set, with the same restrictions as PackScorer.
 template <int N>
 class PackLayers final : public LayeredLanes {
  public:
@@ -80,7 +80,7 @@ class PackLayers final : public LayeredLanes {
   }
 
  private:
-  // rows (motions × columns) to lanes; lanes that are left over repeat the last motion
+  // Distributes rows (motions × columns) to lanes; unused lanes repeat the last motion.
   static void spread(std::span<const float> rows, int motions, std::span<S> columns) {
     for (int lane = 0; lane < N; ++lane) {
       const int motion = lane < motions ? lane : motions - 1;
@@ -89,7 +89,7 @@ class PackLayers final : public LayeredLanes {
     }
   }
 
-  // moves the arms on the paths of the upper motion
+  // Moves the arms on the paths of the upper motion.
   void set_arms(const LayeredInputs& inputs, int motions) {
     spread(inputs.arms, motions, arms_);
     if (inputs.swivels.empty()) {

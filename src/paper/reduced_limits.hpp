@@ -12,25 +12,25 @@
 
 namespace shigusa {
 
-// The shank's turn by the leg's length goes without bound as the knee gets straight, where no limit
-// of the ankle is near: it counts as this at the most (rad/m).
+// Cap (rad/m) on the shank's turn per change of the leg's length, which is unbounded as the knee
+// straightens, where the ankle is far from its limits.
 inline constexpr double kMostShankTurn = 20.0;
-// An ankle carries the whole body, and a squat takes it to its limit fast: in less than this it
-// could not stop without a jerk.
+// Margin of an ankle's limits: it carries the whole body, and a squat takes it to its limit fast,
+// so a smaller margin would stop it with a jerk.
 inline constexpr double kAnkleMargin = radians(20.0);
 
-// Joint limits inside the weighted IK of a reduced body, after LimitGuard: a freedom that goes
-// towards a limit gives way by a share that falls to 0 over the last kLimitMargin, and comes to
-// rest there while others take over. It goes where it was pulled in the step before.
+// Joint limits inside the weighted IK of a reduced body, after LimitGuard: a dof that moves towards
+// a limit yields by a share that falls to 0 over the last kLimitMargin, and comes to rest there
+// while others take over. The direction is that of the pull in the step before.
 //
 // The ankle of a leg that is a rod of variable length is at lean - shank(length): the lean of the
-// leg's line, less what the knee turns the shank away from it. Both move it, so near its limit both
-// give way: a leg that changes its length by ΔL leans by (1 - share) · d shank/dL · ΔL more, which
-// leaves the share of what the length alone moves the ankle by.
+// leg's line, less the angle of the shank to it by the knee. Both move it, so near its limit both
+// yield: a leg that changes its length by ΔL leans by (1 - share) · d shank/dL · ΔL more, which
+// leaves the share of the ankle's motion by the length alone.
 template <class S>
 class ReducedLimits {
  public:
-  // The problem outlives it.
+  // The problem outlives the object.
   explicit ReducedLimits(const ReducedProblem& problem)
       : body_(problem.body), free_(problem.dofs().size()) {
     for (const int d : problem.limited) {
@@ -46,13 +46,13 @@ class ReducedLimits {
 
   [[nodiscard]] bool empty() const { return limited_.empty(); }
 
-  // Before a motion's first step; inverse (dofs): the weights far from limits.
+  // Resets the state before a motion's first step; inverse (dofs): the weights far from limits.
   void reset(std::span<const S> inverse) {
     for (std::size_t d = 0; d < free_.size(); ++d) free_[d] = inverse[d];
     for (Limited& limited : limited_) limited.pull = S(0);
   }
 
-  // Before a frame's first step from q (dofs, rad or m): sets the inverse weights to step with.
+  // Sets the inverse weights for a frame's first step from q (dofs, rad or m).
   void soften(std::span<const S> q, std::span<S> inverse) {
     for (Limited& limited : limited_) {
       const ReducedDof& dof = body_->dofs[limited.dof];
@@ -68,7 +68,7 @@ class ReducedLimits {
     }
   }
 
-  // Adds to the columns of lengths in a Jacobian's block, which its chain moves, what they lean by.
+  // Adds the lean that goes with the lengths to their columns in a Jacobian's block of that chain.
   void lean_with_length(std::span<const int> chain, std::span<Vec3<S>> columns) const {
     for (const Limited& limited : limited_) {
       if (!limited.leg || !contains(chain, limited.slide)) continue;
@@ -76,7 +76,7 @@ class ReducedLimits {
     }
   }
 
-  // After a frame's first step: force (dofs) is Jᵀλ, change (dofs) what that step moved.
+  // Stores the pull of a frame's first step: force (dofs) is Jᵀλ, change (dofs) that step.
   void learn(std::span<const S> force, std::span<const S> change) {
     for (Limited& limited : limited_) {
       limited.pull = force[limited.dof] * free_[limited.dof];
@@ -84,14 +84,14 @@ class ReducedLimits {
     }
   }
 
-  // Adds to q what a change of lengths (dofs, m) leans by.
+  // Adds to q the lean that goes with a change of lengths (dofs, m).
   void follow_length(std::span<const S> change, std::span<S> q) const {
     for (const Limited& limited : limited_) {
       if (limited.leg) q[limited.dof] = q[limited.dof] + leant(limited) * change[limited.slide];
     }
   }
 
-  // Puts back what passed a limit all the same, and leaves the rest of the frame to the others.
+  // Clamps dofs that still passed a limit, and locks them for the rest of the frame.
   void hold(std::span<S> q, std::span<S> inverse) const {
     for (const Limited& limited : limited_) {
       const ReducedDof& dof = body_->dofs[limited.dof];
@@ -107,12 +107,12 @@ class ReducedLimits {
  private:
   struct Limited {
     std::size_t dof = 0;
-    // of a lean, whose limits are the ankle's
+    // for a lean, with the ankle's limits
     std::size_t slide = 0;
     std::optional<BasicHingedLimb<S>> leg{};
-    S pull{};    // the sign says to which limit it goes
-    S share{1};  // of what it wants that it gets now
-    S slope{};   // rad/m, of the shank by the length now
+    S pull{};    // the sign gives the limit it moves towards
+    S share{1};  // present share of its weight
+    S slope{};   // rad/m, present derivative of the shank's angle by the length
   };
 
   static bool contains(std::span<const int> chain, std::size_t dof) {
@@ -122,12 +122,12 @@ class ReducedLimits {
     return false;
   }
 
-  // rad/m
+  // Additional lean per change of length (rad/m).
   [[nodiscard]] static S leant(const Limited& limited) {
     return (S(1) - limited.share) * limited.slope;
   }
 
-  // rad, by which the limits of a freedom are moved
+  // Offset (rad) of the limits of a dof.
   [[nodiscard]] static S moved_by(const Limited& limited, std::span<const S> q) {
     return limited.leg ? limited.leg->direction_of_length(q[limited.slide]) : S(0);
   }

@@ -12,12 +12,12 @@
 
 namespace shigusa {
 
-// Where a reduced body's links are.
+// World placement of a reduced body's links.
 template <class S>
 struct ReducedPlacement {
   std::vector<Mat3<S>> rotation;  // (dofs) R_WL
   std::vector<Vec3<S>> origin;    // (dofs) m, world: a hinge's centre, a slide's far end
-  std::vector<Vec3<S>> axis;      // (dofs) world: turned about, or slid along
+  std::vector<Vec3<S>> axis;      // (dofs) world: of rotation or translation
 
   explicit ReducedPlacement(std::size_t dofs) : rotation(dofs), origin(dofs), axis(dofs) {}
 };
@@ -26,8 +26,7 @@ struct ReducedPlacement {
 template <class S>
 class ReducedLinks {
  public:
-  // `placed`: all dofs whose places are asked for, with those that carry them. The body outlives
-  // it.
+  // `placed`: all dofs to be placed, with those that carry them. The body outlives the object.
   ReducedLinks(const ReducedBody& body, std::span<const int> placed)
       : base_{to_scalar<S>(body.base.rotation), to_scalar<S>(body.base.translation)} {
     for (const int d : placed) {
@@ -38,7 +37,7 @@ class ReducedLinks {
     }
   }
 
-  // For these angles and lengths (dofs, rad or m).
+  // Places the links for these angles and lengths (dofs, rad or m).
   void place(std::span<const S> q, ReducedPlacement<S>& placed) const {
     for (const Link& link : links_) {
       const bool on_base = link.parent < 0;
@@ -81,7 +80,7 @@ class ReducedLinks {
   std::vector<Link> links_;
 };
 
-// Where all links are as the body starts.
+// Placement of all links in the start posture.
 [[nodiscard]] ReducedPlacement<double> start_placement(const ReducedBody& body);
 
 // The direction of an arm (the dof of its length) in the frame of the chest that carries its
@@ -95,23 +94,23 @@ template <class S>
                    : transpose_times(placed.rotation[index(chest)], along);
 }
 
-// The values of a layer's joints and contractions, in one of two codes. Freedoms without a weight
-// of their own are locked. The paper's code: (parameters of the layer) each 0..kContractionMax; a
+// The values of a layer's joints and contractions, in one of two codes. Dofs without a weight of
+// their own are locked. The paper's code: (parameters of the layer) each 0..kContractionMax; a
 // weight of 0 locks.
 [[nodiscard]] LayeredValues decode_layer_genes(const Layer& layer,
                                                std::span<const std::uint16_t> genes);
-// A code even in the weights' logarithms (kLogWeightRange), without locks, and even in contraction:
-// (parameters of the layer) each 0..1.
+// The same in a code uniform in the weights' logarithms (kLogWeightRange), without locks, and
+// uniform in contraction: (parameters of the layer) each 0..1.
 [[nodiscard]] LayeredValues decode_layer_point(const Layer& layer, std::span<const double> point);
 
-// The parameters of a reduced body's motion as its rollout computes with them.
+// The parameters of a reduced body's motion, in the form of its rollout.
 template <class S>
 struct ReducedInput {
   std::span<const S> inverse_weights;  // (dofs) 0 where locked
   std::span<const S> contractions;     // (limbs) 0..kContractionMax
 };
 
-// The angles and lengths of a reduced body's dofs, frame after frame, and where that brings it.
+// The angles and lengths of a reduced body's dofs, frame by frame, with the resulting placements.
 template <class S>
 struct ReducedClip {
   int dofs = 0;
@@ -119,7 +118,7 @@ struct ReducedClip {
   std::vector<Transform<S>> trunk;                  // (frames) X_WB of the trunk's link
   std::vector<std::vector<Vec3<S>>> hands;          // [goal][frame] m, world
   std::vector<std::vector<Transform<S>>> carriers;  // [goal][frame] of the link with the shoulder
-  S path_error{};  // m, largest distance of a hand from its path at any frame
+  S path_error{};  // m, largest distance of a hand from its path over all frames
   S foot_error{};  // m, largest slide of a planted foot; its tilt counts by kContactLength
 
   [[nodiscard]] std::span<const S> frame(int number) const {
@@ -127,13 +126,14 @@ struct ReducedClip {
   }
 };
 
-// rad²/m²: what being off its length by a metre costs a leg of two, beside a freedom of weight 1.
+// rad²/m²: cost of one metre of deviation from its length for one of two legs, relative to a dof of
+// weight 1.
 inline constexpr double kLegStiffness = 1500.0;
-// LengthLaw::path shortens an arm by this share at the most of what its hand comes nearer: by all
-// of it the shoulder could stay, but the elbow folds faster than a trunk yields.
+// Largest share of the hand's approach by which LengthLaw::path shortens an arm: with all of it the
+// shoulder could stay, but the elbow folds faster than a trunk yields.
 inline constexpr double kPathShare = 0.5;
-// A frame takes more steps, at most this number, where the first one misses a target by more than
-// this (m).
+// Largest number of corrections in a frame, and the error (m) of a target above which they are
+// made.
 inline constexpr int kCorrections = 3;
 inline constexpr double kStepSlack = 5e-5;
 
@@ -142,21 +142,20 @@ inline constexpr double kStepSlack = 5e-5;
 //   L(t) = L_0 + (L_f - L_0) s(t),  L_f = longest - (longest - shortest) · contraction / 15,
 //   min Σ w_i Δq_i²   s.t.   J Δq = e - J_L ΔL,
 //
-// with s(t) the minimum jerk of the motion. By LengthLaw::path, where the goal is no farther than
-// `longest` from where the shoulder starts, L(t) is less by a share k ≤ ½ of
+// with s(t) the minimum jerk of the motion. By LengthLaw::path, if the goal is no farther than
+// `longest` from the shoulder's start position, L(t) is reduced by a share k ≤ ½ of
 //   d_0 + (d_f - d_0) s(t) - d(t),
-// d(t) being the distance of the hand's path from where the shoulder starts and k the most that
-// keeps the limb between `shortest` and `longest`. The lengths of the arms that have a goal, and of
-// a leg that stands alone, are exactly L(t). Two legs that both stand are a closed chain, in which
-// both lengths at once can be given for a pelvis that keeps level only: there L(t) is what lengths
-// are drawn to, a metre of difference counting as kLegStiffness rad², and neither leg gets longer
-// than `longest`. A step allows for what joints on arcs left the last one short by, as Rollout's; a
-// frame takes more where it must.
-// Where the problem holds limits, so does this (ReducedLimits). Clavicles of arms with goals go
-// with the line from shoulder to hand by PostureLaw, where the problem has it.
+// with d(t) the distance of the hand's path from the shoulder's start position and k the largest
+// value that keeps the limb between `shortest` and `longest`. The lengths of the arms that have a
+// goal, and of a single standing leg, are exactly L(t). Two standing legs are a closed chain, whose
+// lengths can both be prescribed only for a level pelvis: there L(t) is a soft target, with a metre
+// of difference counting as kLegStiffness rad², and neither leg exceeds `longest`. A step adds the
+// shortfall of the last one, as in Rollout; a frame takes more steps if needed. If the problem
+// holds limits, ReducedLimits applies. Clavicles of arms with goals follow the line from shoulder
+// to hand by PostureLaw, if the problem has it.
 //
-// S is double, or a pack: then each lane has parameters of its own. Holds its scratch memory: make
-// one per thread. The problem outlives it.
+// S is double, or a pack whose lanes have separate parameters. Owns scratch memory: one per thread.
+// The problem outlives it.
 template <class S>
 class ReducedRollout {
  public:
@@ -213,8 +212,7 @@ class ReducedRollout {
 
  private:
   using T = Element<S>;
-  // By LengthLaw::path: by how much a limb could be shorter than its schedule, and what room it
-  // has.
+  // Shortening of a limb relative to its schedule by LengthLaw::path.
   struct Shorter {
     std::size_t slide = 0;
     const ReducedLimb* limb = nullptr;
@@ -243,7 +241,7 @@ class ReducedRollout {
       };
       const S first = distance(0);
       const S last = distance(steps());
-      // a shoulder that must be brought nearer does not stay
+      // a shoulder that must move nearer does not stay
       if (any(last > S(limb.longest))) continue;
       shorter_.push_back({index(target.link), &limb});
       for (int frame = 0; frame <= steps(); ++frame) {
@@ -280,7 +278,7 @@ class ReducedRollout {
     for (const Shorter& shorter : shorter_) shorten(shorter);
   }
 
-  // finds the share by which a limb is shorter
+  // Finds the share by which a limb is shortened.
   void shorten(const Shorter& shorter) {
     const std::size_t slide = shorter.slide;
     const double start = body_->dofs[slide].start;
@@ -324,7 +322,8 @@ class ReducedRollout {
     }
   }
 
-  // finds what is missed now; returns the most (m). `learn`: adds that to the leads, see Rollout.
+  // Measures the present errors; returns the largest (m). `learn`: adds the errors to the leads,
+  // see Rollout.
   S measure(bool learn) {
     hands_missed_ = feet_missed_ = S(0);
     for (std::size_t t = 0; t < targets_.size(); ++t) {
@@ -347,7 +346,7 @@ class ReducedRollout {
     return max(hands_missed_, feet_missed_);
   }
 
-  // NaN counts as far off
+  // Counts a NaN as far off.
   static S far_off(const S& most, const S& now) { return select(now < S(1e9), most, S(1e9)); }
 
   void step(int frame, bool first) {
@@ -363,7 +362,7 @@ class ReducedRollout {
     if (first) links_.place(q_, placed_);
   }
 
-  // one more step in the lanes that are off
+  // One more step in the lanes with errors.
   template <class Condition>
   void correct(int frame, const Condition& off) {
     for (std::size_t d = 0; d < q_.size(); ++d) before_[d] = q_[d];
@@ -372,7 +371,7 @@ class ReducedRollout {
     links_.place(q_, placed_);
   }
 
-  // sets by how much each length is to change in this step
+  // Sets the change of each length in this step.
   void draw_lengths(int frame, bool first) {
     const S done(schedule(frame));
     for (std::size_t d = 0; d < q_.size(); ++d) {
@@ -381,8 +380,8 @@ class ReducedRollout {
       reference_[d] = start + (final_lengths_[d] - start) * done - q_[d];
       if (first) inverse_[d] = given_[d].exactly ? S(0) : S(1.0 / kLegStiffness);
       if (first || given_[d].exactly) continue;
-      // a leg that gave way in the first step is left there by the second, but stretched out it
-      // cannot give way: then the other one must
+      // a leg that yielded in the first step stays, but a stretched leg cannot yield: the other
+      // must
       const S longest(stretched_[d]);
       const auto stretched = q_[d] > longest;
       inverse_[d] = select(stretched, S(0), inverse_[d]);
@@ -408,7 +407,7 @@ class ReducedRollout {
     }
   }
 
-  // what is left to go, with what the step is known to fall short by if it is a frame's first
+  // Sets the remaining error, including the leads in a frame's first step.
   void fill_rows(bool first) {
     Vec3<S>* columns = ik_.columns.data();
     std::size_t b = 0;
@@ -435,7 +434,7 @@ class ReducedRollout {
     blocks_ = static_cast<int>(b);
   }
 
-  // one block of three rows; what is left to go, without what lengths are given to change
+  // Adds one block of three rows; its residual excludes the prescribed changes of lengths.
   void add_block(std::size_t b, std::span<const int> chain, Vec3<S>* columns,
                  const Vec3<S>& residual, double scale) {
     limits_.lean_with_length(chain, {columns, q_.size()});
@@ -455,7 +454,7 @@ class ReducedRollout {
     }
   }
 
-  // changes lengths in full, and angles by no more than a step's limit
+  // Applies changes of lengths in full, and of angles up to a step's limit.
   void apply_change() {
     S largest(0);
     for (std::size_t d = 0; d < q_.size(); ++d) {
@@ -470,23 +469,23 @@ class ReducedRollout {
 
   const ReducedProblem* problem_;
   const ReducedBody* body_;
-  std::vector<IkTarget<S>> targets_;  // in the problem's order; links and points are not read
+  std::vector<IkTarget<S>> targets_;  // in the problem's order; links and points are unused
   std::vector<Shorter> shorter_;
-  std::vector<Given> given_;  // (dofs) of slides: exactly their length, not drawn to it
-  std::vector<T> stretched_;  // (dofs) m, of slides: what they never exceed if drawn
+  std::vector<Given> given_;  // (dofs) for slides: exact length, or a soft target
+  std::vector<T> stretched_;  // (dofs) m, for slides: upper bound of a soft target
   ReducedLinks<S> links_;
   ReducedPlacement<S> placed_;
   std::vector<S> q_;
   std::vector<S> inverse_;        // (dofs)
-  std::vector<S> reference_;      // (dofs) what slides and clavicles are to change by
+  std::vector<S> reference_;      // (dofs) prescribed change of slides and clavicles
   std::vector<S> final_lengths_;  // (dofs) m, of slides
-  std::vector<S> shares_;         // (dofs) of slides in `shorter_`: how much of it they are
+  std::vector<S> shares_;         // (dofs) for slides in `shorter_`: applied share of it
   std::vector<S> change_;         // (dofs)
   std::vector<S> before_;         // (dofs) q_ before a correction
   ReducedLimits<S> limits_;
   IkWorkspace<S> ik_;
   int blocks_ = 0;
-  S hands_missed_{};  // m, now
+  S hands_missed_{};  // m, present error
   S feet_missed_{};
 };
 

@@ -79,7 +79,7 @@ void ReducedProblem::add_clavicle(const ReducedLimb& limb) {
 }
 
 void ReducedProblem::add_planted_foot(const ReducedLimb& leg) {
-  // the last of the ankle's freedoms, which follow the slide
+  // the last of the ankle's dofs, which follow the slide
   const int foot = leg.slide + (leg.joints.inversion < 0 ? 1 : 2);
   const ReducedPlacement<double> start = start_placement(*body);
   targets.push_back({.link = foot,

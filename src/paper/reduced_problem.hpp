@@ -8,20 +8,20 @@
 
 namespace shigusa {
 
-// All that the motions of a reduced body towards a problem's goals have in common. Body and problem
+// The data shared by all motions of a reduced body towards a problem's goals. Body and problem
 // outlive it.
 struct ReducedProblem {
   // A hand, or a planted foot.
   struct Target {
     int link = 0;
-    int limb = -1;     // of a hand: of the body's limbs
-    int carrier = -1;  // of a hand: the link with its shoulder
+    int limb = -1;     // for a hand: index among the body's limbs
+    int carrier = -1;  // for a hand: the link with its shoulder
     bool contact = false;
-    Vec3d position{};        // of a contact: m, world
-    Mat3d orientation{};     // of a contact's link
+    Vec3d position{};        // for a contact: m, world
+    Mat3d orientation{};     // for a contact's link
     std::vector<int> chain;  // dofs that move it, from the base on
   };
-  // The freedoms of an arm's clavicle, and what they are where its law wants nothing (rad).
+  // The dofs of an arm's clavicle, and their angles without the law's contribution (rad).
   struct Clavicle {
     int slide = 0;  // the arm's
     int elevation = 0;
@@ -33,7 +33,7 @@ struct ReducedProblem {
   ReducedProblem(const ReducedBody& body, const ReachProblem& problem);
   ReducedProblem(const ReducedProblem&) = delete;
   ReducedProblem& operator=(const ReducedProblem&) = delete;
-  ~ReducedProblem();  // in the source file, where all SIMD sets share it
+  ~ReducedProblem();  // defined in the source file, shared by all SIMD sets
 
   [[nodiscard]] std::span<const ReducedDof> dofs() const { return body->dofs; }
 
@@ -41,11 +41,11 @@ struct ReducedProblem {
   const ReachProblem* reach;
   std::vector<Target> targets;      // hands in the order of the goals, then planted feet
   std::vector<Clavicle> clavicles;  // of arms with goals
-  std::vector<int> moving;          // limbs that have a length to keep to
-  std::vector<int> used;            // dofs that some target hangs on, as the trunk does
-  std::vector<int> limited;         // those that have limits, where the problem holds them
+  std::vector<int> moving;          // limbs with a prescribed length
+  std::vector<int> used;            // dofs in the chain of some target, such as the trunk's
+  std::vector<int> limited;         // used dofs with limits, if the problem holds them
   std::vector<Vec3d> paths;         // (frames × goals) m, world
-  int legs = 0;                     // that stand
+  int legs = 0;                     // number of standing legs
 
  private:
   void add_hand(int effector);

@@ -32,7 +32,7 @@ class Reducer {
     return static_cast<int>(reduced_.dofs.size()) - 1;
   }
 
-  // the body's dof with another parent and place
+  // Adds the body's dof with another parent and offset.
   int add_like(int dof, int parent, const Vec3d& offset, double start) {
     const Dof& from = body_.dof(dof);
     return add({.name = from.name,
@@ -58,15 +58,14 @@ class Reducer {
     return slide;
   }
 
-  // The length of an arm from shoulder to hand; that of a leg in its plane, where its length
-  // changes.
+  // The length of an arm from shoulder to hand; for a leg in its plane, as its rod lies there.
   static double length_at(const BodyLimb& limb, double bend) {
     const double plane = limb.segments.length(bend);
     if (limb.kind == LimbKind::leg) return plane;
     return sqrt(plane * plane + limb.segments.across() * limb.segments.across());
   }
 
-  // gives a reduced freedom the limits of the body's, widened to its start
+  // Gives a reduced dof the limits of the body's, widened to its start.
   void hold_to_limits(int dof, int reduced) {
     const Dof& from = body_.dof(dof);
     const double start = body_.start()[static_cast<std::size_t>(dof)];
@@ -75,13 +74,13 @@ class Reducer {
     to.upper = std::max(from.upper, start);
   }
 
-  // of the leg that was added last
+  // Limits the lean of the leg added last.
   void limit_lean(const BodyLimb& leg, int lean) {
     hold_to_limits(leg.ankle, lean);
     reduced_.limbs.back().lean = lean;
   }
 
-  // the trunk's link or one of the joints on it, as the reduced body has it
+  // The reduced body's link for the trunk or one of its joints.
   [[nodiscard]] int reduced_link(int link) const {
     if (link == limbs_.trunk) return reduced_.trunk;
     const auto at = std::find_if(reduced_.joints.begin(), reduced_.joints.end(),
@@ -89,14 +88,14 @@ class Reducer {
     return at->dof;
   }
 
-  // a freedom of the spine or of a clavicle
+  // Adds a dof of the spine or of a clavicle.
   void add_joint(int dof) {
     const Dof& from = body_.dof(dof);
     const double start = body_.start()[static_cast<std::size_t>(dof)];
     const int joint = add_like(dof, reduced_link(from.parent), from.offset, start);
     hold_to_limits(dof, joint);
     ReducedDof& added = reduced_.dofs.back();
-    // the joints of the spine go by one weight for each freedom of its
+    // the joints of the spine share one weight for each of their dofs
     const std::string& freedom = from.part.freedom;
     for (const TrunkJoint& earlier : reduced_.joints) {
       const ReducedDof& other = reduced_.dofs[static_cast<std::size_t>(earlier.dof)];
@@ -108,14 +107,14 @@ class Reducer {
     reduced_.joints.push_back({joint, dof});
   }
 
-  // a clavicle's: it moves one arm alone
+  // Whether a dof belongs to a clavicle: it moves only one arm.
   [[nodiscard]] bool is_of_arm(int dof) const {
     int arms = 0;
     for (const BodyLimb& arm : limbs_.arms) arms += body_.moves(dof, arm.carrier) ? 1 : 0;
     return arms < static_cast<int>(limbs_.arms.size());
   }
 
-  // lean and length of a leg in its foot's frame
+  // Lean and length of a leg in its foot's frame.
   struct LegLine {
     double lean;
     double length;
@@ -126,7 +125,8 @@ class Reducer {
     return {ankle + leg.segments.direction(knee), leg.segments.length(knee)};
   }
 
-  // the ball joint's angles where the limb is its line: as the body's, from another rotation
+  // The ball joint's start angles with the limb as a straight rod: like the body's, from another
+  // rotation.
   [[nodiscard]] std::vector<double> ball_starts(const BodyLimb& leg, const Mat3d& line) const {
     const Mat3d& trunk = placed_.link_rotation(limbs_.trunk);
     std::vector<double> angles(body_.start().begin(), body_.start().end());
@@ -135,7 +135,7 @@ class Reducer {
     return angles;
   }
 
-  // the plane of a leg, whose foot stands so
+  // The plane of a leg for the orientation of its foot.
   [[nodiscard]] Mat3d plane_of(const BodyLimb& leg, const Mat3d& foot) const {
     if (leg.inversion < 0) return foot;
     const double turn = body_.dof(leg.inversion).sign * inversion_of(leg);
@@ -182,7 +182,7 @@ class Reducer {
     share_weights_of_legs();
   }
 
-  // both legs go by one weight for each freedom, as in the preset flat
+  // Makes both legs share one weight for each dof, as in the preset flat.
   void share_weights_of_legs() {
     for (std::size_t d = 0; d < reduced_.dofs.size(); ++d) {
       ReducedDof& dof = reduced_.dofs[d];
@@ -197,7 +197,7 @@ class Reducer {
     const Effector& effector = body_.effectors()[static_cast<std::size_t>(arm.effector)];
     const Vec3d shoulder = placed_.origin[static_cast<std::size_t>(arm.flexion)];
     const Vec3d hand = placed_.point(effector.link, effector.point);
-    // Rx(x) · Rz(z) brings -y to the hand's direction
+    // Rx(x) · Rz(z) turns -y to the hand's direction
     const Vec3d line = transpose_times(placed_.link_rotation(arm.carrier), hand - shoulder);
     const Vec3d up = -line;
     const double z = atan2(-up.x, sqrt(up.y * up.y + up.z * up.z));

@@ -14,17 +14,18 @@
 
 namespace shigusa {
 
-// Beside the layer's criteria a swivel that leaves the joints' limits or jolts costs this: it is
-// taken only where all do …
+// Cost, in addition to the layer's criteria, of a swivel that exceeds joint limits or jolts: it is
+// chosen only if all others do.
 inline constexpr double kSwivelOver = 1.0;
-// … and one that leads the arm into the body costs P = min(1, depth / kCollisionFull) times this.
+// Weight of the cost P = min(1, depth / kCollisionFull) of a swivel that leads the arm into the
+// body.
 inline constexpr double kSwivelCollisionWeight = 2.0;
 
-// The frames of a motion by which a swivel is scored: each, or one of kCoarseFrames.
+// The frames by which a swivel is scored: all, or one in kCoarseFrames.
 enum class Pace { each_frame, coarse };
 
-// Chooses the swivel of one arm on a hand's path. S is double, or a pack: then each lane has a path
-// of its own. Holds its scratch memory: make one per thread. The setup outlives it.
+// Chooses the swivel of one arm on a hand's path. S is double, or a pack whose lanes have separate
+// paths. Owns scratch memory: one per thread. The setup outlives it.
 template <class S>
 class SwivelSearch {
  public:
@@ -39,7 +40,8 @@ class SwivelSearch {
         excess_(*body_),
         near_(3, std::vector<S>(body_->dofs().size())) {}
 
-  // Takes the path of all motions to come, of each frame; `feedback` has the obstacles, if any.
+  // Sets the path of all following motions, with every frame; `feedback` holds the obstacles, if
+  // any.
   void follow(std::span<const Vec3<S>> path, const HandTurn<S>& turn,
               const ArmFeedback* feedback = nullptr) {
     const std::size_t stride = pace_ == Pace::each_frame ? 1 : kCoarseFrames;
@@ -50,9 +52,9 @@ class SwivelSearch {
     feedback_ = feedback;
   }
 
-  // The best swivel of a few, for the search of the layer above.
+  // The best of a few swivels, for the search of the layer above.
   [[nodiscard]] S coarse() { return best_of_grid(kCoarsePoints).swivel; }
-  // The best of a finer grid, then of the golden section about it.
+  // The best of a finer grid, refined by a golden-section search.
   [[nodiscard]] S fine() {
     Best best = best_of_grid(kGridPoints);
     const S step((range_->high - range_->low) / (kGridPoints - 1));
@@ -108,14 +110,14 @@ class SwivelSearch {
     return best;
   }
 
-  // puts the angles of a frame into the last of near_
+  // Appends the angles of a frame to near_.
   void take_frame(std::size_t frame) {
     std::rotate(near_.begin(), near_.begin() + 1, near_.end());
     const std::size_t dofs = near_[2].size();
     for (std::size_t d = 0; d < dofs; ++d) near_[2][d] = angles_[frame * dofs + d];
   }
 
-  // the largest change of a joint's step (rad) about the middle of near_
+  // Largest change of a joint's step (rad) at the middle frame of near_.
   S jolt() const {
     S most(0);
     for (std::size_t d = 0; d < near_[1].size(); ++d) {
@@ -158,7 +160,7 @@ class SwivelSearch {
   BuiltInCriteria<S> criteria_;
   PassedLimits<S> excess_;
   ArmDepth<S> depth_;
-  std::vector<S> angles_;             // (frames × dofs) rad, of the motion that is scored
+  std::vector<S> angles_;             // (frames × dofs) rad, of the motion being scored
   std::vector<std::vector<S>> near_;  // (dofs) rad, of the frame before, this one and the next
 };
 

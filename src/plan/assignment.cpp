@@ -17,21 +17,21 @@ namespace {
 
 constexpr std::string_view kLocked = "locked";
 
-// An assignment in its parts: "right_hip.flexion", "weight", "3" of "right_hip.flexion.weight=3".
-// A number of the posture has no member: "squat_deg", "", "30".
+// Parts of an assignment: "right_hip.flexion", "weight", "3" of "right_hip.flexion.weight=3". A
+// posture parameter has no member: "squat_deg", "", "30".
 struct Assignment {
-  std::string_view whole;  // what stands before the sign
+  std::string_view whole;  // the text before the sign
   std::string_view name;
   std::string_view member;
   std::string_view value;
 };
 
-// Adds a name that is not there yet.
+// Adds a name unless it is present.
 void note(std::vector<std::string>& names, std::string name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
 }
 
-// The names that a parameter goes by: its own and, of a freedom, its joint's.
+// The accepted names of a parameter: its own and, for a dof, its joint's.
 std::vector<std::string> names_of(const ParameterInfo& info) {
   std::vector<std::string> names{info.subject()};
   if (info_of(info.kind).of_freedom) {
@@ -72,7 +72,7 @@ Result<Assignment> split(const ParameterList& list, std::string_view text) {
   return Assignment{whole, whole.substr(0, dot), whole.substr(dot + 1), value};
 }
 
-// The number for a parameter; infinity, which no range allows, where the text is none.
+// The number for a parameter; infinity, which no range allows, for text that is no number.
 Result<double> number_of(const Assignment& asked, const ParameterInfo& info) {
   const bool in_degrees = info_of(info.kind).angle && asked.whole.ends_with("_deg");
   const double unit = in_degrees ? radians(1.0) : 1.0;
@@ -86,7 +86,7 @@ Result<double> number_of(const Assignment& asked, const ParameterInfo& info) {
   return value;
 }
 
-// Sets the number or the lock of the parameter of that index.
+// Sets the number or the lock of the parameter with this index.
 Result<void> set(const Assignment& asked, const ParameterInfo& info, std::size_t index,
                  Parameters& values) {
   if (asked.member != kLocked) {
@@ -126,7 +126,7 @@ Result<void> no_such_parameter(std::span<const ParameterInfo> all, const Assignm
               posture ? say("no_weight_assignment", asked.whole, unknown) : unknown);
 }
 
-// Whether an assignment means the parameter.
+// Whether an assignment refers to the parameter.
 bool is_meant(const Assignment& asked, const ParameterInfo& info) {
   if (info.of_posture()) {
     return asked.whole == info.spelled("_deg") || asked.whole == info.spelled("_rad");

@@ -9,13 +9,13 @@
 namespace shigusa {
 namespace {
 
-// Freedoms of a leg with a hinge for an ankle, and of one whose ankle inverts.
+// Dofs of a leg with a hinge for an ankle; one more with an ankle that inverts.
 constexpr std::size_t kLegDofs = 5;
-// Freedoms of an arm up to the elbow's flexion, and of one with forearm and wrist.
+// Dofs of an arm up to the elbow's flexion, and of one with forearm and wrist.
 constexpr std::size_t kArmToElbow = 4;
 constexpr std::size_t kArmToHand = 7;
 
-// "right" of "right_ankle"
+// The side's name, such as "right" for "right_ankle".
 std::string side_of(const Dof& dof) { return dof.part.side == Side::left ? "left" : "right"; }
 
 bool is_ball(const BodyModel& body, int x, int z, int y) {
@@ -26,18 +26,18 @@ bool is_hinge(const BodyModel& body, int dof, Axis axis) {
   return body.dof(dof).axis == axis && !body.dof(dof).turn;
 }
 
-// whether the first chain leads along all of the second
+// Whether the first chain begins with the second.
 bool begins_with(std::span<const int> chain, std::span<const int> first) {
   return chain.size() >= first.size() && std::equal(first.begin(), first.end(), chain.begin());
 }
 
-// the part of the chain from the base to a hand that is the standing leg
+// The standing leg's part of the chain from the base to a hand.
 std::span<const int> leg_of(const BodyModel& body, std::span<const int> chain) {
   const bool inverts = !chain.empty() && body.dof(chain[0]).axis == Axis::z;
   return chain.first(std::min(chain.size(), kLegDofs + (inverts ? 1 : 0)));
 }
 
-// ankle, knee and hip from the base up to the trunk
+// The leg of the base: ankle, knee and hip from the base up to the trunk.
 std::optional<BodyLimb> carrying_leg(const BodyModel& body, std::span<const int> chain) {
   int inversion = -1;
   if (chain.size() == kLegDofs + 1) {
@@ -64,7 +64,7 @@ std::optional<BodyLimb> carrying_leg(const BodyModel& body, std::span<const int>
   return leg;
 }
 
-// hip, knee and ankle from the trunk down to a planted foot
+// A leg from the trunk down to a planted foot: hip, knee and ankle.
 std::optional<BodyLimb> planted_leg(const BodyModel& body, std::span<const int> chain) {
   const bool inverts = chain.size() == kLegDofs + 1;
   if (chain.size() != kLegDofs && !inverts) return std::nullopt;
@@ -83,12 +83,12 @@ std::optional<BodyLimb> planted_leg(const BodyModel& body, std::span<const int> 
   if (ankle.axis != Axis::x || knee.axis != Axis::x || ankle.sign != -1.0) return std::nullopt;
   if (inverts && !is_hinge(body, leg.inversion, Axis::z)) return std::nullopt;
   leg.root = body.dof(leg.flexion).offset;
-  // climbed from the foot, all turns are reversed
+  // upwards from the foot, all turns are reversed
   leg.segments = HingedLimb(-ankle.offset, -knee.offset, -knee.sign);
   return leg;
 }
 
-// from the shoulder on
+// The arm of a chain that begins at the shoulder.
 std::optional<BodyLimb> arm_of(const BodyModel& body, std::span<const int> chain,
                                const Effector& effector) {
   if (chain.size() != kArmToElbow && chain.size() != kArmToHand) return std::nullopt;

@@ -12,17 +12,17 @@
 
 namespace shigusa {
 
-// The last frame of a motion takes further steps, at most this number, until the effector is this
-// near its goal (m).
+// Further steps of a motion's last frame, and the distance (m) of the effector from its goal at
+// which they end.
 inline constexpr int kLastSteps = 12;
 inline constexpr double kLastTolerance = 1e-10;
-// … or where single precision computes.
+// The same distance by precision.
 template <class S>
 inline constexpr double kLastMiss = sizeof(Element<S>) == sizeof(double) ? kLastTolerance : 1e-6;
 
-// A limb of the body as layers see it: a ball joint at the trunk, a hinge in the middle and, of a
-// leg, an ankle at the foot, which is planted. An arm holds its joints beyond the elbow as they
-// are at the start, but for a goal that turns the hand. Numbers are those of the body's dofs.
+// A limb of the body for layers: a ball joint at the trunk, a hinge in the middle and, for a leg,
+// an ankle at the planted foot. An arm keeps the start angles of its joints beyond the elbow,
+// unless a goal turns the hand. Numbers are indices of the body's dofs.
 struct BodyLimb {
   std::string name;               // "right_arm"
   LimbKind kind = LimbKind::arm;  // or leg
@@ -30,24 +30,24 @@ struct BodyLimb {
   int abduction = 0;
   int rotation = 0;
   int hinge = 0;       // elbow or knee
-  int ankle = -1;      // of a leg: its flexion …
-  int inversion = -1;  // … and its inversion, where it has one
-  // of an arm with a wrist: the forearm's rotation and the wrist's freedoms, else -1
+  int ankle = -1;      // of a leg: its flexion
+  int inversion = -1;  // of a leg: its inversion, if it has one
+  // for an arm with a wrist: the forearm's rotation and the wrist's dofs, else -1
   int forearm = -1;
   int wrist_flexion = -1;
   int wrist_deviation = -1;
-  bool carries = false;  // the leg that stands on the base: its chain leads up to the trunk
+  bool carries = false;  // the leg on the base: its chain leads up to the trunk
   int effector = -1;     // of an arm, in the body's effectors
   int foot = -1;         // of a leg, in the body's feet
-  int carrier = 0;  // link that the ball joint hangs on: the trunk's or, of an arm, a clavicle's
+  int carrier = 0;  // link of the ball joint's parent: the trunk's or, for an arm, a clavicle's
   Vec3d root{};     // m, centre of the ball joint in the carrier's frame
   // from the shoulder to the hand's point, or from the ankle up to the hip
   HingedLimb segments{{0, 1, 0}, {0, 1, 0}, 1.0};
 
   [[nodiscard]] bool has_wrist() const { return forearm >= 0; }
 
-  // The rotation from the trunk to upper arm or thigh by the turns of the ball joint's dofs, and
-  // the reverse: signs of the dofs, and of the chain's direction.
+  // The rotation from the trunk to upper arm or thigh as turns of the ball joint's dofs, and the
+  // reverse: accounts for the signs of the dofs and the direction of the chain.
   template <class S>
   [[nodiscard]] BasicBallTurns<S> turns_of(const BodyModel& body, std::span<const S> angles) const {
     const auto turn = [&](int dof) { return S(sense(body, dof)) * angles[index(dof)]; };
@@ -69,21 +69,21 @@ struct BodyLimb {
   }
 };
 
-// The limbs that move: legs whose foot is planted, the base's first; arms with an effector. A leg
-// that is lifted moves with the trunk.
+// The moving limbs: legs with a planted foot, the base's first; arms with an effector. A lifted leg
+// moves with the trunk.
 struct BodyLimbs {
   int trunk = 0;            // link: the pelvis
-  std::vector<int> joints;  // dofs between the trunk and what its arms hang on, in the body's order
+  std::vector<int> joints;  // dofs between the trunk and its arms' parents, in the body's order
   std::vector<BodyLimb> legs;
   std::vector<BodyLimb> arms;  // in the order of the body's effectors
 };
 
-// Finds them by the shape of the body's tree: legs of 1 + 1 + 3 freedoms, or 2 + 1 + 3 with an
-// ankle that inverts; a trunk that is rigid or has joints; arms of 3 + 1 freedoms, or 3 + 2 + 2
-// with a forearm that turns and a wrist. Fails on a body that has another.
+// Finds the limbs by the shape of the body's tree: legs of 1 + 1 + 3 dofs, or 2 + 1 + 3 with an
+// ankle that inverts; a trunk that is rigid or has joints; arms of 3 + 1 dofs, or 3 + 2 + 2 with a
+// forearm that turns and a wrist. Fails for bodies with another tree.
 [[nodiscard]] Result<BodyLimbs> find_limbs(const BodyModel& body);
 
-// Where a link is in the frame of another that carries it, in the start posture.
+// Placement of a link in the frame of another that carries it, in the start posture.
 [[nodiscard]] Transformd held_place(const BodyModel& body, int carrier, int link);
 
 }  // namespace shigusa

@@ -8,11 +8,11 @@
 
 namespace shigusa {
 
-// Values of the whole body's plan as the kernel computes with them: weights, modes, timing and
-// supports one after the other, with the memory that a MotionInput looks into.
+// Values of the whole body's plan in the form used by the kernel: weights, modes, timing and
+// supports in sequence, with the memory to which a MotionInput refers.
 class HeldInput {
  public:
-  // `supports`: how many there are.
+  // `supports`: their number.
   HeldInput(const BodyModel& body, const Parameters& parameters, std::size_t supports);
 
   [[nodiscard]] MotionInput<double> input() const;

@@ -13,7 +13,7 @@ namespace {
 void add_weight(Layer& layer, int dof) {
   const std::vector<ReducedDof>& dofs = layer.body.dofs;
   const std::string& name = dofs[static_cast<std::size_t>(dof)].name;
-  // of both sides
+  // for both sides
   const bool shared = std::any_of(dofs.begin(), dofs.end(), [&](const ReducedDof& other) {
     return other.weight_of == dof && without_side(other.name) == without_side(name);
   });
@@ -21,7 +21,7 @@ void add_weight(Layer& layer, int dof) {
       ParameterKind::weight, std::string(shared ? without_side(name) : name), {dof}));
 }
 
-// a freedom of a clavicle, which goes with its arm and not by a weight
+// Whether a dof belongs to a clavicle that follows its arm, without a weight.
 bool follows_arm(const ReducedBody& body, int dof) {
   return std::any_of(body.limbs.begin(), body.limbs.end(), [dof](const ReducedLimb& limb) {
     return limb.elevation == dof || limb.protraction == dof;
@@ -33,8 +33,7 @@ bool is_trunk_joint(const ReducedBody& body, int dof) {
                      [dof](const TrunkJoint& joint) { return joint.dof == dof; });
 }
 
-// one weight for each freedom that is no length and goes by a weight of its own, in the body's
-// order
+// Adds one weight for each dof that is no length and has a weight of its own, in the body's order.
 void add_weights(Layer& layer, LayerReading reading) {
   for (std::size_t d = 0; d < layer.body.dofs.size(); ++d) {
     const ReducedDof& dof = layer.body.dofs[d];
@@ -67,10 +66,10 @@ void add_contractions(Layer& layer, LayerReading reading) {
   }
 }
 
-// The arm alone, hung from the trunk (paper, section 3.4): four hinges.
+// The arm alone, attached to the trunk (paper, section 3.4): four hinges.
 Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
   Layer layer{.name = arm.name, .body = {}, .parameters = {}, .criteria = {}, .delegates = {}};
-  layer.criteria.balance_weight = 0.0;  // with the trunk held there is nothing to balance
+  layer.criteria.balance_weight = 0.0;  // with a fixed trunk there is nothing to balance
   int parent = -1;
   for (const int dof : {arm.flexion, arm.abduction, arm.rotation, arm.hinge}) {
     const Dof& from = body.dof(dof);

@@ -8,17 +8,16 @@
 
 namespace shigusa {
 
-// Parameters of one motion as the kernel computes with them; S is double, or a pack whose lanes are
-// motions of their own.
+// Parameters of one motion in the form used by the kernel; S is double, or a pack whose lanes are
+// separate motions.
 template <class S>
 struct MotionInput {
   std::span<const S> inverse_weights;  // (dofs) see weighted_ik_step
-  // (dofs, rad) by how much the null space is drawn away from the start posture until the end, or
-  // empty
+  // (dofs, rad) change of the null space from the start posture to the end, or empty
   std::span<const S> posture{};
   Timing<S> timing{};
-  // (supports) the share of the body's weight that each resting hand presses with; below 0 it is
-  // free. Empty: all touch and none presses.
+  // (supports) share of the body's weight borne by each resting hand; below 0 the hand is free.
+  // Empty: all touch without load.
   std::span<const S> supports{};
 
   // weights alone
@@ -28,11 +27,11 @@ struct MotionInput {
       : inverse_weights(weights), posture(change), timing(when) {}
 };
 
-// Parameters of many motions, one after the other, in single precision.
+// Parameters of many motions, in sequence, in single precision.
 struct MotionInputs {
   std::span<const float> inverse_weights;  // (motions × dofs)
   std::span<const float> posture{};        // (motions × dofs) or empty
-  // (motions × kTimings), in the order of kTimingNumbers; empty as posture is
+  // (motions × kTimings), in the order of kTimingNumbers; empty if posture is
   std::span<const float> timing{};
   std::span<const float> supports{};  // (motions × supports) or empty, see MotionInput
 
@@ -42,7 +41,7 @@ struct MotionInputs {
                std::span<const float> times)
       : inverse_weights(weights), posture(change), timing(times) {}
 
-  // `count` motions from `first` on, of a body with that many dofs.
+  // The rows of `count` motions from `first` on, for a body with this number of dofs.
   [[nodiscard]] MotionInputs part(std::size_t first, std::size_t count, std::size_t dofs) const {
     const auto rows = [&](std::span<const float> all, std::size_t columns) {
       return all.empty() ? all : all.subspan(first * columns, count * columns);

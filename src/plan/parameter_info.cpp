@@ -10,7 +10,7 @@
 namespace shigusa {
 namespace {
 
-// "right_leg" of "right_knee.flexion", "legs", "trunk"
+// The group of a name: "right_leg" for "right_knee.flexion", "legs", "trunk".
 std::string limb_group(std::string_view name) {
   const JointPlace part = parse_joint_name(name);
   if (part.limb == LimbKind::trunk) return "trunk";

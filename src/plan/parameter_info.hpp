@@ -9,15 +9,15 @@
 
 namespace shigusa {
 
-// The facts about all parameters of one kind.
+// Common data of all parameters of one kind.
 struct ParameterKindInfo {
   ParameterKind kind;
-  std::string_view word;  // after the name, "weight" of "right_hip.flexion.weight"; may be empty
-  std::string_view of;    // what has such a parameter
-  bool angle;             // in radians; people write it in degrees too
-  bool of_freedom;        // its name is a freedom's, and the joint's name means all of the joint
+  std::string_view word;  // suffix, "weight" in "right_hip.flexion.weight"; may be empty
+  std::string_view of;    // kind of object with such a parameter
+  bool angle;             // in radians; users may write degrees
+  bool of_freedom;  // its name is a dof's, and the joint's name stands for all dofs of the joint
   std::string_view sentence;
-  double low{};  // what is allowed, where a parameter says nothing else
+  double low{};  // default range of a parameter
   double high{};
 };
 inline constexpr std::array kParameterKinds{
@@ -43,10 +43,10 @@ inline constexpr std::array kParameterKinds{
   return kParameterKinds[static_cast<std::size_t>(kind)];
 }
 
-// A parameter with all that follows from its kind and its name.
+// A parameter with the properties of its kind and its name.
 [[nodiscard]] ParameterInfo parameter_info(ParameterKind kind, std::string name,
                                            std::vector<int> applies_to);
-// The same with another range.
+// The same parameter with another range.
 [[nodiscard]] ParameterInfo within(ParameterInfo info, double least, double most);
 
 }  // namespace shigusa

@@ -53,13 +53,13 @@ void add_supports(std::span<const Support> supports, Layer& layer) {
   }
 }
 
-// Whether a layer's freedom is one of a limb.
+// Whether a layer's dof belongs to a limb.
 bool is_of(const BodyModel& body, const BodyLimb& limb, const std::string& dof) {
   return std::any_of(kLimbDofs.begin(), kLimbDofs.end(),
                      [&](int BodyLimb::*member) { return body.dof(limb.*member).name == dof; });
 }
 
-// The layers of limbs that no goal moves, with the parameters of those limbs alone.
+// Adds the layers of idle limbs, with the parameters of those limbs alone.
 void add_idle_layers(const BodyModel& body, std::span<const Layer> all, std::span<const Goal> goals,
                      Plan& layers) {
   for (Layer layer : all.subspan(1)) {

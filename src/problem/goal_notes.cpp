@@ -14,14 +14,15 @@
 namespace shigusa {
 namespace {
 
-// A place this deep (m) in a part is in it, and not at its skin.
+// Depth (m) from which a point counts as inside a part, not at its skin.
 constexpr double kInside = 0.01;
 
-// Parts that a goal may be in by oversight: they stand out of the body, and big heads into the way.
+// Parts that may contain a goal by oversight: they protrude from the body, and large heads get in
+// the way.
 constexpr std::array kParts{BodyPart::head, BodyPart::jaw, BodyPart::left_foot,
                             BodyPart::right_foot};
 
-// The part that a place is in, "" where it is in none.
+// The part that contains a point; "" if there is none.
 std::string part_at(const BodyModel& body, const Kinematics<double>& start, const Vec3d& place) {
   const Capsule point{.name = {}, .from = place, .to = place, .radius = 0.0};
   for (Capsule capsule : body.capsules()) {

@@ -13,12 +13,13 @@
 namespace shigusa {
 namespace {
 
-// The posture mode that is not of one side.
+// Whether a posture mode changes its sign in the mirror.
 bool turns(std::string_view name) { return name.starts_with("twist"); }
 
 Quatd across(const Quatd& q) { return {q.x, -q.y, -q.z, q.w}; }
 
-// "right_elbow.weight=3" of "left_elbow.weight=3", "twist_deg=-20" of "twist_deg=20".
+// The mirrored assignment: "right_elbow.weight=3" for "left_elbow.weight=3", "twist_deg=-20" for
+// "twist_deg=20".
 std::string mirrored_assignment(const std::string& assignment) {
   std::string text = with_other_side(assignment);
   const std::size_t equals = text.find('=');

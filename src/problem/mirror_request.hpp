@@ -10,14 +10,14 @@
 
 namespace shigusa {
 
-// A point of the world on the other side of the body's middle.
+// A point of the world mirrored in the body's sagittal plane.
 [[nodiscard]] inline Vec3d across(const Vec3d& p) { return {-p.x, p.y, p.z}; }
 
-// Takes a request to the other side of the body's middle, x = 0.
+// Mirrors a request in the body's sagittal plane, x = 0.
 void mirror_request(Request& request);
 
-// The values of a motion's mirror image: each goes to the parameter of the other side, and a turn
-// of the trunk changes its sign.
+// The values of a motion's mirror image: each value goes to the parameter of the other side, and a
+// turn of the trunk changes its sign.
 [[nodiscard]] Parameters mirrored_values(const ParameterList& from, const ParameterList& to,
                                          const Parameters& values);
 

@@ -6,16 +6,16 @@
 namespace shigusa {
 namespace {
 
-// From standing, trunk and knees have made a tenth of their change at 0.22 to 0.24 of the time and
-// the hand at 0.35 (recorded, 7 men), and the back leads the hips (Esola et al., Spine 21 (1996)
-// 71). In rising the knee leads the hip, and the hip the back (Burgess-Limerick et al., Hum.
-// Factors 37 (1995) 395).
+// Timing on the way down and up. From standing, trunk and knees complete a tenth of their change at
+// 0.22 to 0.24 of the time and the hand at 0.35 (recorded, 7 men), and the back leads the hips
+// (Esola et al., Spine 21 (1996) 71). In rising the knee leads the hip, and the hip the back
+// (Burgess-Limerick et al., Hum. Factors 37 (1995) 395).
 constexpr PartWindows kDown{{{0.0, 0.98}, {0.0, 0.9}, {0.0, 0.88}, {0.1, 1.0}}};
 constexpr PartWindows kUp{{{0.0, 0.9}, {0.1, 0.96}, {0.25, 1.0}, {0.0, 1.0}}};
-// A hand that goes down leaves after this share of the time.
+// Share of the time after which a hand on its way down leaves.
 constexpr double kHandLeaves = 0.2;
 
-// The height gained on the way, as a share of its length.
+// Height gained on the way, as a share of its length.
 double rise_of(const EffectorPath& path) {
   const Vec3d offset = path.goal - path.start;
   const double length = norm(offset);
@@ -26,7 +26,7 @@ double rise_of(const EffectorPath& path) {
 
 double natural_haste(const EffectorPath& path) {
   // recorded hands are fastest at 0.31 to 0.40 of the time on their way up and at 0.47 to 0.61 on
-  // their way down (and see Papaxanthis et al., Neurosci. Lett. 253 (1998) 103)
+  // their way down (see also Papaxanthis et al., Neurosci. Lett. 253 (1998) 103)
   constexpr double kLevel = 0.07;
   constexpr double kUpwards = 0.2;
   return kLevel + kUpwards * rise_of(path);

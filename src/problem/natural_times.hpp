@@ -5,15 +5,16 @@
 
 namespace shigusa {
 
-// How much quicker a hand's path is in its first half than in its second (EffectorPath::haste), as
-// people's are.
+// Haste of a hand's path (EffectorPath::haste), fitted to recorded people: the more it rises, the
+// faster its first half.
 [[nodiscard]] double natural_haste(const EffectorPath& path);
 
-// The share of the duration before a hand leaves for its goal (EffectorPath::begin), as people's
-// do.
+// Share of the duration before a hand leaves for its goal (EffectorPath::begin), fitted to recorded
+// people.
 [[nodiscard]] double natural_begin(const EffectorPath& path);
 
-// When the parts of the body change their posture in motions along these paths, as people's do.
+// Timing of the body parts' change of posture in motions along these paths, fitted to recorded
+// people.
 [[nodiscard]] PartWindows natural_windows(std::span<const ReachGoal> goals);
 
 }  // namespace shigusa

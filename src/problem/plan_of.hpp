@@ -8,9 +8,8 @@
 
 namespace shigusa {
 
-// The plan that a request's preset has for its goals on a body; `criteria` are those of its layers.
-// Fails where a preset of several layers does not know the body, a goal (layers_to_goals) or
-// supports.
+// The plan of a request's preset for its goals on a body; `criteria` are those of its layers. Fails
+// if a preset of several layers does not support the body, a goal (layers_to_goals) or supports.
 [[nodiscard]] Result<Plan> plan_of(const BodyModel& body, const Request& request,
                                    const CriteriaSettings& criteria = {});
 

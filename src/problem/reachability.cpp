@@ -17,25 +17,25 @@
 namespace shigusa {
 namespace {
 
-// Damping shares of the goals that the descent moves between, and what moves it.
+// Range of the goals' damping in the descent, and its factors after a failed and a successful step.
 constexpr double kDampingMin = 1e-9;
 constexpr double kDampingMax = 1e3;
 constexpr double kDampingUp = 8.0;
 constexpr double kDampingDown = 0.25;
-// Contacts farther off than this make a posture worthless (m).
+// Contact error (m) beyond which a posture is rejected.
 constexpr double kContactSlack = 1e-5;
-// A descent that gains less than this (m) in a number of steps has arrived.
+// Gain (m) below which a descent counts as stalled, and the number of such steps at which it ends.
 constexpr double kStall = 1e-9;
 constexpr int kStallSteps = 12;
-// Where the goal is out of reach, distances that differ by less count as equal (m).
+// Difference of distances (m) that counts as equal if the goal is out of reach.
 constexpr double kNearEqual = 5e-3;
-// The walk to a random posture: steps, and the share of what is left that each takes.
+// Steps of the walk to a random posture, and the share of the remaining way made in each.
 constexpr int kWanderSteps = 60;
 constexpr double kWanderRate = 0.1;
-// Corrections of the planted feet after each step, at most.
+// Largest number of corrections of the planted feet after each step.
 constexpr int kContactSteps = 4;
-// The plumb line moves over the forefeet by steps of kPoiseStep (m), shorter ones where they fail,
-// kPoiseSteps of them at most.
+// Largest and smallest steps (m) of the plumb line over the forefeet, shortened on failure, and
+// their largest number.
 constexpr double kPoiseStep = 0.01;
 constexpr double kLeastPoiseStep = 1e-4;
 constexpr int kPoiseSteps = 200;
@@ -55,21 +55,21 @@ class Descent {
     if (problem.hold_limits) limits_.emplace(body_);
   }
 
-  // Whether some freedom gives way last.
+  // Whether some dof yields last.
   [[nodiscard]] bool has_stiff() const {
     return limits_ && std::any_of(body_.dofs().begin(), body_.dofs().end(),
                                   [](const Dof& dof) { return dof.give < 1.0; });
   }
   void loosen() { limits_->loosen(); }
 
-  // Walks from the start posture towards a random one with the feet planted: by a motion that
-  // the body can make.
+  // Walks from the start posture towards a random one with the feet planted, so that the body can
+  // make the motion.
   std::vector<double> wander(Random& random) {
     std::vector<double> angles(body_.start().begin(), body_.start().end());
     std::vector<double> aim(angles);
     for (std::size_t d = 0; d < aim.size(); ++d) {
       const double anywhere = random.uniform(body_.dofs()[d].lower, body_.dofs()[d].upper);
-      // a limb that bears no goal and no foot has nothing to do, and heels stay down
+      // limbs without a goal or a foot are irrelevant, and heels stay down
       const bool gives = body_.dofs()[d].give >= 1.0;
       if (gives && moves_target(static_cast<int>(d))) aim[d] = anywhere;
     }
@@ -119,8 +119,8 @@ class Descent {
     return reach;
   }
 
-  // Brings the centre of mass over what bears it where heels are lifted, with feet and effectors
-  // where they are: the nearest posture may be one that falls over. False where none is lifted.
+  // Moves the centre of mass over the forefeet if heels are lifted, with feet and effectors in
+  // place: the nearest posture may be off balance. False if no heel is lifted.
   bool poise(std::vector<double>& angles) {
     const Tiptoe tiptoe(body_, angles);
     if (!tiptoe.lifted()) return false;
@@ -162,7 +162,7 @@ class Descent {
     return std::span<const IkTarget<double>>(targets_).subspan(problem_.goals.size());
   }
 
-  // one step towards the goals, then contacts alone are corrected
+  // Makes one step towards the goals, then corrects the contacts alone.
   void propose(const std::vector<double>& angles, const IkSettings& ik) {
     trial_ = angles;
     trial_kinematics_ = kinematics_;
@@ -175,7 +175,7 @@ class Descent {
     hold_contacts(ik);
   }
 
-  // corrects what a step has done to the planted feet
+  // Corrects the effect of a step on the planted feet.
   void hold_contacts(const IkSettings& ik) {
     for (int k = 0; k < kContactSteps && contact_error(trial_kinematics_) > 0.1 * kContactSlack;
          ++k) {
@@ -256,7 +256,7 @@ ClosestReach search_postures(const ReachProblem& problem, const ReachabilitySett
                                      ? std::vector<double>(body.start().begin(), body.start().end())
                                      : descent.wander(random);
     ClosestReach found = descent.run(std::move(angles), settings.iterations);
-    // among near equals the first, the start posture's own neighbourhood, is the natural one
+    // among near equals the first, in the neighbourhood of the start posture, is the most natural
     const bool nearer = found.distance < best.distance - kNearEqual;
     const bool meets = found.reached() && !best.reached();
     if (nearer || meets) best = std::move(found);
@@ -273,7 +273,7 @@ ClosestReach closest_reach(const ReachProblem& problem, const ReachabilitySettin
   if (!descent.has_stiff()) return best;
   descent.loosen();
   if (!best.reached()) {
-    // what flat feet do not reach, from as near as they come
+    // goals out of reach with flat feet, from the nearest such posture
     ClosestReach lifted = descent.run(best.angles, settings.iterations);
     if (lifted.distance < best.distance) best = std::move(lifted);
   }
@@ -313,7 +313,7 @@ ReachProblem clear_goals(const ReachProblem& problem, const ClosestReach& reach)
 }
 
 Result<bool> seems_in_reach(const Task& task) {
-  // few postures to begin from tell most of what is in reach, at a tenth of a search's time
+  // a few initial postures decide most cases, in a tenth of a search's time
   constexpr ReachabilitySettings kQuick{.starts = 3, .iterations = 40};
   SHG_TRY_ASSIGN(const ReachProblem problem, make_problem(task));
   return closest_reach(problem, kQuick).reached();

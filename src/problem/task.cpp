@@ -55,7 +55,7 @@ Result<void> check_obstacles(const Task& task) {
   return {};
 }
 
-// Only the preset flat knows bodies whose heels lift.
+// Fails if heels lift and the preset is not flat, the only one that supports it.
 Result<void> check_heels(const Task& task) {
   const auto feet = task.body.feet();
   const bool lift =
@@ -144,19 +144,19 @@ Result<void> check_settings(const Task& task) {
   return check_criteria(task.criteria);
 }
 
-// Where limits hold joints back, a frame takes up to kLimitCorrections further steps to bring back
-// an effector that has left its path by more than kPathSlack.
+// Corrections in a frame whose effector has left its path by more than kPathSlack, as limits hold
+// joints back.
 constexpr int kLimitCorrections = 2;
 constexpr double kPathSlack = 3e-4;  // m
 
-// Times as many motions are scored for a task with supports.
+// Factor on the number of motions for a task with supports.
 constexpr int kTimesOfSupports = 3;
 
 }  // namespace
 
 int usual_evaluations(const Task& task) {
   if (task.generator == MotionGenerator::nlp_ik) return kNlpEvaluations;
-  // an arm that takes part has weights of its own, and fewer motions have its hand where it rests
+  // an arm that takes part has weights of its own, and fewer motions keep its hand in place
   const int times = task.supports.empty() ? 1 : kTimesOfSupports;
   return times * traits_of(task.preset).evaluations;
 }
@@ -210,7 +210,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   ReachProblem problem;
   problem.body = &body;
   problem.duration = 0.0;
-  std::vector<double> owns;  // (goals) s, that each takes by itself
+  std::vector<double> owns;  // (goals) s, duration of each alone
   for (const Goal& goal : task.goals) {
     SHG_TRY_ASSIGN(ReachGoal reach, make_reach_goal(body, kinematics, goal));
     const bool hand = body.effector(reach.effector).part.limb == LimbKind::arm;
@@ -222,7 +222,7 @@ Result<ReachProblem> make_problem(const Task& task) {
       if (earlier.effector != reach.effector) continue;
       return fail(ErrorCode::invalid_argument, say("two_goals", goal.effector), "goal");
     }
-    // the hand takes as long as it does without a late start
+    // the motion of the hand takes as long as without a late start
     const double own = goal_duration(body, kinematics, reach) * load_factor(body.load());
     problem.duration = max(problem.duration, own / (1.0 - reach.path.begin));
     owns.push_back(own);
@@ -231,7 +231,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   SHG_TRY_ASSIGN(problem.supports, make_supports(task, kinematics));
   SHG_TRY(check_rows(problem));
   if (task.duration) problem.duration = *task.duration;
-  // in haste it leaves earlier
+  // if the duration is short, the hand starts earlier
   for (std::size_t g = 0; g < owns.size(); ++g) {
     double& begin = problem.goals[g].path.begin;
     begin = min(begin, max(1.0 - owns[g] / problem.duration, 0.0));

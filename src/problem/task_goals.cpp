@@ -17,11 +17,11 @@
 namespace shigusa {
 namespace {
 
-// A foot that steps lifts by this (m), and this share of the step's length: toes clear the floor.
+// Lift (m) of a stepping foot, with a share of the step's length: toes clear the floor.
 constexpr double kStepLift = 0.05;
 constexpr double kStepLiftShare = 0.12;
 constexpr double kStepLiftMax = 0.15;
-// Less than this (m) along the floor is no step.
+// Least length (m) of a step along the floor.
 constexpr double kLeastStep = 0.01;
 
 tl::unexpected<Error> wrong_goal(const Goal& goal, Message message) {
@@ -75,8 +75,8 @@ Result<void> check_goal(const Goal& goal) {
   return check_turn(goal);
 }
 
-// The offset (m) by which a path to `offset` from its start bows out: forwards, square to the path;
-// a path that leads forwards bows upwards.
+// The offset (m) of a bow of 1 on a path to `offset` from its start: forwards, perpendicular to the
+// path; upwards for a path that leads forwards.
 Vec3d bow_of(const Vec3d& offset) {
   const double length = norm(offset);
   const Vec3d along = normalized(offset);
@@ -87,16 +87,16 @@ Vec3d bow_of(const Vec3d& offset) {
   return {};
 }
 
-// The offset (m) by which a path to `offset` from its start sways: square to path and bow, outwards
-// on the effector's side; a path that leads sideways sways upwards.
+// The offset (m) of a sway of 1 on a path to `offset` from its start: perpendicular to path and
+// bow, outwards on the effector's side; upwards for a path that leads sideways.
 Vec3d sway_of(const Vec3d& offset, const Vec3d& bow, const Effector& effector) {
   const Vec3d out{effector.part.side == Side::left ? 1.0 : -1.0, 0.1, 0.0};
   const Vec3d sway = cross(normalized(offset), bow);
   return dot(sway, out) < 0.0 ? -sway : sway;
 }
 
-// Whether it is the sole's link of a leg that hangs from the pelvis: what its ankle moves, or,
-// where heels lift, its toes.
+// Whether an effector's link carries the sole of a leg that hangs from the pelvis: the link of its
+// ankle, or of its toes if heels lift.
 bool is_foot(const BodyModel& body, int effector) {
   const Effector& e = body.effector(effector);
   const JointPlace& end = body.dof(e.link).part;
@@ -106,7 +106,7 @@ bool is_foot(const BodyModel& body, int effector) {
           !body.find_dof(JointKind::toes, FreedomKind::flexion, end.side));
 }
 
-// The goal's effector, where the body has it.
+// The goal's effector, if the body has it.
 const Effector* effector_of(const BodyModel& body, const Goal& goal) {
   const auto index = body.find_effector(goal.effector);
   return index ? &body.effector(*index) : nullptr;
@@ -119,7 +119,7 @@ bool moves_foot(const Task& task, const Foot& foot) {
   });
 }
 
-// Goals by a foot's name become goals of its sole's node, which has the name no longer once the
+// Renames goals by a foot's name to its sole's node, as the node loses the foot's name once the
 // foot does not stand.
 void name_soles(Task& task) {
   for (const Foot& foot : task.body.feet()) {
@@ -130,10 +130,10 @@ void name_soles(Task& task) {
   }
 }
 
-// A sole may end this far below the floor (m): goals are met to that.
+// Distance (m) that a sole may end below the floor: the tolerance of goals.
 constexpr double kSoleSlack = kReachTolerance;
 
-// Fails where a goal would have a foot end below the floor.
+// Fails if a goal would move a foot below the floor.
 Result<void> check_soles(const Task& task, const Kinematics<double>& start) {
   for (const Goal& goal : task.goals) {
     const auto index = task.body.find_effector(goal.effector);

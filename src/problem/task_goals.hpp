@@ -13,27 +13,26 @@ namespace shigusa {
 [[nodiscard]] Result<ReachGoal> make_reach_goal(const BodyModel& body,
                                                 const Kinematics<double>& start, const Goal& goal);
 
-// The orientation that a goal wants of its effector; a foot stays level where the goal says
-// nothing.
+// The target orientation of a goal's effector; a foot stays level if the goal gives none.
 [[nodiscard]] EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
                                      const Kinematics<double>& start);
 
-// How far (m) a place is from a goal, or from its box.
+// Distance (m) of a point from a goal, or from its box.
 [[nodiscard]] double goal_miss(const Goal& goal, const Vec3d& at);
 
 // Duration (s) of a path to a goal.
 [[nodiscard]] double goal_duration(const BodyModel& body, const Kinematics<double>& start,
                                    const ReachGoal& goal);
 
-// The task with its goals' loads in the body's hands, whose body stands on its contacts; one that
-// has no loads and frees no foot stays as it is.
+// The task with its goals' loads in the body's hands, and its body on its contacts; unchanged
+// without loads and freed feet.
 [[nodiscard]] Result<Task> standing(Task task);
 
-// Fails where goals and contacts take more rows than the IK has.
+// Fails if goals and contacts take more rows than the IK has.
 [[nodiscard]] Result<void> check_rows(const ReachProblem& problem);
 
-// Where the eyes go: the middle of two hands' goals, or the first goal of a limb, as head and trunk
-// do not look at themselves.
+// Gaze target: the middle of two hands' goals, or the first goal of a limb, as head and trunk do
+// not look at themselves.
 [[nodiscard]] std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals);
 
 }  // namespace shigusa

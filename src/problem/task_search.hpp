@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// The settings by which searches of one problem differ.
+// The settings in which searches of one problem differ.
 struct RunSettings {
   CriteriaSettings criteria;         // the problem's, or with other weights
   std::optional<int> evaluations{};  // motions; none: usual_evaluations
@@ -20,8 +20,8 @@ struct RunSettings {
 // The run that a task asks for.
 [[nodiscard]] RunSettings run_of(const Problem& problem);
 
-// Runs the search that the task names. A genetic one by the task's own settings: once until it
-// converges where `once` is set, else again and again until `evaluations` are used up.
+// Runs the search that the task names. A genetic one uses the task's own settings: a single run
+// until it converges if `once` is set, else repeated runs until `evaluations` are used up.
 [[nodiscard]] SearchResult run_search(const Task& task, const RunSettings& run,
                                       const SearchProblem& problem, int evaluations, bool once,
                                       const Progress& progress);

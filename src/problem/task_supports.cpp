@@ -17,16 +17,16 @@
 namespace shigusa {
 namespace {
 
-// The middle of the hand rests at this share of the way from hip to knee, so that the fingers end
+// Share of the way from hip to knee at which the middle of the hand rests, so that the fingers end
 // just above the knee (Kingma et al., J. Biomechanics 49 (2016) 881-889).
 constexpr double kAlongThigh = 0.65;
-// m; a hand keeps so far from the edges of a box, where that is wide enough.
+// m; distance of a hand from the edges of a box, if it is wide enough.
 constexpr double kFromEdge = 0.04;
-// The hand rests about the place that is nearest to a point below the shoulder by this share of the
-// arm's length.
+// Distance, as a share of the arm's length, below the shoulder of the point to which the hand rests
+// nearest.
 constexpr double kBelowShoulder = 0.4;
-// The shares of the duration after which hands may have arrived, the earliest first. A hand that
-// arrives at 0.7 has 0.99 of its way behind it at 0.6.
+// Possible arrivals of hands as shares of the duration, the earliest first. A hand that arrives at
+// 0.7 has covered 0.99 of its way at 0.6.
 constexpr double kArrivals[] = {0.7, 0.8, 0.9};
 
 tl::unexpected<Error> wrong_support(const Support& support, Message message) {
@@ -64,7 +64,7 @@ const Capsule* thigh_of(const BodyModel& body, const Effector& hand) {
   return nullptr;
 }
 
-// In front of the thigh, a little above the knee.
+// Puts a hand on the front of the thigh, slightly above the knee.
 void put_on_thigh(const Capsule& thigh, double thickness, HandSupport& support) {
   const Vec3d line = thigh.to - thigh.from;
   const Vec3d along = normalized(line);
@@ -82,14 +82,14 @@ const Obstacle* obstacle_named(const Task& task, const std::string& name) {
   return nullptr;
 }
 
-// A place of a surface.
+// A point on a surface.
 struct SurfacePlace {
   Vec3d at{};  // m, world: of a hand of some thickness that lies on it
   Vec3d normal{};
 };
 
-// The places of an obstacle's surface that are nearest to a point (m, world) by each of its sides
-// that faces the point, level ones first; of a round one the nearest.
+// The points of an obstacle's surface nearest to a given point (m, world), one on each of its sides
+// that faces it, level ones first; for a round obstacle only the nearest.
 std::vector<SurfacePlace> places_near(const Obstacle& obstacle, const Vec3d& point,
                                       double thickness) {
   const Mat3d axes = to_matrix(obstacle.rotation);
@@ -118,7 +118,7 @@ std::vector<SurfacePlace> places_near(const Obstacle& obstacle, const Vec3d& poi
     const bool faces = abs(p[k]) > half[k];
     if (faces) add(local, normal);
   }
-  if (places.empty()) {  // within it: up
+  if (places.empty()) {  // inside the obstacle: the upper side
     const Vec3d normal = nearest_axis(transpose_times(axes, Vec3d{0, 1, 0}));
     const int k = main_axis(normal);
     Vec3d local = p;
@@ -144,8 +144,8 @@ tl::unexpected<Error> out_of_reach(const Support& support, double distance) {
       support, say("hand_does_not_reach", support.on.substr(0, 80), Millimetres{1e3 * distance}));
 }
 
-// Puts a hand on the first side of its obstacle that it reaches; `free`: the posture that meets the
-// goals without supports.
+// Puts a hand on the first side of its obstacle in reach; `free`: the posture that meets the goals
+// without supports.
 Result<void> settle_on(const Obstacle& obstacle, const Support& asked,
                        const Kinematics<double>& free, ReachProblem& problem,
                        HandSupport& support) {
@@ -163,7 +163,7 @@ Result<void> settle_on(const Obstacle& obstacle, const Support& asked,
   return out_of_reach(asked, left);
 }
 
-// Lets the hands arrive as early as they can in the motion of uniform weights.
+// Sets the earliest arrival of the hands that the motion of uniform weights allows.
 void settle_arrival(ReachProblem& problem) {
   const std::vector<double> uniform(problem.body->dofs().size(), 1.0);
   for (const double arrives : kArrivals) {
@@ -250,7 +250,7 @@ Result<void> settle_supports(const Task& task, ReachProblem& problem) {
   Kinematics<double> placed(task.body);
   forward_kinematics<double>(task.body, free.angles, placed);
   for (std::size_t k = 0; k < problem.supports.size(); ++k) {
-    // each in its turn, beside those before it
+    // one after the other, with those before it
     ReachProblem up_to = problem;
     up_to.supports.resize(k + 1);
     const Support& asked = task.supports[k];

@@ -7,10 +7,10 @@
 namespace shigusa {
 namespace {
 
-// Toes bent by more than this (rad) are those of a heel that is lifting.
+// Flexion of the toes (rad) from which their heel counts as lifted.
 constexpr double kHeelLeaves = radians(0.5);
 
-// (dofs) m/rad: how the centre of mass goes with each angle.
+// (dofs) m/rad: derivative of the centre of mass by each angle.
 std::vector<Vec3d> mass_columns(const BodyModel& body, const Kinematics<double>& kinematics) {
   std::vector<Vec3d> columns(body.dofs().size());
   for (int link = 0; link < body.dof_count(); ++link) {

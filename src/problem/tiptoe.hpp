@@ -9,22 +9,22 @@
 
 namespace shigusa {
 
-// (dofs, rad) the least change of the angles that, to first order, moves the centre of mass by
-// `offset` (m, world) along the floor; nothing where no change does.
+// (dofs, rad) the smallest change of the angles that, to first order, moves the centre of mass by
+// `offset` (m, world) along the floor; zero if no change does.
 [[nodiscard]] std::vector<double> change_of_plumb_line(const BodyModel& body,
                                                        const Kinematics<double>& kinematics,
                                                        const Vec3d& offset);
 
-// The support that a posture with lifted heels has to be above.
+// The support polygon of a posture with lifted heels.
 class Tiptoe {
  public:
   // angles: (dofs) rad
   Tiptoe(const BodyModel& body, std::span<const double> angles);
 
-  // Some heel leaves the floor.
+  // Whether some heel leaves the floor.
   [[nodiscard]] bool lifted() const { return lifted_ != 0; }
-  // From the plumb line of the centre of mass (m, world) to the middle of what bears it; nothing
-  // where it stands kPoised within the edge.
+  // Offset from the plumb line of the centre of mass (m, world) to the middle of the polygon; zero
+  // if it is kPoised within the edge.
   [[nodiscard]] Vec3d offset_from(const Vec3d& centre_of_mass) const;
 
  private:

@@ -10,23 +10,23 @@
 
 namespace shigusa {
 
-// How near (m) an arm that hangs comes to trunk and legs before it goes aside.
+// Clearance (m) that a hanging arm keeps from trunk and legs.
 inline constexpr double kArmKeepsOff = 0.01;
-// Abduction takes an arm out of the way where it moves it off by this (m/rad) at the least.
+// Least rate (m/rad) at which abduction must move an arm away from a part to be used.
 inline constexpr double kArmGoesAside = 0.05;
 
-// The room that an arm without a goal has beside the body: by how far it must be abducted at the
-// least to keep off it. A pair that is nearer as the body starts may stay as near.
+// The abduction that keeps an arm without a goal clear of the body. A pair that is nearer in the
+// start posture may stay as near.
 template <class S>
 class ArmClearance {
  public:
-  // `abduction`: the shoulder's freedom of that.
+  // `abduction`: that dof of the shoulder.
   ArmClearance(const BodyModel& body, const Effector& hand, int abduction) : abduction_(abduction) {
     const Kinematics<double> start = start_kinematics(body);
     for (const CapsulePair& pair : limb_pairs(body, hand)) {
       const Capsule& limb = body.capsules()[index(pair.limb)];
       const Capsule& part = body.capsules()[index(pair.part)];
-      // which no arm that hangs comes near
+      // no hanging arm comes near these parts
       const auto is = [&](BodyPart which) { return part.name == body_part_name(which); };
       if (is(BodyPart::neck) || is(BodyPart::head) || is(BodyPart::jaw)) continue;
       const double depth = deepest_of(body, start, {&pair, 1}).depth;
@@ -37,7 +37,8 @@ class ArmClearance {
     placed_.resize(capsules_.size());
   }
 
-  // rad, of the placement `now`; less than 0: by so much it may be lowered.
+  // Abduction (rad) needed in the placement `now`; if negative, the arm may be lowered by that
+  // much.
   [[nodiscard]] S aside(const Kinematics<S>& now) {
     for (std::size_t c = 0; c < capsules_.size(); ++c) {
       place_capsule(capsules_[c].link, capsules_[c].from, capsules_[c].to, now, placed_[c]);
@@ -60,7 +61,7 @@ class ArmClearance {
 
  private:
   using T = Element<S>;
-  static constexpr double kFar = 1.0;      // rad, where no pair is in the way
+  static constexpr double kFar = 1.0;      // rad, result without a pair in the way
   static constexpr double kPoint = 1e-12;  // m²
   struct Line {
     int link = 0;
@@ -70,7 +71,7 @@ class ArmClearance {
   struct Pair {
     std::size_t limb = 0;  // in `capsules_`
     std::size_t part = 0;
-    T radii{};  // m, at their first ends, less what they may be in each other
+    T radii{};  // m, sum at their first ends, less the depth allowed at the start
     T taper_limb{};
     T taper_part{};
   };

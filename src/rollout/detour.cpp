@@ -9,12 +9,12 @@ namespace {
 
 // The deepest moment of one goal's limb during the motion of uniform weights.
 struct DeepestMoment {
-  Penetration deepest;  // deeper than as the body starts
+  Penetration deepest;  // beyond the depth in the start posture
   int frame = 0;
   bool arrives = false;  // the motion meets its goals
 };
 
-// A hand that goes around does not take the upper arm along.
+// The capsule pairs of the limb beyond the elbow: a detour of the hand does not move the upper arm.
 std::vector<CapsulePair> pairs_beyond_elbow(const BodyModel& body, const Effector& effector) {
   std::vector<CapsulePair> pairs = allowed_as_at_start(body, limb_pairs(body, effector));
   const std::string& first = body.dof(effector.limb_root).joint;

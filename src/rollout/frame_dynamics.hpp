@@ -10,12 +10,12 @@
 
 namespace shigusa {
 
-// Makes frames of a rollout from its angles: with speeds and accelerations, what they take of the
-// joints and the floor, and the centre of mass. Holds the memory that the last frame looks into.
+// Computes a rollout's frames from its angles: velocities, accelerations, joint torques, the floor
+// reaction and the centre of mass. Owns the memory that the last frame refers to.
 template <class S>
 class FrameDynamics {
  public:
-  // The problem and its body outlive this.
+  // The problem and its body outlive the object.
   explicit FrameDynamics(const ReachProblem& problem)
       : problem_(&problem),
         floor_(floor_height(*problem.body)),
@@ -30,15 +30,15 @@ class FrameDynamics {
     }
   }
 
-  // Before the first frame of a motion with supports: the shares (supports) of the body's weight
-  // that the hands press with.
+  // Begins a motion with supports. `shares` (supports): share of the body's weight borne by each
+  // hand.
   void begin(std::span<const S> shares) {
     shares_ = shares;
     frame_ = 0;
   }
 
-  // The frame angles[1], speeds by central differences between its neighbours angles[0] and
-  // angles[2] (dofs, rad). `now`: the placement in it.
+  // The frame of angles[1], with velocities by central differences between its neighbours angles[0]
+  // and angles[2] (dofs, rad). `now`: its placement.
   [[nodiscard, gnu::always_inline]] PlacedFrame<S> frame(std::span<const std::vector<S>> angles,
                                                          const Kinematics<S>& now) {
     const BodyModel& body = *problem_->body;
@@ -62,7 +62,7 @@ class FrameDynamics {
   }
 
  private:
-  // puts the hands' forces of this frame where they are; the floor's wrench beside them
+  // Applies the hands' forces of this frame, and returns the floor's wrench beside them.
   [[gnu::noinline]] Wrench<S> pressed(const Kinematics<S>& now, Wrench<S> ground) {
     const BodyModel& body = *problem_->body;
     const double weight = (body.mass() - body.load()) * kGravity;
@@ -89,7 +89,7 @@ class FrameDynamics {
   std::vector<S> torques_;        // (dofs) N·m
   std::vector<HandLoad<S>> hands_;
   std::span<const S> shares_{};  // (supports)
-  int frame_ = 0;                // of a motion with supports
+  int frame_ = 0;                // counted in motions with supports
 };
 
 }  // namespace shigusa

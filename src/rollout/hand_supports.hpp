@@ -8,9 +8,9 @@
 
 namespace shigusa {
 
-// The hands of a motion that rest on something: where they are to be in each frame. In the lanes in
-// which a hand is free it is no target, and PostureLaw moves its arm. Most motions have none, so
-// its functions are kept out of their code.
+// Targets of the resting hands of a motion, frame by frame. In lanes whose hand is free it is no
+// target, and PostureLaw moves its arm. Most motions have none, so the functions are kept out of
+// line.
 template <class S>
 class HandSupports {
  public:
@@ -51,7 +51,8 @@ class HandSupports {
   [[nodiscard]] bool empty() const { return targets_.empty(); }
   [[nodiscard]] std::span<const IkSupport<S>> targets() const { return targets_; }
 
-  // Before a motion, by its shares (supports) or none; returns what the hands press with.
+  // Begins a motion with the given shares (supports) or none; returns the shares that the hands
+  // bear.
   std::span<const S> begin(std::span<const S> shares) {
     for (std::size_t k = 0; k < targets_.size(); ++k) {
       const S share = shares.empty() ? S(0) : shares[k];
@@ -62,7 +63,7 @@ class HandSupports {
     return shares_;
   }
 
-  // Sets where the hands are to be in this frame, from where they were in the one before.
+  // Sets the hands' targets for this frame, from their positions in the frame before.
   [[gnu::noinline]] void place(int frame, const Kinematics<S>& before) {
     for (std::size_t k = 0; k < targets_.size(); ++k) {
       const Moment& moment = at(frame, k);
@@ -75,8 +76,8 @@ class HandSupports {
     }
   }
 
-  // Sets where the hands are to be in this frame to where they are, or once they have arrived to
-  // where they rest.
+  // Sets the hands' targets for this frame to their present positions, or after arrival to their
+  // resting places.
   [[gnu::noinline]] void keep(int frame, const Kinematics<S>& kinematics) {
     for (std::size_t k = 0; k < targets_.size(); ++k) {
       IkSupport<S>& target = targets_[k];
@@ -86,7 +87,7 @@ class HandSupports {
     }
   }
 
-  // The leads are for a frame's first step alone.
+  // Saves and clears the leads, which apply only to a frame's first step.
   void put_leads_aside() {
     for (std::size_t k = 0; k < targets_.size(); ++k) {
       leads_[k] = targets_[k].lead;
@@ -97,8 +98,8 @@ class HandSupports {
     for (std::size_t k = 0; k < targets_.size(); ++k) targets_[k].lead = leads_[k];
   }
 
-  // Keeps what the posture draws the arms by (dofs, rad), and puts it back as far as their hands
-  // have come: the law is of arms that are free.
+  // Saves the reference of the arms (dofs, rad), and restores it in proportion to the hands'
+  // progress: the posture law applies to free arms.
   [[gnu::noinline]] void keep_arms(std::span<const S> reference) {
     for (ArmFreedom& arm : arms_) arm.kept = reference[arm.dof];
   }
@@ -110,8 +111,8 @@ class HandSupports {
     }
   }
 
-  // How far the hands that have arrived are from their places (m), the most; `learn`: adds that to
-  // the leads of those that are nearer than `limit` (m).
+  // Largest error (m) of the hands that have arrived; `learn`: adds the error to the leads of hands
+  // within `limit` (m).
   [[gnu::noinline]] S miss(int frame, const Kinematics<S>& kinematics, const S& limit, bool learn) {
     S most(0);
     for (std::size_t k = 0; k < targets_.size(); ++k) {
@@ -127,17 +128,17 @@ class HandSupports {
 
  private:
   using T = Element<S>;
-  // Where a hand rests (m, and a unit vector), in the frame of its carrier.
+  // Resting place of a hand (m, and a unit normal), in the frame of its carrier.
   struct Rest {
     Vec3<T> place;
     Vec3<T> normal;
   };
-  // The way that a hand makes in one frame.
+  // Progress of a hand in one frame.
   struct Moment {
     T done;      // of its way
-    T share;     // of what was left of its way
-    T lift;      // m, off the line
-    bool there;  // it has arrived
+    T share;     // of its remaining way
+    T lift;      // m, added along the normal
+    bool there;  // after its arrival
   };
   struct ArmFreedom {
     std::size_t dof = 0;
@@ -145,7 +146,7 @@ class HandSupports {
     S kept{};  // rad
   };
 
-  // where the hand's point is
+  // Position of the hand's point in the carrier's frame.
   static Vec3<S> seen_from_carrier(const IkSupport<S>& hand, const Kinematics<S>& kinematics) {
     const Vec3<S> at = kinematics.point(hand.link, hand.point);
     if (hand.carrier == kWorldCarrier) return at;
@@ -159,7 +160,7 @@ class HandSupports {
 
   std::vector<IkSupport<S>> targets_;
   std::vector<S> shares_;        // (supports), 0 or more
-  std::vector<Vec3<S>> leads_;   // put aside while a frame is corrected
+  std::vector<Vec3<S>> leads_;   // saved while a frame is corrected
   std::vector<Rest> rests_;      // (supports)
   std::vector<Moment> moments_;  // (frames × supports)
   std::vector<ArmFreedom> arms_;

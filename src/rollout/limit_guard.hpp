@@ -9,26 +9,25 @@
 
 namespace shigusa {
 
-// A joint that moves towards a limit gives way to the others from this far before it (rad) …
+// Distance (rad) to a limit from which a joint moving towards it yields to the others.
 inline constexpr double kLimitMargin = radians(8.0);
-// … or from as far as it would go in this many steps.
+// The same distance for a fast joint, in steps at its present velocity.
 inline constexpr double kLimitSteps = 5.0;
-// A joint that leaves a limit gets its weight back by this share of it in a step.
+// Share of its weight that a joint regains per step after leaving a limit.
 inline constexpr double kLimitRise = 0.2;
 
-// Joint limits inside the IK, as an active set that changes smoothly. Towards a limit a freedom's
-// inverse weight, and what it is drawn by, fall to 0 over the last kLimitMargin, so that it comes
-// to rest there while others take over, over more where it is fast; away from it, the freedom gets
-// its own weight back within a few steps. In which direction it wants to go, and how fast, is taken
-// from the step before. A step that would pass a limit in spite of that is held back there, and the
-// rest is left for corrections to make up for with the other freedoms.
+// Joint limits inside the IK, as an active set that changes smoothly. Towards a limit a dof's
+// inverse weight and its reference fall to 0 over the last kLimitMargin, or more if it is fast, so
+// that it comes to rest there while others take over; away from it, the dof regains its own weight
+// within a few steps. Direction and velocity are those of the step before. A step that would still
+// pass a limit is stopped there, and corrections make up for the rest with the other dofs.
 //
-// A freedom that gives little (Dof::give) has that share of its inverse weight. As the ankle of a
-// standing foot runs out of dorsiflexion the toes take over its inverse weight, and what it was
-// drawn by: so heels lift where people's do. Toes of a weight above 1 take over that much less.
+// The inverse weight of a stiff dof is multiplied by Dof::give. As the ankle of a standing foot
+// runs out of dorsiflexion the toes take over its inverse weight and its reference, so that heels
+// lift at the same moment as people's. Toes with a weight above 1 take over that much less.
 //
 // After T. Chan and R. Dubey, IEEE Trans. Robotics and Automation 11 (1995) 286-292, where weights
-// grow without bound towards a limit; here they do so at the limit itself, not before.
+// grow without bound towards a limit; here they do so only at the limit itself.
 template <class S>
 class LimitGuard {
  public:
@@ -42,7 +41,7 @@ class LimitGuard {
         allowed_(wanted_) {
     for (std::size_t d = 0; d < wanted_.size(); ++d) {
       const Dof& dof = body.dofs()[d];
-      // a start posture outside its range may stay where it is
+      // a start posture out of range may stay as it is
       limits_.push_back({static_cast<T>(min(dof.lower, body.start()[d])),
                          static_cast<T>(max(dof.upper, body.start()[d]))});
       if (dof.give < 1.0) stiff_.push_back({d, static_cast<T>(dof.give)});
@@ -55,17 +54,17 @@ class LimitGuard {
     for (const std::size_t d : coupled_.coupled()) limits_[d].coupled = true;
   }
 
-  // Before a motion's first step.
+  // Resets the state before a motion's first step.
   void reset() {
     for (S& wanted : wanted_) wanted = S(0);
     for (S& most : most_) most = S(1);
     for (S& given : given_) given = S(1);
   }
 
-  // From now on, freedoms that give little (Dof::give) give as the others do.
+  // Ignores Dof::give from now on.
   void loosen() { stiff_.clear(); }
 
-  // The inverse weights (dofs) to step with from the angles (dofs, rad).
+  // The inverse weights (dofs) for a step from the angles (dofs, rad).
   [[nodiscard]] std::span<const S> soften(std::span<const S> inverse_weights,
                                           std::span<const S> angles) {
     find_upper(angles);
@@ -74,7 +73,7 @@ class LimitGuard {
           select(wanted_[d] > S(0), upper_[d] - angles[d], angles[d] - S(limits_[d].lower));
       const S margin = max(S(kLimitMargin), abs(wanted_[d]) * S(kLimitSteps));
       const S left = clamp(room / margin, S(0), S(1));
-      // level where it begins: a joint that slowed down at once would jolt the body
+      // starts with slope 0: a sudden deceleration would jolt the body
       share_[d] = left * (S(2) - left);
       given_[d] = min(share_[d], most_[d]);
       softened_[d] = inverse_weights[d] * given_[d];
@@ -89,7 +88,7 @@ class LimitGuard {
     return softened_;
   }
 
-  // The part of a reference (dofs, rad) that leads no freedom into its limit; after soften.
+  // The reference (dofs, rad) without the part that leads into limits; after soften.
   [[nodiscard]] std::span<const S> allowed(std::span<const S> reference) {
     for (std::size_t d = 0; d < limits_.size(); ++d) allowed_[d] = reference[d] * given_[d];
     for (const HeldHeel& heel : heels_) {
@@ -98,7 +97,7 @@ class LimitGuard {
     return allowed_;
   }
 
-  // Keeps what each freedom would have done by its own weight: `pull` (dofs) is Jᵀ y, see
+  // Stores the step that each dof would make by its own weight: `pull` (dofs) is Jᵀ y, see
   // IkWorkspace.
   void learn(std::span<const S> inverse_weights, std::span<const S> pull,
              std::span<const S> reference) {
@@ -118,7 +117,7 @@ class LimitGuard {
     }
   }
 
-  // Holds the angles (dofs, rad) within the limits.
+  // Clamps the angles (dofs, rad) to the limits.
   void hold(std::span<S> angles) {
     for (std::size_t d = 0; d < limits_.size(); ++d) {
       if (!limits_[d].coupled) {
@@ -136,7 +135,7 @@ class LimitGuard {
   struct Limit {
     T lower;
     T upper;
-    bool coupled = false;  // upper grows with another angle
+    bool coupled = false;  // upper limit depends on another angle
   };
   struct Stiff {
     std::size_t dof;
@@ -145,10 +144,10 @@ class LimitGuard {
   struct HeldHeel {
     std::size_t toes;
     std::size_t ankle;
-    S taken;  // 0..1, of what the ankle would do
+    S taken;  // 0..1, share of the ankle's step
   };
 
-  // what the toes are drawn by in the ankle's place
+  // Reference of the ankle that the toes take over.
   static S taken_of(const HeldHeel& heel, std::span<const S> reference) {
     return max(reference[heel.ankle], S(0)) * heel.taken;
   }
@@ -164,13 +163,13 @@ class LimitGuard {
   CoupledLimits<S> coupled_;
   std::vector<Stiff> stiff_;
   std::vector<HeldHeel> heels_;
-  std::vector<S> upper_;     // (dofs) rad, with what the couplings add now
+  std::vector<S> upper_;     // (dofs) rad, with the present additions of the couplings
   std::vector<S> wanted_;    // (dofs) rad, the last step without limits
-  std::vector<S> share_;     // (dofs) 0..1, how far a freedom may still follow its own weight
-  std::vector<S> most_;      // (dofs) what that may be in this step …
-  std::vector<S> given_;     // (dofs) … and is, having left a limit
+  std::vector<S> share_;     // (dofs) 0..1, share of its weight by the distance to the limit
+  std::vector<S> most_;      // (dofs) upper bound of that share after leaving a limit
+  std::vector<S> given_;     // (dofs) share applied in this step
   std::vector<S> softened_;  // (dofs) inverse weights
-  std::vector<S> allowed_;   // (dofs) rad, of the reference
+  std::vector<S> allowed_;   // (dofs) rad, the allowed reference
 };
 
 }  // namespace shigusa

@@ -8,9 +8,9 @@
 
 namespace shigusa {
 
-// The lanes of one Pack<float, N>. Included only by the source files that are compiled for a SIMD
-// set: everything in it that is not inlined must bear the set's pack in its name, or the linker
-// might give another part of the program code that the machine cannot run
+// Scorer for the lanes of one Pack<float, N>. Included only by the source files compiled for a SIMD
+// set: each function in it that is not inlined must bear the set's pack in its name, or the linker
+// might give other parts of the program code that the machine cannot run
 // (scripts/check_simd_symbols.sh).
 template <int N>
 class PackScorer final : public LaneScorer {
@@ -59,7 +59,7 @@ class PackScorer final : public LaneScorer {
  private:
   static int min(int a, int b) { return a < b ? a : b; }
 
-  // rows (motions × columns) to lanes; lanes that are left over repeat the last motion
+  // Distributes rows (motions × columns) to lanes; unused lanes repeat the last motion.
   static void spread(std::span<const float> rows, int motions, std::span<S> columns) {
     for (int lane = 0; lane < N; ++lane) {
       const float* from = rows.data() + index(min(lane, motions - 1)) * columns.size();

@@ -10,19 +10,20 @@
 
 namespace shigusa {
 
-// How far a change of posture is made in each frame, part by part in its own time.
+// The progress of a change of posture in each frame, with separate timing for each part of the
+// body.
 template <class S>
 class PostureDraw {
  public:
-  // The problem outlives it.
+  // The problem outlives the object.
   explicit PostureDraw(const ReachProblem& problem)
       : problem_(&problem),
         parts_(timed_parts(*problem.body)),
         legs_(leg_flexions(*problem.body)) {}
 
-  // Sets the reference (dofs, rad) to what the step to this frame makes of the change `posture`
-  // (dofs, rad), which begins after the share `delay` of each part's time.
-  // A locked knee (of inverse weight 0) takes nothing of hips and ankles along.
+  // Sets the reference (dofs, rad) to the increment of the change `posture` (dofs, rad) in the step
+  // to this frame. The change begins after the share `delay` of each part's time. A locked knee
+  // (inverse weight 0) leaves hips and ankles alone.
   void draw(int frame, std::span<const S> posture, std::span<const S> inverse_weights,
             const S& delay, std::span<S> reference) const {
     std::array<S, kTimedParts> shares;
@@ -33,8 +34,8 @@ class PostureDraw {
     for (std::size_t d = 0; d < reference.size(); ++d) {
       reference[d] = posture[d] * shares[parts_[d]];
     }
-    // what bends with the knees keeps their time, so that a squat is in balance on its way; the
-    // rest of hips and ankles keeps the lean's
+    // hips and ankles follow the knees' timing in proportion to the knee's bend, so that a squat
+    // stays in balance; the rest follows the lean's timing
     const S& squats = shares[static_cast<std::size_t>(TimedPart::knees)];
     const S& leans = shares[static_cast<std::size_t>(TimedPart::hips)];
     for (const LegFlexions& leg : legs_) {
@@ -46,7 +47,7 @@ class PostureDraw {
     }
   }
 
-  // The share of its change that a part has made by then.
+  // Share of its change completed by a part at a frame.
   [[nodiscard]] S made(TimedPart part, int frame, const S& delay) const {
     const TimeWindow& window = problem_->windows[static_cast<std::size_t>(part)];
     const S tau(window.at(problem_->tau(frame)));

@@ -9,7 +9,7 @@
 namespace shigusa {
 namespace {
 
-// The side (+1 left, -1 right) of the one hand that has a goal; 0 where it is not one.
+// Side (+1 left, -1 right) of the only hand with a goal; 0 for none or both.
 double side_of_hand(const ReachProblem& problem) {
   double side = 0.0;
   for (const ReachGoal& goal : problem.goals) {
@@ -20,18 +20,18 @@ double side_of_hand(const ReachProblem& problem) {
   return side;
 }
 
-// The share in which legs follow a pelvis that turns for a goal this far round (rad). With given
-// rotations, or both hands, ankles would come to their limits, and the motion jolt.
+// Share in which legs follow a pelvis that turns for a goal at this azimuth (rad). With given
+// rotations, or both hands, ankles would reach their limits, and the motion would jolt.
 double legs_follow(const ReachProblem& problem, double azimuth) {
   if (problem.goals.size() != 1 || problem.goals[0].turn.kind != Turning::free) return 0.0;
   return clamp((azimuth - kLegsFollow) / (kLegsAll - kLegsFollow), 0.0, 1.0);
 }
 
-// The nearest change (dofs, rad) of the start posture to a given one that leaves the feet where
-// they are: legs follow a pelvis that turns, whatever their weights will be.
+// The change (dofs, rad) of the start posture nearest to the given one that keeps the feet in
+// place: legs follow a turning pelvis, whatever their weights.
 std::vector<double> on_planted_feet(const ReachProblem& problem, const Kinematics<double>& standing,
                                     std::span<const double> change) {
-  constexpr double kPart = 0.01;  // what one step of IK makes at once
+  constexpr double kPart = 0.01;  // share of the change made in one IK step
   const std::vector<IkTarget<double>> targets = ik_targets(problem);
   const auto contacts = std::span(targets).subspan(problem.goals.size());
   const std::vector<double> weights(change.size(), 1.0);
@@ -105,7 +105,7 @@ TrunkTurn trunk_turn(const ReachProblem& problem) {
   const double side = side_of_hand(problem);
   if (side * azimuth < 0.0 && abs(azimuth) > kBehind) azimuth += side * kTwoPi;
   const double beyond = max(abs(azimuth) - kTrunkTurns, 0.0);
-  // what is more than 45 degrees above or below is less and less on any side
+  // beyond 45 degrees above or below, the azimuth counts less and less
   const double level = min(sqrt(2.0 * across / max(across + way.y * way.y, 1e-6)), 1.0);
   const double turn = min(beyond * kTrunkOfGaze, kTrunkMost) * level;
   if (!(turn > 0.0)) return {};

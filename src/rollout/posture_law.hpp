@@ -15,66 +15,67 @@
 
 namespace shigusa {
 
-// The head has turned to the goal by this share of the duration: gaze gets there before the hand
-// does (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
+// Share of the duration by which the head has turned to the goal: gaze arrives before the hand
+// (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
 inline constexpr double kGazeArrives = 0.45;
-// The head's share of a turn of the gaze; eyes do the rest, as far as they turn with ease (rad;
+// The head's share of a gaze turn, and the comfortable range of the eyes, which do the rest (rad;
 // J. Stahl, Experimental Brain Research 126 (1999) 41-54: eyes stay within some 20 degrees).
 inline constexpr double kHeadOfGaze = 0.75;
 inline constexpr double kEyesEase = radians(20);
-// The trunk's turn (rad) for a goal that far to the side: of what is beyond kTrunkTurns its share,
-// and kTrunkMost at the most, as of who keeps the feet where they are. Chosen so that goals
+// The trunk's turn (rad) for a goal to the side: the share kTrunkOfGaze of the azimuth beyond
+// kTrunkTurns, at most kTrunkMost, for a person whose feet stay planted. Chosen so that goals
 // behind are in sight (docs/people.md, Gaze); no published figure was found. It ends with the hand.
 inline constexpr double kTrunkTurns = radians(50);
 inline constexpr double kTrunkOfGaze = 0.6;
 inline constexpr double kTrunkMost = radians(65);
-// For goals farther round than kLegsFollow legs follow the pelvis, all the way from kLegsAll on:
-// nearer ones are in sight without.
+// Azimuths beyond which the legs follow the pelvis, partly from kLegsFollow, wholly from kLegsAll
+// on: nearer goals are in sight without.
 inline constexpr double kLegsFollow = radians(130);
 inline constexpr double kLegsAll = radians(150);
 inline constexpr double kTrunkBegins = 0.05;
 inline constexpr double kTrunkArrives = 0.8;
-// The share of what is missing of it that a step makes.
+// Fraction of the remaining turn made per frame.
 inline constexpr double kTrunkShare = 0.3;
-// The trunk turns to the side of the hand for a goal that is this far to the other side or more.
+// Azimuth beyond which the trunk turns to the side of the reaching hand even for a goal on the
+// other side.
 inline constexpr double kBehind = radians(150);
-// How much of what its shoulder is turned by a free arm makes up for, to go on hanging.
+// Share of its shoulder's turn that a free arm compensates in order to keep hanging.
 inline constexpr double kArmHangs = 0.8;
-// How far the elbow of a free arm bends for each angle by which its shoulder is turned forwards:
-// recorded free elbows end at 32 to 88 degrees where the trunk leans by 67 to 81.
+// Elbow flexion of a free arm per angle of its shoulder's forward turn: recorded free elbows end at
+// 32 to 88 degrees for trunk leans of 67 to 81.
 inline constexpr double kElbowBends = 0.6;
-// … and how far it stays bent at the least, hanging down (rad).
+// Least flexion of a hanging elbow (rad).
 inline constexpr double kElbowHangs = radians(10);
 // The clavicle's elevation, which stands for the shoulder blade's upward rotation, with the arm
-// raised by an angle e from where it hangs: c (kScapulaFirst + c kScapulaMore), c = (1 - cos e)
-// / 2. Of each part of e it is 5 % at 0 to 30 degrees, 19 and 38 % at 30 to 60 and to 90 and 53 %
-// at 90 to 120, where people's is 2.5, 21 to 38 and 53 % (J. Scibek and C. Carcia, World J.
-// Orthopedics 3 (2012) 87), and on the whole 1 to 2.3 of the shoulder's own joint …
+// raised by an angle e from hanging: c (kScapulaFirst + c kScapulaMore), c = (1 - cos e) / 2. Of
+// each part of e it is 5 % at 0 to 30 degrees, 19 and 38 % at 30 to 60 and to 90 and 53 % at 90 to
+// 120, where people's is 2.5, 21 to 38 and 53 % (J. Scibek and C. Carcia, World J. Orthopedics 3
+// (2012) 87), and on the whole 1 to 2.3 of the shoulder's own joint.
 inline constexpr double kScapulaFirst = radians(20);
 inline constexpr double kScapulaMore = radians(35);
-// … and of an arm that is lowered 1 to 2.7 (J. Braman et al., J. Shoulder and Elbow Surgery 18
-// (2009) 960).
+// Factor on the elevation of an arm that is lowered, for a ratio of 1 to 2.7 (J. Braman et al., J.
+// Shoulder and Elbow Surgery 18 (2009) 960).
 inline constexpr double kScapulaLowers = (1.0 + 2.3) / (1.0 + 2.7);
-// The clavicle's protraction with the arm straight ahead: a part of what the shoulder blade turns
+// The clavicle's protraction with the arm straight ahead: a part of the shoulder blade's rotation
 // (V. Inman, J. Saunders and L. Abbott, J. Bone and Joint Surgery 26 (1944) 1-30).
 inline constexpr double kClavicleAhead = radians(14);
 
-// Of what clavicles and free arms are away from what the law wants, the share that a step makes,
-// and the most of it (rad): where an arm points along what the law divides by, its wish runs.
+// Fraction of the remaining error of clavicles and free arms corrected per frame, and its cap
+// (rad); the cap guards the singularity of the azimuth.
 inline constexpr double kLawShare = 0.4;
 inline constexpr double kLawStep = radians(4);
-// The back's bend (rad) that goes with a pelvis tipped forwards by an angle t is
-// kBackBend · t / (t + kBackHalf): 1.9, 0.9 and 0.4 of what the hips take of a bend of 111 degrees
-// in its first, second and third part (Esola et al., Spine 21 (1996) 71) …
+// Parameters of the back's bend (rad) for a pelvis tipped forwards by an angle t, kBackBend · t /
+// (t + kBackHalf): 1.9, 0.9 and 0.4 times the hips' share in the first, second and third part of a
+// bend of 111 degrees (Esola et al., Spine 21 (1996) 71).
 inline constexpr double kBackBend = radians(75);
 inline constexpr double kBackHalf = radians(18);
-// … and with a load in the hand more, by this share of it for each kilogram (Vazirian, Van Dillen
-// and Bazrgari, 2016: larger with load), up to this load.
+// Relative increase of the back's bend per kilogram of load in the hand, up to kBackLoadMost
+// (Vazirian, Van Dillen and Bazrgari, 2016: larger with load).
 inline constexpr double kBackOfLoad = 0.01;
 inline constexpr double kBackLoadMost = 20.0;  // kg
 
-// Elevation and protraction (rad) that go with an arm that points along a unit vector in the frame
-// of the chest, beside those of one that hangs.
+// Clavicle angles (rad) of an arm that points along a unit vector in the frame of the chest,
+// relative to a hanging arm's.
 template <class S>
 struct Shrug {
   S elevation;
@@ -86,8 +87,8 @@ template <class S>
   return {raised * (S(kScapulaFirst) + raised * S(kScapulaMore)), along.z * S(kClavicleAhead)};
 }
 
-// Flexion and abduction (rad) of a shoulder's link that hangs from one of that rotation; side: +1
-// left, -1 right.
+// Flexion and abduction (rad) of a shoulder whose arm hangs, from the rotation of its parent link;
+// side: +1 left, -1 right.
 template <class S>
 struct Hanging {
   S flexion;
@@ -100,8 +101,8 @@ template <class S>
   return {atan2(down.z, -down.y) * S(kArmHangs), atan2(down.x, level) * side * S(kArmHangs)};
 }
 
-// The angles (rad) that the law wants of an arm as its body starts, by the links that carry its
-// shoulder and its clavicle, and the upper arm's.
+// Angles (rad) that the law would set for an arm in the start posture, from the links that carry
+// its shoulder and its clavicle, and the upper arm's.
 struct ArmAtStart {
   double flexion = 0.0;
   double abduction = 0.0;
@@ -115,30 +116,30 @@ struct ArmLinks {
 };
 [[nodiscard]] ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double side);
 
-// Whether the law moves a body: one with a neck.
+// Whether the law applies to a body: to one with a neck.
 [[nodiscard]] inline bool nods(const BodyModel& body) {
   return body.find_dof(JointKind::neck, FreedomKind::flexion).has_value();
 }
 
-// Of what the gaze wants of a head, the share that it turns: a head broader than the shoulders
-// would come down on the arms that reach.
+// Share of a gaze turn made by the head: a head broader than the shoulders would come down on the
+// reaching arms.
 [[nodiscard]] double head_share(const BodyModel& body);
 
-// The share of Shrug::elevation that an arm's clavicle has in a motion: kScapulaLowers where its
-// hand is to be lower, seen from the shoulder in the frame of the chest, than it starts; else 1.
+// Share of Shrug::elevation applied to an arm's clavicle: kScapulaLowers if the hand ends lower
+// than it starts, seen from the shoulder in the frame of the chest; else 1.
 [[nodiscard]] double scapula_share(const ReachProblem& problem, const ArmLinks& links);
 
-// The turn of the trunk that the law wants at the end of a motion, from its start.
+// The trunk's turn at the end of a motion, relative to the start posture.
 struct TrunkTurn {
   double side = 0.0;           // +1 to the left, -1 to the right
-  std::vector<double> change;  // (dofs) rad; empty: what is looked at is in front, above or below
+  std::vector<double> change;  // (dofs) rad; empty: the gaze target is in front, above or below
 };
 [[nodiscard]] TrunkTurn trunk_turn(const ReachProblem& problem);
 
-// How the parts of a whole human move that no goal moves, frame by frame: the head turns to the
-// goal, a free arm hangs and bends, clavicles go with their arms, the back bends with the pelvis.
-// The law says by how much the null space is drawn; goals, contacts and limits stay what they are.
-// For bodies with a neck; others have none.
+// Motion of the dofs of a whole human that no goal determines, frame by frame: the head turns to
+// the goal, a free arm hangs and bends, clavicles go with their arms, the back bends with the
+// pelvis. The law only sets the null-space reference; goals, contacts and limits take precedence.
+// For bodies with a neck only.
 template <class S>
 class PostureLaw {
  public:
@@ -156,10 +157,10 @@ class PostureLaw {
 
   [[nodiscard]] bool empty() const { return !looks_ && arms_.empty() && back_.empty(); }
 
-  // Sets what the step to `frame` is drawn by (dofs, rad), from the placement and the angles (dofs,
+  // Sets the reference (dofs, rad) of the step to `frame`, from the placement and the angles (dofs,
   // rad) before it. `guided`: the rest of the body is drawn to a posture; the back and arms with
-  // goals are left to it. Else the reference holds by how much more than the law the back is to
-  // bend (see bends_back()).
+  // goals are left to it. Otherwise the reference holds the back's bend in addition to the law (see
+  // bends_back()).
   void draw(int frame, const Kinematics<S>& now, std::span<const S> angles, bool guided,
             std::span<S> reference) {
     if (!guided) bend_back(now, angles, reference);
@@ -171,7 +172,7 @@ class PostureLaw {
     }
   }
 
-  // Whether the law bends the back by this freedom.
+  // Whether the law bends the back by this dof.
   [[nodiscard]] bool bends_back(std::size_t dof) const {
     return std::any_of(back_.begin(), back_.end(),
                        [dof](const Freedom& f) { return f.dof == dof; });
@@ -183,8 +184,8 @@ class PostureLaw {
     std::size_t dof = 0;
     T lower{};  // rad
     T upper{};
-    T start{};  // from which it does what is wanted: where the body starts it wants nothing
-    T share{};  // of what is wanted of the joints together
+    T start{};  // rad, offset at which the law leaves the start posture unchanged
+    T share{};  // of the angle wanted of all joints together
   };
   struct Arm {
     bool free = false;
@@ -194,8 +195,8 @@ class PostureLaw {
     int chest = 0;   // link that carries the clavicle
     int upper = 0;   // the upper arm's link
     bool has_elbow = false;
-    T lean{};    // rad: flexion that the start wants
-    T rhythm{};  // of the clavicle's elevation, see scapula_share
+    T lean{};    // rad: flexion of the law in the start posture
+    T rhythm{};  // factor on the clavicle's elevation, see scapula_share
     Freedom flexion, abduction, elevation, protraction, elbow;
     std::optional<ArmClearance<S>> clearance;
   };
@@ -227,7 +228,7 @@ class PostureLaw {
   }
 
   void find_back(const BodyModel& body) {
-    // copies: the tables themselves would be shared between SIMD sets
+    // local copies: the tables themselves would be shared between SIMD sets
     constexpr auto kJoints = kBackJoints;
     constexpr auto kRanges = kSpineRanges;
     for (std::size_t j = 0; j < kJoints.size(); ++j) {
@@ -238,11 +239,11 @@ class PostureLaw {
     pelvis_ = body.dof(static_cast<int>(back_.front().dof)).parent;
     const double load = min(body.load(), kBackLoadMost);
     back_bend_ = static_cast<T>(kBackBend * body.lumbar_part() * (1.0 + kBackOfLoad * load));
-    // of a start that is bent already, the law goes on from there
+    // for a bent start posture, the law continues from there
     const Mat3d pelvis = start_kinematics(body).link_rotation(pelvis_);
     const double bent = bend_of_back(pelvis) * static_cast<double>(back_bend_);
     for (Freedom& f : back_) {
-      // a file's back is straight as it starts, and a straight one bends no farther backwards
+      // a file's back is straight at the start, and does not bend backwards from there
       f.lower = f.start < T(0) ? f.start : T(0);
       f.start -= f.share * static_cast<T>(bent);
     }
@@ -300,8 +301,8 @@ class PostureLaw {
     arms_.push_back(std::move(arm));
   }
 
-  // Somebody who starts as a file has them may stoop or hold up an arm: the law goes on from there,
-  // and does not draw them to where it would have them at once.
+  // Offsets the law to the start posture, in which a character from a file may stoop or hold up an
+  // arm: the law continues from there instead of pulling the arm to its own posture at once.
   static void begin_at_start(const BodyModel& body, Arm& arm) {
     const ArmAtStart start = arm_at_start(
         body, {arm.parent, arm.has_clavicle ? arm.chest : arm.parent, arm.upper}, arm.side);
@@ -313,7 +314,7 @@ class PostureLaw {
     arm.protraction.start -= static_cast<T>(start.protraction);
   }
 
-  // of what is left of the gaze's turn
+  // Share of the remaining gaze turn made in a frame.
   [[nodiscard]] S gaze_share(int frame) const {
     const auto done = [this](int f) {
       return minimum_jerk(min(1.0, static_cast<double>(f) / (gaze_arrives_ * steps_)));
@@ -321,14 +322,14 @@ class PostureLaw {
     return S(share_of_rest(done(frame - 1), done(frame)));
   }
 
-  // draws a freedom by a share of what it is away from the angle wanted
+  // Draws a dof by a share of its distance from the wanted angle.
   static void draw_to(const Freedom& f, const S& wanted, const S& share, std::span<const S> angles,
                       std::span<S> reference) {
     const S held = clamp(S(f.start) + wanted * S(f.share), S(f.lower), S(f.upper));
     reference[f.dof] = clamp((held - angles[f.dof]) * share, S(-kLawStep), S(kLawStep));
   }
 
-  // the back's bend beside the most, with the pelvis turned so
+  // Relative bend of the back for a rotation of the pelvis.
   template <class U>
   static U bend_of_back(const Mat3<U>& pelvis) {
     const U tip = max(atan2(-pelvis.cz.y, pelvis.cy.y), U(0));
@@ -345,12 +346,12 @@ class PostureLaw {
     }
   }
 
-  // no less than the law wants; what else turns the trunk may turn it farther
+  // Draws the trunk at least as far as the law; other causes may turn it farther.
   void turn_trunk(int frame, std::span<const S> angles, std::span<S> reference) const {
     if (trunk_.empty()) return;
     const double tau = hastened(static_cast<double>(frame) / steps_, ease_);
     const S done(minimum_snap((tau - kTrunkBegins) / (kTrunkArrives - kTrunkBegins)));
-    // what is missing in the end stays so: the motion ends at rest
+    // a remaining error at the end stays: the motion ends at rest
     const S share(kTrunkShare *
                   (1.0 - minimum_snap((tau - kTrunkArrives) / (1.0 - kTrunkArrives))));
     for (const Freedom& f : trunk_) {
@@ -362,12 +363,13 @@ class PostureLaw {
     }
   }
 
-  // The turn of the head (rad) to what is there in the frame of the chest: sideways for what is
-  // behind, and from side to side without a jump …
+  // Turn of the head (rad) to an offset in the frame of the chest: sideways for a target behind,
+  // and continuous from side to side.
   static S side_of(const Vec3<S>& offset, const S& across) {
     return atan2(offset.x, max(offset.z, across * S(0.2)));
   }
-  // … or, with a trunk that turns, to its side all the way; the jump is 105 degrees to the other.
+  // The same for a trunk that turns, to the trunk's side all the way; the jump is 105 degrees to
+  // the other side.
   [[nodiscard]] S side_behind(const Vec3<S>& offset) const {
     constexpr double kCos75 = 0.25881904510252;
     constexpr double kSin75 = 0.96592582628907;
@@ -400,7 +402,7 @@ class PostureLaw {
     draw_to(arm.elbow, lean * S(kElbowBends), S(kLawShare), angles, reference);
   }
 
-  // aside of trunk and legs, however the arm would hang
+  // Abducts the arm to keep it clear of trunk and legs.
   static void keep_off(Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
                        std::span<S> reference) {
     if (!arm.clearance) return;
@@ -417,18 +419,18 @@ class PostureLaw {
     draw_to(arm.protraction, wanted.protraction, S(kLawShare), angles, reference);
   }
 
-  int steps_;            // of a motion
-  double ease_;          // as ReachProblem has it
-  double gaze_arrives_;  // share of the duration, of the head
+  int steps_;            // in a motion
+  double ease_;          // see ReachProblem
+  double gaze_arrives_;  // share of the duration at which the head arrives
   bool looks_ = false;
   Vec3<S> target_{};  // m, world
   int chest_ = 0;     // link that carries the neck
-  int head_ = 0;      // dof whose centre is where the eyes are taken to be
+  int head_ = 0;      // dof whose centre is taken as the eyes
   std::vector<Freedom> nods_;
   std::vector<Freedom> turns_;
   std::vector<Freedom> back_;
   std::vector<Freedom> trunk_;  // share: rad, the turn at the end
-  T side_{};                    // +1 it turns to the left, -1 to the right
+  T side_{};                    // +1 for a turn to the left, -1 to the right
   int pelvis_ = 0;              // link that carries the back
   T back_bend_{};               // rad, see kBackBend
   std::vector<Arm> arms_;

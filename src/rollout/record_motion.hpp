@@ -6,10 +6,10 @@
 
 namespace shigusa {
 
-// Keeps the frames of a motion that it is shown.
+// Records the frames of a motion.
 class MotionRecorder {
  public:
-  // The problem outlives it.
+  // The problem outlives the object.
   explicit MotionRecorder(const ReachProblem& problem) : problem_(&problem) {
     motion.clip.dofs = problem.body->dof_count();
     motion.clip.frames = problem.steps + 1;
@@ -41,7 +41,8 @@ class MotionRecorder {
   const ReachProblem* problem_;
 };
 
-// Plays the parameters' motion with a Rollout<double>, or what has its run(), and keeps it whole.
+// Plays the parameters' motion with a Rollout<double>, or another player with the same run(), and
+// records it.
 template <class Player>
 [[nodiscard]] RolledOut record_motion(const ReachProblem& problem, const Parameters& parameters,
                                       Player&& player) {

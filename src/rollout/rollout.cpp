@@ -7,9 +7,9 @@ namespace shigusa {
 
 namespace {
 
-// A hand on its way keeps this far (m) off the straight line to its place, half-way.
+// Distance (m) of a moving hand from the straight line to its place, half-way.
 constexpr double kSupportLift = 0.04;
-// The share of the duration within which a hand that has arrived comes to press.
+// Share of the duration in which a hand builds up its force after arrival.
 constexpr double kPressRises = 0.15;
 
 }  // namespace

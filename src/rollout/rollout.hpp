@@ -17,20 +17,19 @@
 
 namespace shigusa {
 
-// The share of the duration before heels lift to a guide's posture.
+// Share of the duration after which heels lift towards a guide's posture.
 inline constexpr double kHeelsBegin = 0.55;
 
-// The treatment of a motion that has left its path, or moved a planted foot, by more than the
-// problem tolerates: nothing makes up for that in later frames.
+// Treatment of a motion that has left its path, or moved a planted foot, beyond the tolerance:
+// later frames cannot make up for it.
 enum class LostMotion {
-  corrected,  // as any other, so that it ends as near to its goal as it can
-  left,       // it takes no further steps: other lanes would wait for them
+  corrected,  // as any other, so that it ends as near to its goal as possible
+  left,       // no further corrections: other lanes would wait for them
 };
 
-// From parameters to a motion: follows the problem's paths by weighted IK, frame by frame, and
-// shows each frame, with torques and centre of mass, to a visitor. S is double, or a pack: then
-// each lane has parameters of its own. Holds its scratch memory, so make one per thread and use it
-// again and again.
+// Generates a motion from parameters: follows the problem's paths by weighted IK, frame by frame,
+// and passes each frame, with torques and centre of mass, to a visitor. S is double, or a pack
+// whose lanes have separate parameters. Owns scratch memory: use one object per thread, repeatedly.
 template <class S>
 class Rollout {
  public:
@@ -74,7 +73,7 @@ class Rollout {
     }
   }
 
-  // visit(const PlacedFrame<S>&) is called for the frames 0..steps in order.
+  // Rolls out one motion. visit(const PlacedFrame<S>&) is called for the frames 0..steps in order.
   template <class Visitor>
   BasicReachOutcome<S> run(const MotionInput<S>& input, Visitor&& visit) {
     const BodyModel& body = *problem_->body;
@@ -96,8 +95,8 @@ class Rollout {
     return outcome;
   }
 
-  // The same for a motion whose frames are known but for small corrections: `angles` (frames ×
-  // dofs, rad) are brought back to the paths and contacts, frame by frame.
+  // Corrects a known motion: `angles` (frames × dofs, rad) are brought back to the paths and
+  // contacts, frame by frame.
   template <class Visitor>
   BasicReachOutcome<S> retrace(const MotionInput<S>& input, std::span<const S> angles,
                                Visitor&& visit) {
@@ -118,15 +117,15 @@ class Rollout {
     return outcome;
   }
 
-  // (dofs, rad) where the last motion ended.
+  // (dofs, rad) the last frame of the last motion.
   [[nodiscard]] std::span<const S> final_angles() const { return angles_[1]; }
 
  private:
-  // placements in this frame and in the next
+  // Placements in this frame and in the next.
   [[nodiscard]] Kinematics<S>& now() { return kinematics_[now_]; }
   [[nodiscard]] Kinematics<S>& next() { return kinematics_[1 - now_]; }
 
-  // shows all frames, the next of which `move` makes each time
+  // Visits all frames; `move` computes each next one.
   template <class Move, class Visitor>
   void show(Move&& move, Visitor&& visit) {
     for (int frame = 1; frame <= problem_->steps; ++frame) {
@@ -140,7 +139,7 @@ class Rollout {
     visit(dynamics_.frame(angles_, now()));
   }
 
-  // moves the angles of the next frame to where the paths are then
+  // Moves the angles of the next frame to its points on the paths.
   void follow(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
     const bool last = frame == problem_->steps;
     place_goals(frame, input);
@@ -161,7 +160,7 @@ class Rollout {
       correct(targets, input.inverse_weights, off);
       missed = measure(frame, targets, turn_share, false);
     }
-    // a goal out of reach, or weights that are far apart, do not take a planted foot along
+    // a goal out of reach, or very unequal weights, must not drag a planted foot along
     for (int k = 0; k < problem_->contact_corrections; ++k) {
       const S tilt_as_slide = missed.contact_tilt * S(kReachTolerance / kTiltTolerance);
       const S worst = max(missed.contact_slide, tilt_as_slide);
@@ -173,7 +172,7 @@ class Rollout {
     add(missed, last, outcome);
   }
 
-  // brings the angles of the next frame back to where the paths are then
+  // Brings the angles of the next frame back to the paths.
   void return_to_paths(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
     const bool last = frame == problem_->steps;
     place_goals(frame, input);
@@ -189,7 +188,7 @@ class Rollout {
     for (int k = 0; k < problem_->goal_corrections; ++k) {
       const auto off = max(missed.path_error, contact_error(missed)) > S(problem_->goal_tolerance);
       if (!any(off)) break;
-      // what is missed is small, and no reason to hold back
+      // the remaining error is small, so it does not raise the damping
       for (IkTarget<S>& target : targets_) target.lag = S(0);
       correct(targets, input.inverse_weights, off);
       missed = measure(frame, targets, turn_share, false);
@@ -197,7 +196,7 @@ class Rollout {
     add(missed, last, outcome);
   }
 
-  // adds the misses of one frame
+  // Adds the errors of one frame.
   static void add(const BasicReachOutcome<S>& missed, bool last, BasicReachOutcome<S>& outcome) {
     outcome.path_error = worse(outcome.path_error, missed.path_error);
     outcome.contact_slide = worse(outcome.contact_slide, missed.contact_slide);
@@ -205,13 +204,13 @@ class Rollout {
     if (last) outcome.goal_error = missed.path_error;
   }
 
-  // the lanes whose motions are to be corrected, by what they missed before this frame
+  // The lanes whose motions are to be corrected, by the errors before this frame.
   auto wanted(const BasicReachOutcome<S>& outcome) const {
     const auto all = S(0) < S(1);
     return lost_ == LostMotion::left ? outcome.keeps_to(problem_->tolerance) : all;
   }
 
-  // one step of IK from this frame to the next
+  // One IK step from this frame to the next.
   void step(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights) {
     const std::span<const S> weights = within_limits(inverse_weights, angles_[1]);
     const std::span<const S> reference =
@@ -230,8 +229,8 @@ class Rollout {
     forward_kinematics<S>(*problem_->body, angles_[2], next());
   }
 
-  // one more step within the next frame, in the lanes that are off; what is left to go is small, so
-  // it takes no lead
+  // One more IK step within the next frame, in the lanes with errors; the remaining error is small,
+  // so no lead is added.
   template <class Condition>
   void correct(std::span<IkTarget<S>> targets, std::span<const S> inverse_weights,
                const Condition& off) {
@@ -257,12 +256,12 @@ class Rollout {
     forward_kinematics<S>(*problem_->body, angles_[2], next());
   }
 
-  // the inverse weights to step with from these angles
+  // The inverse weights for a step from these angles.
   std::span<const S> within_limits(std::span<const S> inverse_weights, std::span<const S> angles) {
     return limits_ ? limits_->soften(inverse_weights, angles) : inverse_weights;
   }
 
-  // where the effectors are to be in this frame
+  // Sets the effectors' targets in this frame.
   void place_goals(int frame, const MotionInput<S>& input) {
     const double tau = problem_->tau(frame);
     for (std::size_t g = 0; g < contacts_from_; ++g) {
@@ -281,8 +280,8 @@ class Rollout {
     }
   }
 
-  // how far the null space is drawn in this frame: so that, drawn in every frame, it follows the
-  // minimum-jerk profile into the guide posture, or makes the input's change of posture
+  // Sets the null-space reference of this frame: over all frames it follows the minimum-jerk
+  // profile into the guide posture, or makes the input's change of posture.
   void draw_null_space(int frame, const MotionInput<S>& input) {
     const bool guided = !problem_->guide.empty();
     if (guided) {
@@ -305,7 +304,7 @@ class Rollout {
     for (std::size_t d = 0; d < reference_.size(); ++d) {
       reference_[d] = (S(problem_->guide[d]) - angles_[1][d]) * S(share);
     }
-    // heels lift late, when the weight is over the forefeet; the shank leans as it would with them
+    // heels lift late, once the weight is over the forefeet; the shank leans as if they had lifted
     const double late = guide_share(frame, kHeelsBegin);
     for (const Foot& foot : problem_->body->feet()) {
       if (!foot.heel) continue;
@@ -317,8 +316,8 @@ class Rollout {
     }
   }
 
-  // of what is left to the guide, the share that this frame makes, where the change begins at a
-  // share of the duration
+  // Share of the remaining way to the guide made in this frame, for a change that begins at a share
+  // of the duration.
   double guide_share(int frame, double begin) const {
     const auto done = [&](int f) {
       const double tau = problem_->tau(f);
@@ -327,8 +326,8 @@ class Rollout {
     return share_of_rest(done(frame - 1), done(frame));
   }
 
-  // how far the targets are missed now, goals' turns by a share of theirs; `learn`: adds that to
-  // the leads
+  // Errors of the targets, with goals' turns weighted by `turn_share`; `learn`: adds the errors to
+  // the leads.
   BasicReachOutcome<S> measure(int frame, std::span<IkTarget<S>> targets, double turn_share,
                                bool learn) {
     BasicReachOutcome<S> missed;
@@ -356,7 +355,7 @@ class Rollout {
     return missed;
   }
 
-  // of a goal that turns: the larger of its distance and its turn
+  // The larger of the distance and the turn of a goal with an orientation.
   S turn_miss(IkTarget<S>& target, const S& miss, double turn_share, bool learn) {
     const Vec3<S> error = turn_error(next(), target);
     const S turn = norm(error) * S(kTurnLength);
@@ -368,7 +367,7 @@ class Rollout {
     return worse(miss, turn * S(turn_share));
   }
 
-  // the larger of both, and NaN once either was
+  // The maximum of both; a NaN of the first persists.
   static S worse(const S& before, const S& now) { return max(now, before) + (before - before); }
 
   static S contact_error(const BasicReachOutcome<S>& outcome) {
@@ -384,32 +383,32 @@ class Rollout {
   LostMotion lost_;
   std::size_t contacts_from_;            // index of the first contact among the targets
   std::vector<IkTarget<S>> targets_;     // the goals, then the contacts
-  std::vector<Lead> leads_;              // put aside while a frame is corrected
+  std::vector<Lead> leads_;              // saved while a frame is corrected
   std::vector<Vec3<Element<S>>> paths_;  // (frames × goals) m, world
-  bool turning_ = false;                 // some goal turns, as …
-  std::vector<Mat3<Element<S>>> turns_;  // … (frames × goals) R_WL, or empty
+  bool turning_ = false;                 // whether some goal has an orientation
+  std::vector<Mat3<Element<S>>> turns_;  // (frames × goals) R_WL, or empty
   IkWorkspace<S> ik_;
   FrameDynamics<S> dynamics_;
-  std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, taking turns …
-  std::size_t now_ = 0;                    // … and which is this frame's
+  std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, alternating
+  std::size_t now_ = 0;                    // index of this frame's
   std::vector<std::vector<S>> angles_;     // of the frame before, this one and the next
-  std::vector<S> unlocked_;                // (dofs) 1, or 0 where locked now
-  bool drawn_ = false;                     // the null space is drawn somewhere, by …
-  std::vector<S> reference_;               // … (dofs, rad) in this frame
+  std::vector<S> unlocked_;                // (dofs) 1, or 0 if locked
+  bool drawn_ = false;                     // whether the null space has a reference
+  std::vector<S> reference_;               // (dofs, rad) of this frame
   PostureDraw<S> posture_draw_;
   PostureLaw<S> law_;
   HandSupports<S> supports_;
-  std::vector<std::size_t> backs_;  // the dofs that it bends beside the posture
+  std::vector<std::size_t> backs_;  // dofs of the back, bent by the law beside the posture
   std::optional<LimitGuard<S>> limits_;
 };
 
-// A motion with all that is known of it.
+// A motion with its outcome.
 struct RolledOut {
   Motion motion;
   ReachOutcome outcome;
 };
 
-// Generates and keeps the whole motion for the parameters.
+// Generates and records the whole motion of the parameters.
 [[nodiscard]] RolledOut roll_out(const ReachProblem& problem, const Parameters& parameters);
 
 }  // namespace shigusa

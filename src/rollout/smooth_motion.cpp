@@ -7,13 +7,13 @@
 namespace shigusa {
 namespace {
 
-// λ: what changes with a period of 10 frames loses half, what changes faster nearly all.
+// λ: changes with a period of 10 frames are halved, faster ones nearly removed.
 constexpr double kSmoothness = 16.0;
 constexpr std::array<double, 4> kThirdDifference{-1.0, 3.0, -3.0, 1.0};
 constexpr int kBand = 3;
 
-// The smooth values of a row of frames, by an LDLᵀ decomposition of I + λ DᵀD, a matrix of seven
-// diagonals; the first and the last frame are given, and what is beyond them is at rest there.
+// Smooths a sequence of frames by an LDLᵀ decomposition of I + λ DᵀD, a matrix of seven diagonals;
+// the first and the last frame are fixed, and the body is at rest beyond them.
 class LeastJerk {
  public:
   explicit LeastJerk(int frames)
@@ -31,7 +31,7 @@ class LeastJerk {
     }
   }
 
-  // value(frame) is a reference
+  // `value(frame)` returns a reference.
   template <class Value>
   void smooth(Value&& value) const {
     const double first = value(0);
@@ -51,10 +51,10 @@ class LeastJerk {
   }
 
  private:
-  // how far the row's diagonals go
+  // Number of diagonals to the right in a row.
   [[nodiscard]] int most(int i) const { return i + kBand < inner_ ? kBand : inner_ - 1 - i; }
 
-  // of the third difference that begins at the inner frame j
+  // Adds the third difference that begins at the inner frame j.
   void add_difference(int j) {
     for (int k = 0; k <= kBand; ++k) {
       const int i = j + k;
@@ -76,7 +76,7 @@ class LeastJerk {
   int inner_;  // frames between the first and the last
   std::vector<std::array<double, 1 + kBand>>
       rows_;                   // from the diagonal to the right; then D and Lᵀ
-  std::vector<double> first_;  // of the matrix, for the frames that are given
+  std::vector<double> first_;  // of the matrix, for the fixed frames
   std::vector<double> last_;
 };
 
@@ -89,7 +89,7 @@ void smooth_frames(std::size_t dofs, std::vector<double>& angles) {
   for (std::size_t d = 0; d < dofs; ++d) {
     bool moves = false;
     for (int f = 1; f < frames; ++f) moves = moves || angles[index(f) * dofs + d] != angles[d];
-    // what is locked stays where it is to the last bit
+    // locked joints keep their exact values
     if (!moves) continue;
     row.smooth([&](int frame) -> double& { return angles[index(frame) * dofs + d]; });
   }

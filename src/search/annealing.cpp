@@ -18,7 +18,7 @@
 namespace shigusa {
 namespace {
 
-constexpr double kMovedGenes = 3.0;  // how many coordinates a move changes, about
+constexpr double kMovedGenes = 3.0;  // expected number of coordinates changed by a move
 
 void check(const AnnealingSettings& s) {
   SHG_CHECK(s.chains >= 2 && s.chains <= 10000,
@@ -34,7 +34,7 @@ void check(const AnnealingSettings& s) {
             fmt::format("cooling is {}, allowed: 1e-12..1", s.cooling));
 }
 
-// The size of differences between these scores; 1 where they tell nothing.
+// Interquartile range of the scores; 1 if it is 0 or not finite.
 double spread_of(std::span<const double> scores) {
   const std::vector<std::size_t> order = ranked(scores);
   const double spread = scores[order[order.size() * 3 / 4]] - scores[order[order.size() / 4]];
@@ -75,7 +75,7 @@ class Annealing {
   }
 
  private:
-  // One cycle; false when the search must end.
+  // Runs one cycle; false when the search must end.
   bool cool(double hot, double steps) {
     const double log_cooling = natural_log(settings_.cooling);
     const double log_narrowing = natural_log(settings_.last_step / settings_.first_step);
@@ -98,7 +98,7 @@ class Annealing {
       move(std::span(moved_).subspan(i * genes_, genes_), width);
     const bool going = scorer_.step(moved_, moved_scores_);
     for (std::size_t i = 0; i < count_; ++i) {
-      // drawn for each chain, so that one's random numbers do not hang on another's scores
+      // drawn for each chain, so that random numbers do not depend on other chains' scores
       const double drawn = random_.uniform();
       const double increase = moved_scores_[i] - scores_[i];
       if (moved_scores_[i] == kWorst && scores_[i] < kWorst) continue;
@@ -127,9 +127,9 @@ class Annealing {
   Random random_;
   std::size_t genes_;
   std::size_t count_;
-  std::vector<double> points_;  // (count × genes) where the chains are
+  std::vector<double> points_;  // (count × genes) present points of the chains
   std::vector<double> scores_;
-  std::vector<double> moved_;  // (count × genes) where they might go
+  std::vector<double> moved_;  // (count × genes) proposed points
   std::vector<double> moved_scores_;
   std::vector<double> best_points_;  // (count × genes) the best of each chain
   std::vector<double> best_scores_;
@@ -140,7 +140,7 @@ class Annealing {
 SearchResult annealing_search(const SearchProblem& problem, const AnnealingSettings& settings,
                               const Progress& progress) {
   check(settings);
-  // before any memory is taken for its genes
+  // checks the problem before memory is allocated for its genes
   Scorer(problem, settings.evaluations, progress);
   return Annealing(problem, settings, progress).search();
 }

@@ -8,16 +8,16 @@ namespace shigusa {
 
 struct AnnealingSettings {
   int evaluations = 1000;    // ≥ 1
-  int chains = 16;           // side by side, 2..10000
+  int chains = 16;           // run in parallel, 2..10000
   int first_cycle = 32;      // steps of the first cooling, 1..1000000
   double first_step = 0.3;   // standard deviation of a move when hot, 1e-6..1
-  double last_step = 0.003;  // and when cold, 1e-6..first_step
-  double hot = 0.05;         // temperature when hot over the spread of random scores, 1e-6..1e6
-  double cooling = 1e-4;     // temperature when cold over that when hot, 1e-12..1
+  double last_step = 0.003;  // the same when cold, 1e-6..first_step
+  double hot = 0.05;  // temperature when hot, relative to the spread of random scores, 1e-6..1e6
+  double cooling = 1e-4;  // temperature when cold relative to hot, 1e-12..1
   std::uint64_t seed = 0;
 };
 
-// Simulated annealing, several chains side by side so that a batch fills vector registers:
+// Simulated annealing, with several chains in parallel so that a batch fills vector registers:
 //
 //   chains := uniformly random points, the first of all the problem's start
 //   T_hot := hot · the spread of the middle half of their scores
@@ -30,12 +30,12 @@ struct AnnealingSettings {
 //     every second chain goes on from the best point seen
 //
 // S. Kirkpatrick, C. D. Gelatt, M. P. Vecchi: Optimization by simulated annealing, Science 220,
-// 1983; the paper names it as future work (section 5). Cycles of doubling length replace a cooling
-// over the whole budget, which would have to know it. Left out: a temperature that adapts to the
-// share of moves taken, and exchange of states between chains of different temperatures.
+// 1983; the paper names it as future work (section 5). Cycles of doubling length replace a single
+// cooling, which would depend on the budget. Left out: a temperature that adapts to the acceptance
+// rate, and exchange of states between chains of different temperatures.
 //
 // The final population is the best point of each chain, in their order. Settings or a problem
-// outside the stated ranges throw PreconditionError; what problem.evaluate throws passes through.
+// outside the stated ranges throw PreconditionError; exceptions of problem.evaluate pass through.
 [[nodiscard]] SearchResult annealing_search(const SearchProblem& problem,
                                             const AnnealingSettings& settings,
                                             const Progress& progress = {});

@@ -17,8 +17,8 @@
 namespace shigusa {
 namespace {
 
-constexpr double kLeastSpread = 1e-8;  // where a run's points lie so close, it is over
-constexpr double kLeastFall = 1e-3;    // of the best score, that keeps a run going
+constexpr double kLeastSpread = 1e-8;  // spread of a run's points at which it ends
+constexpr double kLeastFall = 1e-3;    // of the best score, to keep a run going
 
 void check(const SearchProblem& problem, const CmaEsSettings& s) {
   SHG_CHECK(problem.genes <= kCmaMaxGenes,
@@ -82,7 +82,8 @@ SearchResult CmaEs::take_result() {
   return std::move(result);
 }
 
-// A descent from the best while those from it have had fewer evaluations than all others.
+// Begins a descent: from the best point if such descents have had fewer evaluations than all
+// others.
 void CmaEs::begin_descent() {
   const bool first = descents_++ == 0;
   const int spent = scorer_.result().evaluations;

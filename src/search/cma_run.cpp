@@ -12,13 +12,13 @@
 namespace shigusa {
 namespace {
 
-// A factor whose diagonal spans more than this has lost half of its digits: a condition of 1e14.
+// Ratio in a factor's diagonal beyond which half of the digits are lost: a condition of 1e14.
 constexpr double kFactorRange = 1e-7;
 
-// Of 0.1 to 3, what does best on functions whose optimum lies on the cube's faces.
+// Best value between 0.1 and 3 for functions with an optimum on the cube's faces.
 constexpr double kBoundPenalty = 0.5;
 
-// How much larger the rates of a diagonal are.
+// Factor on the rates of a diagonal.
 double diagonal_haste(double genes) { return 2.0 * (genes + 2.0) / 3.0; }
 
 }  // namespace
@@ -93,7 +93,7 @@ const std::vector<double>& CmaRun::sample(Random& random, bool mirrored) {
       z[i] = p < drawn ? normal(random) : -z_[(p - drawn) * n_ + i];
     std::fill_n(y, n_, 0.0);
     for (std::size_t j = 0; j < n_; ++j) {
-      // down a column of L, which is a row of what is kept: neighbours do not wait for each other
+      // a column of L is stored as a row: the additions are independent of one another
       const double* column = &factor_[j * n_];
       const std::size_t end = shape_ == CmaShape::diagonal ? j + 1 : n_;
       for (std::size_t i = j; i < end; ++i) y[i] += column[i] * z[j];
@@ -117,8 +117,9 @@ void CmaRun::put_mean_first() {
   excess_[0] = 0.0;
 }
 
-// Scores are those of the points brought into the cube. Adding what a point was beyond it holds the
-// mean near: by the middle half's spread of scores for one standard deviation in each coordinate.
+// Scores plus a penalty for the distance beyond the cube, which keeps the mean near it: the
+// interquartile range of the scores, times kBoundPenalty, for one standard deviation in each
+// coordinate.
 std::vector<double> CmaRun::penalised(std::span<const double> scores) const {
   const std::vector<std::size_t> order = ranked(scores);
   const double spread = scores[order[order.size() * 3 / 4]] - scores[order[order.size() / 4]];
@@ -156,7 +157,7 @@ void CmaRun::move_mean(std::span<const std::size_t> order) {
                      sqrt(c.c_sigma * (2.0 - c.c_sigma) * c.mu_eff) * z_mean[i];
     squares += path_sigma_[i] * path_sigma_[i];
   }
-  double decay = 1.0;  // (1 - c_sigma)^(2 generations); too small to matter after some
+  double decay = 1.0;  // (1 - c_sigma)^(2 generations); soon negligible
   for (int g = 0; g < 2 * generation_ && decay > 1e-9; ++g) decay *= 1.0 - c.c_sigma;
   const double limit = (1.4 + 2.0 / (static_cast<double>(n_) + 1.0)) * c.expected_norm;
   heeds_path_ = squares < limit * limit * (1.0 - decay);
@@ -174,7 +175,7 @@ void CmaRun::adapt_covariance(std::span<const std::size_t> order) {
   for (std::size_t k = 0; k < weights.size(); ++k) {
     weight_sum += weights[k];
     if (weights[k] >= 0.0) continue;
-    // what a bad point takes away must not depend on how far out it lies
+    // the effect of a bad point must not depend on its distance
     double squares = 0.0;
     for (std::size_t i = 0; i < n_; ++i) squares += z_[order[k] * n_ + i] * z_[order[k] * n_ + i];
     weights[k] *= n / max(squares, 1e-12);
@@ -202,14 +203,14 @@ void CmaRun::adapt_step() {
   for (const double p : path_sigma_) squares += p * p;
   const double longer = sqrt(squares) / constants_.expected_norm - 1.0;
   step_ *= exponential(min(1.0, constants_.c_sigma / constants_.d_sigma * longer));
-  // more than the cube is nowhere to go
+  // the step is limited to the size of the cube
   step_ = min(step_, 1.0);
 }
 
 void CmaRun::factorise() {
   double least = kWorst;
   double most = 0.0;
-  // column by column; what those before have given is taken off the rest at once
+  // column by column; the contributions of earlier columns are subtracted at once
   for (std::size_t j = 0; j < n_; ++j) {
     for (std::size_t i = j; i < n_; ++i) factor_[j * n_ + i] = covariance_[i * n_ + j];
   }

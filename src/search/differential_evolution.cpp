@@ -17,9 +17,9 @@
 namespace shigusa {
 namespace {
 
-constexpr double kRedrawn = 0.1;         // probability that F, and that CR, is drawn anew
+constexpr double kRedrawn = 0.1;         // probability of a new F, and of a new CR
 constexpr double kLeastFactor = 0.1;     // F
-constexpr double kBestShare = 0.1;       // of the population, that b is drawn from
+constexpr double kBestShare = 0.1;       // share of the population from which b is drawn
 constexpr double kFirstFactor = 0.5;     // F
 constexpr double kFirstCrossover = 0.9;  // CR
 
@@ -77,7 +77,7 @@ class Evolution {
       make_trial(i, rates[i], order);
     }
     const bool going = scorer_.step(trials_, trial_scores_);
-    // what was not scored any more is worst, and keeps its parent
+    // trials that were not scored are worst, and keep their parents
     for (std::size_t i = 0; i < count_; ++i) {
       if (!(trial_scores_[i] <= scores_[i]) || trial_scores_[i] == kWorst) continue;
       set_point(points_, i, point_of(trials_, i, genes_));
@@ -88,7 +88,7 @@ class Evolution {
     return going;
   }
 
-  // One of the population that is none of these.
+  // A random member of the population other than these.
   std::size_t other_than(std::size_t a, std::size_t b) {
     for (;;) {
       const std::size_t drawn = random_.below(static_cast<std::uint32_t>(count_));
@@ -126,7 +126,7 @@ class Evolution {
   std::vector<double> trials_;  // (count × genes)
   std::vector<double> trial_scores_;
   std::vector<Rates> rates_;
-  std::size_t known_ = 0;  // how many of the points have been scored
+  std::size_t known_ = 0;  // number of points scored
 };
 
 }  // namespace
@@ -138,7 +138,7 @@ SearchResult differential_evolution_search(const SearchProblem& problem,
             fmt::format("population is {}, allowed: 4..10000", settings.population));
   SHG_CHECK(settings.precision >= 0.0 && is_finite(settings.precision),
             fmt::format("precision is {}, allowed: 0 and more", settings.precision));
-  // before any memory is taken for its genes
+  // checks the problem before memory is allocated for its genes
   Scorer(problem, settings.evaluations, progress);
   return Evolution(problem, settings, progress).search();
 }

@@ -9,11 +9,11 @@ namespace shigusa {
 struct DifferentialEvolutionSettings {
   int evaluations = 1000;    // ≥ 1
   int population = 32;       // 4..10000
-  double precision = 1e-12;  // a population whose scores differ by no more has converged, ≥ 0
+  double precision = 1e-12;  // convergence by the difference of a population's scores, ≥ 0
   std::uint64_t seed = 0;
 };
 
-// Differential evolution with rates that adapt themselves:
+// Differential evolution with self-adapting rates:
 //
 //   population := `population` uniformly random points, the first of all the problem's start
 //   repeat, all of a generation scored in one call:
@@ -31,8 +31,8 @@ struct DifferentialEvolutionSettings {
 // of successful rates, which differ little at some thousand evaluations; a shrinking population,
 // since it has to know the budget.
 //
-// The final population is the one of the last generation, in its order. Settings or a problem
-// outside the stated ranges throw PreconditionError; what problem.evaluate throws passes through.
+// The final population is that of the last generation, in its order. Settings or a problem outside
+// the stated ranges throw PreconditionError; exceptions of problem.evaluate pass through.
 [[nodiscard]] SearchResult differential_evolution_search(
     const SearchProblem& problem, const DifferentialEvolutionSettings& settings,
     const Progress& progress = {});

@@ -41,7 +41,7 @@ void check(const GeneticSettings& s) {
             fmt::format("fitness_offset is {}, allowed: 1e-12..1e12", s.fitness_offset));
 }
 
-// A genome in the order of its hash, which mostly decides without a look at the genes.
+// A genome ordered by its hash, which mostly decides without comparing the genes.
 struct HashedGenome {
   std::uint64_t hash = 0;
   Genome genes;
@@ -61,10 +61,10 @@ class GenomeScorer {
  public:
   GenomeScorer(Scorer& scorer, int bits_per_gene) : scorer_(scorer), bits_(bits_per_gene) {}
 
-  // A genome and its score, once it has one; it stays where it is.
+  // A genome and its score, once scored; its address is stable.
   using Entry = std::pair<const HashedGenome, std::optional<double>>;
 
-  // Queues what is new among these genomes; the entries of all of them.
+  // Queues the new ones among these genomes; returns the entries of all.
   std::vector<const Entry*> plan(std::vector<Genome> genomes) {
     std::vector<const Entry*> entries;
     entries.reserve(genomes.size());
@@ -79,8 +79,8 @@ class GenomeScorer {
 
   [[nodiscard]] std::size_t queued() const { return queue_.size(); }
 
-  // The first of the queue, as many as fill batches of `size`; all of them if they are fewer. What
-  // the budget does not suffice for never gets a score.
+  // Scores the first genomes of the queue, as many as fill batches of `size`; all if there are
+  // fewer. Genomes beyond the budget stay without a score.
   void score_batches_of(std::size_t size) {
     const std::size_t count =
         queue_.size() < size ? queue_.size() : queue_.size() - queue_.size() % size;
@@ -136,13 +136,13 @@ class Run {
   [[nodiscard]] int generations() const { return generations_; }
   [[nodiscard]] const std::vector<ScoredGenome>& population() const { return population_; }
 
-  // Whether all that the next step needs is scored.
+  // Whether all genomes for the next step are scored.
   [[nodiscard]] bool ready() const {
     return std::all_of(wanted_.begin(), wanted_.end(),
                        [](const auto* entry) { return entry->second.has_value(); });
   }
 
-  // The initial population, or the next one from the one before and its offspring.
+  // Forms the initial population, or the next one from the last and its offspring.
   void step(GenomeScorer& genomes) {
     const bool initial = population_.empty();
     for (const auto* entry : wanted_)
@@ -176,7 +176,7 @@ class Run {
   bool ended_ = false;
 };
 
-// Runs side by side, their new genomes scored together.
+// Parallel runs whose new genomes are scored together.
 class Runs {
  public:
   Runs(Scorer& scorer, const GeneticSettings& settings)
@@ -189,9 +189,9 @@ class Runs {
     runs_.emplace_back(scorer_.genes(), settings, genomes_);
   }
 
-  // Starts runs while there is budget, as many at once as the number of those that have ended says,
-  // and more where a batch would not be full.
-  // It must not depend on the budget: what is scored first would.
+  // Starts runs while there is budget, up to the number for the runs that have ended, and more if a
+  // batch would not be full. The number must not depend on the budget, as the order of scoring
+  // would.
   void refill() {
     const std::size_t ended = runs_.size() - going_.size();
     std::size_t at_once = kRunsAtFirst;
@@ -205,7 +205,7 @@ class Runs {
     return runs_.size() >= runs_when_new_ + kRunsWithoutNew + kRunsAtOnce;
   }
 
-  // Scores what is wanted, as full batches of `size` where it fills one; runs whose genomes are all
+  // Scores queued genomes, in full batches of `size` where they fill one; runs with all genomes
   // scored go one step, the others wait, or end once the budget is used up.
   void step(std::size_t size) {
     const int before = scorer_.left();
@@ -246,8 +246,8 @@ class Runs {
   GeneticSettings settings_;
   GenomeScorer genomes_;
   std::vector<Run> runs_;           // by stream
-  std::vector<std::size_t> going_;  // which of them have not ended
-  std::size_t runs_when_new_ = 0;   // how many there were when a genome was last new
+  std::vector<std::size_t> going_;  // indices of the unfinished ones
+  std::size_t runs_when_new_ = 0;   // number of runs at the last new genome
 };
 
 }  // namespace
@@ -262,7 +262,7 @@ SearchResult genetic_search(const SearchProblem& problem, const GeneticSettings&
   for (int now = -1; runs.going();) {
     if (now >= 0 && progress.cancelled()) return runs.finish(SearchEnd::cancelled);
     runs.step(1);
-    // nothing to tell where the limit did not let it step
+    // no progress to report if the limit prevented the step
     if (now == runs.first().generations()) break;
     now = runs.first().generations();
     const int all = settings.max_generations;

@@ -125,7 +125,7 @@ std::vector<int> roulette(std::span<const double> fitness, int draws, Random& ra
     double total = 0.0;
     for (const int index : left) total += of(index);
     const double target = random.uniform() * total;
-    // the last one takes what rounding may leave over
+    // the last one takes any remainder of rounding
     auto chosen = left.begin();
     for (double sum = of(*chosen); sum <= target && chosen + 1 != left.end();) sum += of(*++chosen);
     drawn.push_back(*chosen);

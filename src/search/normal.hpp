@@ -6,9 +6,9 @@
 
 namespace shigusa {
 
-// A normal deviate of mean 0 and variance 1 by the ratio of two uniform ones (Kinderman and
-// Monahan 1977) with Leva's quadratic bounds, which spare the logarithm in 99 % of the cases
-// (J. L. Leva: A fast normal random number generator, ACM TOMS 18, 1992).
+// A normal deviate of mean 0 and variance 1 by the ratio of two uniform ones (Kinderman and Monahan
+// 1977) with Leva's quadratic bounds, which avoid the logarithm in 99 % of the cases (J. L. Leva: A
+// fast normal random number generator, ACM TOMS 18, 1992).
 [[nodiscard]] inline double normal(Random& random) {
   for (;;) {
     const double u = 1.0 - random.uniform();  // in (0, 1]

@@ -28,7 +28,7 @@ std::vector<std::size_t> ranked(std::span<const double> scores) {
 double reflected(double x) {
   if (x >= 0.0 && x <= 1.0) return x;
   if (!is_finite(x)) return 0.0;
-  // beyond 2^52 there are no fractions left to reflect
+  // beyond 2^52 there is no fraction left to reflect
   if (abs(x) > 1e15) return 0.0;
   const double half = 0.5 * abs(x);
   const double period = 2.0 * (half - static_cast<double>(static_cast<long long>(half)));

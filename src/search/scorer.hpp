@@ -8,31 +8,31 @@
 
 namespace shigusa {
 
-// A NaN score counts as this.
+// The score that replaces a NaN.
 inline constexpr double kWorst = std::numeric_limits<double>::infinity();
 
-// The one door from a search to its problem: scores batches within the budget and keeps the counts
-// and the best.
+// Scores batches of a search's points within the budget, and keeps the counts and the best point.
 class Scorer {
  public:
-  // PreconditionError for a problem outside the ranges of SearchProblem and a budget below 1.
+  // Throws PreconditionError for a problem outside the ranges of SearchProblem and a budget below
+  // 1.
   Scorer(const SearchProblem& problem, int budget, const Progress& progress);
 
   [[nodiscard]] int genes() const { return problem_.genes; }
-  // The problem's start, or the middle of the cube.
+  // The problem's start, or the centre of the cube.
   [[nodiscard]] std::vector<double> start() const;
   // Evaluations left of the budget.
   [[nodiscard]] int left() const { return budget_ - result_.evaluations; }
 
-  // Scores points (count × genes) in order, in one call, until the budget is used up, and returns
-  // how many; scores (count) of the others are kWorst.
+  // Scores points (count × genes) in order, in one call, within the budget, and returns the number
+  // scored; scores (count) of the others are kWorst.
   int score(std::span<const double> points, std::span<double> scores);
 
-  // Tells the caller how far the work has come.
+  // Reports the progress to the caller.
   void report(double fraction) const;
   [[nodiscard]] bool cancelled() const { return progress_.cancelled(); }
 
-  // score() and report(); false when the search must end with that: all used up, or cancelled.
+  // Calls score() and report(); false when the search must end: budget used up, or cancelled.
   bool step(std::span<const double> points, std::span<double> scores);
 
   [[nodiscard]] SearchResult& result() { return result_; }

@@ -9,12 +9,12 @@
 #include <immintrin.h>
 #endif
 
-// N numbers in the lanes of one vector register, by the vector extensions of GCC and Clang. A lane
-// never sees its neighbours, and each operation is one rounding of IEEE 754, so a lane's results do
-// not depend on N nor on the instruction set.
+// N numbers in the lanes of one vector register, by the vector extensions of GCC and Clang. Lanes
+// are independent, and each operation is one rounding of IEEE 754, so a lane's results do not
+// depend on N or on the instruction set.
 namespace shigusa {
 
-// Lane by lane true or false: what comparing packs gives. `Bits` is an integer of the lanes' size.
+// Result of comparing packs, true or false for each lane. `Bits` is an integer of the lanes' size.
 template <class Bits, int N>
 struct LaneMask {
   typedef Bits Vector __attribute__((vector_size(sizeof(Bits) * N)));
@@ -38,7 +38,7 @@ struct Pack {
 
   Pack() = default;
   explicit Pack(Vector v) : lanes(v) {}
-  // the same number in all lanes; a double is rounded to float
+  // Fills all lanes with the same number; a double is rounded to float.
   explicit Pack(float x) : Pack(x, std::make_integer_sequence<int, N>{}) {}
   explicit Pack(double x) : Pack(static_cast<float>(x)) {}
   explicit Pack(int x) : Pack(static_cast<float>(x)) {}
@@ -89,11 +89,11 @@ template <int N>
 template <int N>
 [[nodiscard]] inline Pack<float, N> sqrt(const Pack<float, N>& a) {
 #ifdef __wasm_simd128__
-  // there compilers leave loops over lanes as they are
+  // compilers do not vectorise the loop over lanes here
   if constexpr (N == 4) return Pack<float, N>(__builtin_wasm_sqrt_f32x4(a.lanes));
 #endif
   Pack<float, N> root;
-  // one instruction where the set has it
+  // one instruction if the set has it
   for (int lane = 0; lane < N; ++lane) root.lanes[lane] = __builtin_sqrtf(a.lanes[lane]);
   return root;
 }
@@ -103,7 +103,7 @@ template <int N>
   typedef signed char Bytes __attribute__((vector_size(16)));
   if constexpr (N == 4) return __builtin_wasm_any_true_v128((Bytes)condition.lanes) != 0;
 #endif
-// compilers take the lanes out one by one
+// compilers would extract the lanes one by one
 #ifdef __AVX512DQ__
   if constexpr (N == 16) return _mm512_movepi32_mask((__m512i)condition.lanes) != 0;
 #endif
@@ -122,7 +122,7 @@ template <int N>
   return !any(!condition);
 }
 
-// x rounded to the nearest integer, |x| below 2^22.
+// The nearest integer to x, for |x| below 2^22.
 template <int N>
 [[nodiscard]] inline Pack<float, N> nearest_integer(const Pack<float, N>& x) {
   // adding and subtracting 1.5·2^23 rounds
@@ -136,17 +136,17 @@ inline constexpr float kSinePolynomial[] = {-0.1666665066920138F, 0.008331978657
 inline constexpr float kCosinePolynomial[] = {0.041666646866331792F, -0.0013887367510006495F,
                                               2.4438450907381384e-5F};
 
-// sin and cos of angles in radians; absolute error below 1.2e-7 for |angle| ≤ 1e4; meaningless
-// beyond, NaN of NaN. Cody-Waite reduction to [-π/4, π/4], then minimax polynomials.
+// Sine and cosine of angles in radians; absolute error below 1.2e-7 for |angle| ≤ 1e4; meaningless
+// beyond; NaN for NaN. Cody-Waite reduction to [-π/4, π/4], then minimax polynomials.
 template <int N>
 [[nodiscard]] inline SinCos<Pack<float, N>> sin_cos(const Pack<float, N>& angle) {
   using P = Pack<float, N>;
   using Bits = typename P::Bits;
   using Vector = typename P::Vector;
-  // adding 1.5·2^23 rounds to the nearest integer, whose last bits are then those of the sum
+  // adding 1.5·2^23 rounds to the nearest integer, whose last bits are those of the sum
   const P shifted = angle * P(0x1.45f306p-1F) + P(12582912.0F);
   const P n = shifted - P(12582912.0F);
-  // π/2 in three parts; the first two have few bits, so that n times them is exact
+  // π/2 in three parts; the first two have few bits, so that their products with n are exact
   const P x = ((angle - n * P(0x1.92p+0F)) - n * P(0x1.fb4p-12F)) - n * P(0x1.4442d2p-24F);
   const P z = x * x;
   const auto polynomial = [&](const float(&p)[3]) { return P(p[0]) + z * (P(p[1]) + z * P(p[2])); };
@@ -154,7 +154,7 @@ template <int N>
   const P cosine = (P(1.0F) - P(0.5F) * z) + z * (z * polynomial(kCosinePolynomial));
   const Bits quadrant = (Bits)shifted.lanes;
   const Mask<N> even{(quadrant & 1) == 0};
-  // the sign of the sine is bit 1 of the quadrant, of the cosine that of its successor
+  // bit 1 of the quadrant is the sign of the sine, that of its successor the sign of the cosine
   const Bits sine_sign = (quadrant & 2) << 30;
   const Bits cosine_sign = ((quadrant + 1) & 2) << 30;
   const P s = select(even, sine, cosine);
@@ -162,9 +162,9 @@ template <int N>
   return {P((Vector)((Bits)s.lanes ^ sine_sign)), P((Vector)((Bits)c.lanes ^ cosine_sign))};
 }
 
-// Angle of the vector (x, y) in [-π, π] for a scalar S in single precision; 0 of (0, 0), the sign
-// of a zero disregarded, NaN of NaN. Absolute error below 4e-7. The two reductions of the scalar
-// atan2, then the Taylor series to u^11, whose remainder is below 3e-9.
+// Angle of the vector (x, y) in [-π, π] for a scalar S in single precision; 0 for (0, 0), the sign
+// of a zero is ignored, NaN for NaN. Absolute error below 4e-7. The two reductions of the scalar
+// atan2, then the Taylor series to u^11, with a remainder below 3e-9.
 template <class S>
 [[nodiscard]] inline S single_atan2(const S& y, const S& x) {
   const S ax = abs(x);

@@ -5,7 +5,7 @@
 
 namespace shigusa {
 
-// PreconditionError where this machine cannot run the set.
+// Throws PreconditionError if this machine cannot run the set.
 void require_usable(SimdSet set);
 
 }  // namespace shigusa
