@@ -201,7 +201,7 @@ TEST_F(CharacterFiles, AFileThatRefersToOthersLeavesAsTheRest) {
   work_.put("person.gltf", file.dump());
   const ProgramRun usual = reach({}, "person.gltf");
   EXPECT_EQ(usual.exit_code, 0) << usual.err;
-  EXPECT_THAT(usual.err, HasSubstr("cannot leave as GLB: images[0] lies in another file"));
+  EXPECT_THAT(usual.err, HasSubstr("cannot be written as GLB: images[0] lies in another file"));
   EXPECT_EQ(StoredRun(work_, "out").candidate(1).at("files").size(), 3u);
   const ProgramRun asked = reach({"--formats", "glb"}, "person.gltf");
   EXPECT_EQ(asked.exit_code, 2);

@@ -246,8 +246,9 @@ TEST_F(Mistaken, SurroundingsAreTold) {
       {reach({"--support", "tail=thigh"}), {"unknown hand 'tail'"}},
       {reach({"--support", "right_hand=thigh"}), {"its arm has a goal"}},
       {reach(joined(thigh, thigh)), {"is a second one for this hand"}},
-      {reach(joined(thigh, {"--preset", "human"})), {"the preset human knows no hands that rest"}},
-      {reach(joined(thigh, {"--generator", "nlp_ik"})), {"knows no hands that rest"}},
+      {reach(joined(thigh, {"--preset", "human"})),
+       {"the preset human cannot rest hands on supports"}},
+      {reach(joined(thigh, {"--generator", "nlp_ik"})), {"cannot rest hands on supports"}},
       // the search alone finds out, when its folder is made
       {reach(
            {"--support", "left_hand=wall", "--obstacle", "wall=3,1,0,0.1,2,2", "--out", "folder"}),

@@ -254,9 +254,9 @@ TEST(StartFrame, WhoBeginsSeatedIsToldToTakeASeat) {
   figure.hold(sitting(), 5);
   const CharacterSpec spec = loaded(figure.bvh()).value();
   EXPECT_EQ(spec.frame, kRestPose);
-  EXPECT_THAT(spec.doubts, Contains(HasSubstr("who begins as in frame 0 sits: give --seat 0.4")));
+  EXPECT_THAT(spec.doubts, Contains(HasSubstr("the person sits in frame 0: give --seat 0.4")));
   EXPECT_THAT(loaded(figure.bvh(), {.frame = 2})->doubts,
-              Contains(HasSubstr("who begins as in frame 2 sits")));
+              Contains(HasSubstr("the person sits in frame 2")));
 }
 
 TEST(StartFrame, OfWhoSitsIsKeptWithASeat) {
@@ -278,7 +278,7 @@ TEST(StartFrame, OfWhoStandsIsSeatedUprightWithADoubt) {
   FilmedFigure figure;
   figure.hold({}, 2);
   EXPECT_THAT(loaded(figure.bvh(), {.frame = 1, .seat = 0.45})->doubts,
-              Contains(HasSubstr("nobody sits in frame 1")));
+              Contains(HasSubstr("the person does not sit in frame 1")));
 }
 
 TEST(StartFrame, OfWhoLiesIsRefusedInWords) {

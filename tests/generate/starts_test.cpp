@@ -143,7 +143,7 @@ TEST(Starts, AreOfThePresetFlatAlone) {
     task.starts = {uniform_parameters(task.body)};
     const Result<GenerateResult> refused = generate(task);
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().message.text, HasSubstr("begins at no given motions"));
+    EXPECT_THAT(refused.error().message.text, HasSubstr("takes no start motions"));
   }
 }
 

@@ -74,7 +74,8 @@ TEST(Timing, WhatIsOutsideOrOfAnotherPresetIsRefused) {
   EXPECT_THAT(refusal(0.9, 0.0, Preset::flat), HasSubstr("ease is 0.9; allowed are -0.8 to 0.8"));
   EXPECT_THAT(refusal(0.0, 0.4, Preset::flat), HasSubstr("-0.45 to 0.35 of the duration"));
   EXPECT_THAT(refusal(0.5, 0.0, Preset::human), HasSubstr("the preset human has layers"));
-  EXPECT_THAT(refusal(0.0, 0.2, Preset::paper), HasSubstr("the preset paper turns no head"));
+  EXPECT_THAT(refusal(0.0, 0.2, Preset::paper),
+              HasSubstr("the preset paper does not turn the head"));
 }
 
 }  // namespace

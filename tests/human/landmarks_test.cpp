@@ -284,7 +284,7 @@ TEST(MeasurePerson, FacingThatCannotBeToldIsAnError) {
   }
   const auto person = measure(figure);
   ASSERT_FALSE(person);
-  EXPECT_THAT(person.error().message, HasSubstr("the facing cannot be told"));
+  EXPECT_THAT(person.error().message, HasSubstr("the facing cannot be determined"));
 }
 
 TEST(MeasurePerson, FloorIsUnderTheLowerFootAndTheOriginBetweenTheAnkles) {

@@ -18,20 +18,20 @@ inline constexpr std::array kCharacters{
                 "where they stand in them"},
     MessageText{"other_person",
                 "is not the person of the result, {}, who may have been mirrored or changed since"},
-    MessageText{"seat_of_one_side", "a seat is not for a body of one side"},
+    MessageText{"seat_of_one_side", "a body of one side cannot sit"},
     MessageText{"rest_of_no_animation",
                 "the rest pose is of no animation: leave the frame or the animation out"},
     MessageText{"no_animation_frame",
                 "frame {} does not exist: the file has no animation, only its rest pose; leave the "
                 "frame out"},
-    MessageText{"toes_guessed", "nothing follows {}: the toes are taken as of average length"},
+    MessageText{"toes_guessed", "nothing follows {}: toes of average length are assumed"},
     MessageText{"no_frame", "frame {} does not exist; the file has {}"},
     MessageText{"one_frame", "only frame 0"},
     MessageText{"frames", "the frames 0 to {}"},
     MessageText{"bind_pose",
                 "the nodes rest in the middle of a motion: the pose in which the mesh was bound is "
                 "taken in that one's place"},
-    MessageText{"not_standing", "the nodes do not rest as who stands does{}"},
+    MessageText{"not_standing", "the rest pose of the nodes is no standing pose{}"},
     MessageText{"standing_animation", "; frame 0 of the animation '{}' does: --animation"},
     MessageText{"arms_spread",
                 "the file has the arms spread out or held ahead: at the start they hang{}"},
@@ -39,21 +39,19 @@ inline constexpr std::array kCharacters{
     MessageText{"own_pose",
                 "the start is the pose that the file shows; with --frame rest it is at ease"},
     MessageText{"frame_unread", "frame {} has values that are no numbers; give another frame"},
-    MessageText{
-        "frame_lies",
-        "in frame {} the person lies, and motions of who lies are not known; give a frame of "
-        "one who stands or sits, or rest"},
+    MessageText{"frame_lies",
+                "in frame {} the person lies, and motions begin standing or seated; give another "
+                "frame, or rest"},
     MessageText{"frame_sits",
-                "who begins as in frame {} sits: give --seat {:.2f} for a seat of that height"},
+                "the person sits in frame {}: give --seat {:.2f} for a seat of that height"},
     MessageText{"frame_seat",
                 "in frame {} the person sits {:.2f} m high, not {:.2f} m: the frame is kept"},
-    MessageText{
-        "frame_no_seat",
-        "nobody sits in frame {}: the person is seated upright, with the hands on the thighs"},
-    MessageText{
-        "frame_no_stance",
-        "the start that was asked for, frame {}, does not stand: this body could not hold it "
-        "still; where no frame is given, one that stands is looked for"},
+    MessageText{"frame_no_seat",
+                "the person does not sit in frame {}: they are seated upright, with the hands on "
+                "the thighs"},
+    MessageText{"frame_no_stance",
+                "the body could not hold the start that was asked for, frame {}, still; without "
+                "--frame a standing frame is sought"},
     MessageText{"later_frame",
                 "the file does not begin with a person who stands still on both feet: the motion "
                 "starts from frame {}, the first one that does"},
@@ -73,7 +71,7 @@ inline constexpr std::array kCharacters{
     MessageText{"square_axes",
                 "two axes of a hand are square to each other and cannot point along one line"},
     MessageText{"unknown_character", "{}, or a file that ends in {}"},
-    MessageText{"not_as_glb", "motions cannot leave as GLB: {}"},
+    MessageText{"not_as_glb", "motions cannot be written as GLB: {}"},
     MessageText{"one_motion", "holds one motion without a name: leave the animation out"},
     MessageText{
         "heels_no_toes",
@@ -84,8 +82,8 @@ inline constexpr std::array kCharacters{
     MessageText{"points_object", "must be an object {{ … }} of at most {} points"},
     MessageText{"no_node_of_name", "{} has no '{}' for {}; its nodes are {}"},
     MessageText{"no_node_of_name_near", "{} has no '{}' for {}; did you mean '{}'?"},
-    MessageText{"bone_twice", "{} is told twice"},
-    MessageText{"node_of_two_bones", "'{}' is told to be two bones"},
+    MessageText{"bone_twice", "{} is given twice"},
+    MessageText{"node_of_two_bones", "'{}' is given for two bones"},
     MessageText{"bones_object",
                 "must be an object of bones and nodes: {{\"right_hand\": \"Bone_17\"}}"},
     MessageText{"names_no_bones",
@@ -95,8 +93,8 @@ inline constexpr std::array kCharacters{
     MessageText{"four_corners", "must be four corners"},
     MessageText{"sole_corners", "must be the four corners of a sole, counter-clockwise from above"},
     MessageText{"heels_of_human",
-                "heels lift of the body human alone: it has all joints of a foot"},
-    MessageText{"heels_who_sit", "heels are of people who stand, and these sit"},
+                "heels can lift for the body human only: it has all joints of a foot"},
+    MessageText{"heels_who_sit", "heels can lift for a standing body only, and this one sits"},
     MessageText{"robot_extent",
                 "robots cannot have an extent: {} is a robot, which has the joints of its file"},
     MessageText{"robot_seat", "robots cannot sit: {} is a robot, which stands"},

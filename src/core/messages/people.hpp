@@ -17,15 +17,17 @@ inline constexpr std::array kPeople{
     MessageText{"feet_backwards",
                 "the feet point backwards, seen from the left and right of the names: the file is "
                 "mirrored, or its left and right are exchanged"},
-    MessageText{"found_by_shape", "the names do not tell the {}: {} found by the skeleton's shape"},
+    MessageText{"found_by_shape",
+                "the names do not identify the {}: {} found by the skeleton's shape"},
     MessageText{"all_limbs", "all limbs were"},
-    MessageText{"the_rest", "what they do not tell was"},
+    MessageText{"the_rest", "what they do not identify was"},
     MessageText{"map_without_limb",
                 "the file's own map has no whole {}: it was looked for by names"},
     MessageText{"loose_end", "{} stands at the end of the {} and does not hang on it"},
     MessageText{"end_by_place", "{} is taken as the end of the {}, by where it stands"},
-    MessageText{"sides_guessed",
-                "left and right are a guess: neither names nor feet tell; {} is taken as left"},
+    MessageText{
+        "sides_guessed",
+        "left and right are a guess: neither names nor feet show them; {} is taken as left"},
     MessageText{"no_limb", "no {}: {}"},
     MessageText{"no_bone_below", "no {}: below {} {}"},
     MessageText{"map_without_hips",
@@ -42,7 +44,7 @@ inline constexpr std::array kPeople{
     MessageText{"does_not_stand",
                 "the body does not stand: up is taken as {}, from its feet to its shoulders"},
     MessageText{"no_facing",
-                "the facing cannot be told: along {}, which is taken as up, the left hip and "
+                "the facing cannot be determined: along {}, which is taken as up, the left hip and "
                 "shoulder stand above, below or at the right ones"},
     MessageText{"was_mirrored",
                 "the feet point backwards: the person was mirrored, so that left stays left"},

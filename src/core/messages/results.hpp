@@ -17,8 +17,8 @@ inline constexpr std::array kResults{
     MessageText{"long_clip_name", "has {} bytes; allowed are up to {}"},
     MessageText{"own_joint_names", "are those of {} in its own files: leave the joint names out"},
     MessageText{"cannot_leave",
-                "read back, {} is {} are allowed (frame {}): this character cannot leave so; leave "
-                "the format out"},
+                "read back, {} is {} are allowed (frame {}): the format cannot hold the motion of "
+                "this character; leave it out"},
     MessageText{"off_a_little", "read back, {} is {} are of its digits (frame {})"},
     MessageText{"vrma_one_root",
                 "a VRM animation needs all bones below the hips, and {} hangs beside them: leave "
@@ -43,7 +43,7 @@ inline constexpr std::array kResults{
     MessageText{"read_alone", "is read alone"},
     MessageText{"svg_alone", "is made of svg by the command line alone; ask for svg"},
     MessageText{"rate_range", "is {:g} frames a second; allowed are {:g} to {:g}"},
-    MessageText{"no_such_freedom", "names a freedom that this body does not have"},
+    MessageText{"no_such_freedom", "names a degree of freedom that this body lacks"},
     MessageText{"other_frames", "it has {} frames of {:g} s and not {} of {:g} s"},
     MessageText{"must_be", "must be {}"},
     MessageText{"must_be_a_number", "must be a number"},

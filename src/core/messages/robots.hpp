@@ -45,7 +45,7 @@ inline constexpr std::array kRobots{
                 "{} links, {} the first, each has no mass in the file, nor what is fixed to it: it "
                 "weighs nothing"},
     MessageText{"no_effort",
-                "the file has no effort, or an impossible one, for {} of the freedoms, {} the "
+                "the file has no effort, or an impossible one, for {} degrees of freedom, {} the "
                 "first: they get a person's, by the weight"},
     MessageText{
         "soles_guessed",
@@ -83,8 +83,8 @@ inline constexpr std::array kRobots{
                 "joint \"{}\" is part of the {} and of the {}; a body needs limbs that leave its "
                 "trunk one by one"},
     MessageText{"robot_no_facing",
-                "the facing cannot be told: the left hip and shoulder stand at the right ones, or "
-                "above or below them"},
+                "the facing cannot be determined: the left hip and shoulder stand at the right "
+                "ones, or above or below them"},
     MessageText{"outside_folder",
                 "stands outside the model's folder: put it there, or leave it out"},
     MessageText{"model_tags", "more than {} tags in a model's files"},

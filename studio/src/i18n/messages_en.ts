@@ -15,7 +15,7 @@ export const englishMessages: Readonly<Record<string, string>> = {
   standing_animation: `; frame 0 of the animation '{0}' does: choose “${startFrame}” beside “${startPosture}”`,
   arms_of_frame: `; with “${startFrame}” beside “${startPosture}”, 0, they do not`,
   own_pose: `the start is the pose that the file shows; “${startRest}” beside “${startPosture}” has it at ease`,
-  frame_sits: `who begins as in frame {0} sits: set “${seat}” to {1} m`,
+  frame_sits: `the person sits in frame {0}: set “${seat}” to {1} m`,
   heels_no_toes: `heels lift about the toes, and no node is found to be {0}: choose one for {1} under “${boneMap}”`,
   no_mass: 'no link has a mass, and a motion is chosen by its torques: give the links’ masses in the file',
 };
