@@ -88,6 +88,7 @@ BEGIN {
   face("body", "skeleton joint_place body_model body_build goal")
   face("motion", "motion")
   face("human", "landmarks human_body")
+  face("dynamics", "kinematics")
   face("criteria", "criteria motion_measures")
   face("search", "search")
   face("plan", "parameters layered_settings")

@@ -16,6 +16,7 @@
 #include <shigusa/goal.hpp>
 #include <shigusa/human_body.hpp>
 #include <shigusa/joint_place.hpp>
+#include <shigusa/kinematics.hpp>
 #include <shigusa/landmarks.hpp>
 #include <shigusa/layered_settings.hpp>
 #include <shigusa/limb_cache.hpp>
