@@ -87,6 +87,7 @@ BEGIN {
   face("body", "body goal motion")
   face("human", "human")
   face("criteria", "criteria")
+  face("dynamics", "kinematics")
   face("search", "search")
   face("plan", "parameters")
   face("problem", "request")

@@ -9,6 +9,7 @@
 #include <shigusa/parameters.hpp>
 #include <shigusa/request.hpp>
 #include <shigusa/run.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -383,6 +384,14 @@ class PreparedTask {
 /// The same for a task that is prepared.
 [[nodiscard]] Result<GenerateResult> generate(const PreparedTask& task,
                                               const Progress& progress = {});
+/// The results of generate for many tasks, in their order, several at once: on `threads` threads in
+/// all (0: one for each core), whatever Task::batch says of threads. They are the same for any
+/// number of threads, and a task that is wrong fails alone. Progress is of all tasks together; it
+/// is told while the calling thread has one. When cancelled, tasks that have begun give the best so
+/// far, and the others fail with ErrorCode::cancelled.
+[[nodiscard]] std::vector<Result<GenerateResult>> generate_all(std::span<const Task> tasks,
+                                                               int threads = 0,
+                                                               const Progress& progress = {});
 
 /// Makes motions of one task from given values of the plan's parameters, without a
 /// search: the parameter editor (paper, section 4.2 and figure 7). Work that depends on the task

@@ -12,6 +12,7 @@
 #include <shigusa/generate.hpp>
 #include <shigusa/goal.hpp>
 #include <shigusa/human.hpp>
+#include <shigusa/kinematics.hpp>
 #include <shigusa/math.hpp>
 #include <shigusa/motion.hpp>
 #include <shigusa/parameters.hpp>

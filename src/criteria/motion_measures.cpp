@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <shigusa/criteria.hpp>
+#include <shigusa/kinematics.hpp>
 
 #include "criteria/collision.hpp"
 #include "criteria/limit_excess.hpp"
 #include "criteria/replay.hpp"
-#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 namespace {
@@ -23,13 +23,9 @@ struct PressureMeter {
 }  // namespace
 
 std::vector<Transformd> node_places(const BodyModel& body, std::span<const double> angles) {
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, angles, kinematics);
+  const Posture posture(body, angles);
   std::vector<Transformd> places;
-  for (const BodyNode& node : body.nodes()) {
-    places.push_back(
-        {kinematics.link_rotation(node.link), kinematics.point(node.link, node.point)});
-  }
+  for (const BodyNode& node : body.nodes()) places.push_back(posture.place(node));
   return places;
 }
 

@@ -67,6 +67,7 @@ inline constexpr std::array kResults{
     MessageText{"robot_mirror", "{} is a robot, whose mirror image is another robot"},
     MessageText{"assignments_list", "must be a list [ … ] of texts such as \"squat_deg=60\""},
     MessageText{"stopped_after", "stopped after {} of {} candidates"},
+    MessageText{"stopped_before", "stopped before this task began"},
     MessageText{"off_the_motion", "{:.4f} mm off the motion; {:.4f} mm"},
     MessageText{"turned_against", "turned by {:.5f}° against the motion; {:.5f}°"},
     MessageText{"list_of_texts", "must be a list [ … ] of texts"},

@@ -45,6 +45,7 @@ export const results: Readonly<Record<string, string>> = {
   robot_mirror: '{0} はロボットです。鏡像は別のロボットになります。',
   assignments_list: '"squat_deg=60" のような文字列のリスト [ … ] にしてください。',
   stopped_after: '候補 {1} 個のうち {0} 個で止めました。',
+  stopped_before: 'このタスクを始める前に止めました。',
   off_the_motion: '動作から {0} mm 離れています（許容は {1} mm）',
   turned_against: '動作に対して {0}° 回っています（許容は {1}°）',
   list_of_texts: '文字列のリスト [ … ] にしてください。',
