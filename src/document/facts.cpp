@@ -23,7 +23,7 @@ Json weights_to_json(CriteriaSettings criteria) {
   return json;
 }
 
-// The name of the mixture that a function gives.
+// Name of the mixture that a function returns.
 std::string_view mixture_of(CriteriaSettings (*settings)()) {
   for (const CriteriaPreset& mixture : criteria_presets()) {
     if (mixture.settings == settings) return mixture.name;
@@ -68,7 +68,7 @@ Json bones_to_json() {
   return list;
 }
 
-// Adds the bounds of a struct's fields, by their keys in files: [low, high].
+// Adds the bounds of a struct's fields, by their keys in files, as [low, high].
 template <class Holder>
 void add_ranges(std::initializer_list<std::string_view> keys, Json& ranges) {
   for (const std::string_view key : keys) {
@@ -78,7 +78,7 @@ void add_ranges(std::initializer_list<std::string_view> keys, Json& ranges) {
   }
 }
 
-// The bounds of numbers that a person may set.
+// Bounds of the numbers that a user may set.
 Json ranges_to_json() {
   Json ranges;
   add_ranges<Goal>({"position_m", "load_kg", "tolerance_m"}, ranges);
@@ -89,7 +89,7 @@ Json ranges_to_json() {
   return ranges;
 }
 
-// The characters' formats that a format needs one of; none where any character will do.
+// Character formats of which a format needs one; empty if any character will do.
 Json needs_to_json(const FormatInfo& format) {
   Json list = Json::array();
   for (const FormatInfo& file : kFileFormats) {
@@ -112,7 +112,7 @@ Json format_to_json(const FormatInfo& format) {
           {"max_bytes", format.max_bytes}};
 }
 
-// The numbers of a motion's timing that a person sets: of the parameters, and of the task.
+// Timing numbers that a user may set: parameters, and those of the task.
 Json timing_to_json() {
   Json list = Json::array();
   for (const TimingNumber& number : kTimingNumbers) {
@@ -136,7 +136,7 @@ Json timing_to_json() {
   return list;
 }
 
-// The names that joints of built-in bodies may have in files, where they are not their own.
+// Names of the built-in bodies' joints in other conventions, where they differ from their own.
 Json joint_names_to_json() {
   Json list = Json::array();
   for (const EnumWord<JointNames>& names : kEnumWords<JointNames>) {
