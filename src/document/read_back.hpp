@@ -19,7 +19,8 @@ struct ReadBackDigits {
 
 // Reads exported files back and compares the positions of their nodes with those of the motion in
 // every frame: the nodes that have goals, and the planted feet.
-// | A file may deviate by the rounding of its digits, which accumulates from a node to its
+//
+// A file may deviate by the rounding of its digits, which accumulates from a node to its
 // descendants; beyond twice that the file is wrong, and the error states the deviation. Borrows all
 // arguments.
 class ReadBackCheck {

@@ -23,11 +23,13 @@ namespace shigusa {
 
 // Writes a result into a folder so that it is whole or absent, wherever the program ends and
 // however many processes write at once:
-// | write all files into a Staging beside it and flush them to the disk;
-// lock the folder; refuse non-files that stand in the place of a file;
-// remove the old summary; rename the files to their names; remove those of an older result;
-// rename the summary to its name.
-// | An older result is untouched until the lock is held, also if the disk is full, and a summary
+//
+//   write all files into a Staging beside it and flush them to the disk;
+//   lock the folder; refuse non-files that stand in the place of a file;
+//   remove the old summary; rename the files to their names; remove those of an older result;
+//   rename the summary to its name.
+//
+// An older result is untouched until the lock is held, also if the disk is full, and a summary
 // never stands beside files that it does not describe. Files that belong to no result are kept.
 class ResultFolder {
  public:
