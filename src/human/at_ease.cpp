@@ -81,7 +81,7 @@ OnSoles mass_on_soles(const Landmarks& person, double stature) {
 
 // The body leaning at the ankles until its mass stands where people's does.
 Landmarks balanced(const Landmarks& person, double stature) {
-  constexpr int kSteps = 3;  // what leans is not all of the mass
+  constexpr int kSteps = 3;  // iterated, as only a part of the mass leans
   const double most = kAheadMost * stature;
   double ahead = 0.0;
   Landmarks result = moved_ahead(person, ahead);
@@ -94,8 +94,8 @@ Landmarks balanced(const Landmarks& person, double stature) {
   return result;
 }
 
-// How deep (m, less than 0: that far apart) the arms are in trunk and legs, from the middle of the
-// upper arms on.
+// Penetration depth (m) of the arms in trunk and legs, from the middle of the upper arms on;
+// negative: their distance.
 double depth_of_arms(const Landmarks& person, double stature) {
   const HumanFrames frames = human_frames(person);
   std::vector<Capsule> body;
