@@ -48,8 +48,8 @@ void HumanBuilder::add_foot(Side side, const Part& part) {
   body_.feet.push_back(std::move(foot));
 }
 
-// Vector from the middle of a sole across it to below the ankle, limited to the sole. Pressure
-// there needs no torque about the ankle's long axis.
+// Vector from the middle of a sole, across it, to below the ankle, limited to the sole. Pressure
+// there needs no lateral ankle torque.
 Vec3d HumanBuilder::to_below_ankle(const SoleOutline& sole, Side side, const Part& part) const {
   const Vec3d middle = (sole[0] + sole[1] + sole[2] + sole[3]) * 0.25;
   const Vec3d half = (sole[0] + sole[1] - sole[2] - sole[3]) * 0.25;

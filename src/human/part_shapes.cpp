@@ -182,8 +182,7 @@ PartShape part_shape(BodyPart part, const Landmarks& person, const HumanFrames& 
 }
 
 Capsule beyond_trunk(Capsule upper_arm) {
-  constexpr double kGrownOn = 0.5;  // share of it that may lie within the trunk, as part of the
-                                    // same flesh
+  constexpr double kGrownOn = 0.5;  // share of it that may lie within the trunk
   upper_arm.grown_on = false;
   upper_arm.from += (upper_arm.to - upper_arm.from) * kGrownOn;
   upper_arm.radius += taper_of(upper_arm) * kGrownOn;
