@@ -20,17 +20,17 @@ inline constexpr int kFingerCount = 5;
 // between phalanges; of the thumb 1 is the joint at the wrist (carpometacarpal).
 inline constexpr int kFingerJoints = 3;
 
-// A finger's bone: the node at its proximal joint, about which it bends.
+// Bone of a finger: the node at its proximal joint, about which it bends.
 struct FingerBone {
   int node = -1;
   Side side = Side::left;
   Finger finger = Finger::index;
   int joint = 1;      // 1..kFingerJoints
-  Vec3d axis{};       // unit, file's world: a turn about it by a positive angle bends to the palm
-  double bent = 0.0;  // rad, by which the joint is bent in the posture given
+  Vec3d axis{};       // unit, file's world: rotation axis of positive flexion, towards the palm
+  double bent = 0.0;  // rad, flexion of the joint in the given posture
 };
 
-// "leftIndexProximal", "leftThumbMetacarpal": the bone as VRM 1.0 names it.
+// VRM 1.0 name of a finger's bone, such as "leftIndexProximal" or "leftThumbMetacarpal".
 [[nodiscard]] std::string vrm_finger_name(const FingerBone& bone);
 
 // The bones of a skeleton's fingers, with the axes that they bend about, in the posture `world`
@@ -48,10 +48,10 @@ struct FingerBone {
     const Skeleton& skeleton, const std::vector<Transformd>& world, const HumanoidMap& map,
     const std::vector<std::pair<std::string, int>>& named, bool mirrored);
 
-// The two postures that hands have.
+// The two postures of hands.
 enum class HandPosture {
-  open,     // as wide as a hand is on its way
-  relaxed,  // the grip about a thing of some 4 cm: the functional position
+  open,     // greatest opening of a hand on its way to a goal
+  relaxed,  // grip about an object of some 4 cm: the functional position
 };
 
 // By how much a joint is bent (rad), 0 with the finger straight; the thumb's joint at the wrist
@@ -63,8 +63,8 @@ enum class HandPosture {
 // 1955, "The anatomy and mechanics of the human hand"); the thumb is opposed. Open: a fifth of it.
 [[nodiscard]] double flexion(HandPosture posture, Finger finger, int joint);
 
-// The vertices that hands with fingers have in their relaxed posture; `fingers` were found with the
-// nodes at `world` (nodes), where the skin is.
+// Vertices of the mesh with the hands' fingers in their relaxed posture; `fingers` and the mesh
+// belong to the posture `world` (nodes).
 [[nodiscard]] std::vector<SkinVertex> relaxed_hands(const Skeleton& skeleton,
                                                     const std::vector<Transformd>& world,
                                                     const HumanoidMap& map,
