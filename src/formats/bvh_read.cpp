@@ -19,10 +19,10 @@
 namespace shigusa {
 namespace {
 
-// As the C locale has blanks.
+// Blanks as in the C locale.
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// Stands in the text and counts its lines. Tokens end at blanks; braces and colons are tokens.
+// Tokeniser that counts lines. Tokens end at blanks; braces and colons are tokens.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
@@ -72,7 +72,7 @@ bool same_word(std::string_view a, std::string_view b) {
                     [](char x, char y) { return lower(x) == lower(y); });
 }
 
-// A token as it is shown in a message: short, and without bytes that a terminal may take amiss.
+// A token for a message: short, and without control bytes.
 std::string shown_token(std::string_view token) {
   constexpr std::size_t kLongest = 40;
   std::string text;
@@ -80,7 +80,7 @@ std::string shown_token(std::string_view token) {
   return token.size() > kLongest ? "'" + text + "…'" : "'" + text + "'";
 }
 
-// Whether a token is what programs write for a value that is none: nan(ind), -1.#IND.
+// Whether a token is a notation of NaN or infinity: nan(ind), -1.#IND.
 bool tells_no_number(std::string_view token) {
   if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
   return token.find('#') != token.npos || same_word(token.substr(0, 3), "nan") ||
@@ -95,7 +95,7 @@ std::optional<int> parse_integer(std::string_view token) {
   return value;
 }
 
-// One column of the motion: what a value does to its node.
+// One column of the motion: its effect on its node.
 struct Channel {
   int node;
   bool rotates;
@@ -110,7 +110,7 @@ constexpr double kMinFrameTime = 1e-6;          // s
 constexpr double kMaxFrameTime = 1e3;           // s
 constexpr double kUsualFrameTime = 1.0 / 30.0;  // s
 
-// Reads one text. Each step returns false after it has noted the error.
+// Parser of one text. Each step returns false after it has recorded an error.
 class BvhReader {
  public:
   BvhReader(std::string_view text, std::string_view name, BvhFaults faults)
@@ -144,7 +144,7 @@ class BvhReader {
     return fail_here(say("bvh_found", shown_token(token), expected));
   }
 
-  // Whether nothing more comes, in a file of which what it has is taken.
+  // Whether the text ends here, for a file that is read as far as it goes.
   [[nodiscard]] bool may_end() const { return lenient_ && Cursor(cursor_).token().empty(); }
 
   bool expect(std::string_view word) {
@@ -349,7 +349,7 @@ class BvhReader {
     return true;
   }
 
-  // One frame more is left out: some writers count frames from 0.
+  // Tolerates one missing frame: some writers count frames from 0.
   bool nothing_follows() {
     std::string_view token = cursor_.token();
     if (token.empty()) return true;

@@ -7,7 +7,7 @@
 namespace shigusa {
 namespace {
 
-// Degrees about x, y and z, turned one after the other in that order, as FBX numbers the orders.
+// Rotation by degrees about x, y and z, in one of FBX's numbered orders.
 Quatd turn(const Vec3d& degrees, std::int64_t order) {
   constexpr std::array<std::array<Axis, 3>, 6> kOrders{{{Axis::x, Axis::y, Axis::z},
                                                         {Axis::x, Axis::z, Axis::y},

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMaxValueBytes = std::size_t{16} << 20;
 constexpr int kMaxValueDepth = 16;
 
-// A whole number that may be missing, up to 2^53.
+// Optional whole number up to 2^53.
 std::optional<std::size_t> whole(const GltfJson& object, const char* key, std::size_t otherwise) {
   const auto found = object.find(key);
   if (found == object.end()) return otherwise;
@@ -75,7 +75,7 @@ double decoded(std::string_view bytes, std::size_t at, const AccessorComponent& 
 constexpr std::array kMeshopt{"EXT_meshopt_compression", "KHR_meshopt_compression"};
 constexpr std::array kDraco{"KHR_draco_mesh_compression"};
 
-// The first of these extensions that an object has.
+// First of these extensions that an object has.
 template <std::size_t N>
 const GltfJson* extension(const GltfJson& of, const std::array<const char*, N>& names) {
   const auto extensions = of.find("extensions");
@@ -251,7 +251,7 @@ Result<AccessorElements> GltfAccessors::elements(const std::string& place, const
   return AccessorElements{count == 0 ? std::string_view{} : found.bytes.substr(*offset), stride};
 }
 
-// Elements that stand elsewhere: their indices, rising, and their numbers.
+// Sparse elements: their indices, ascending, and their numbers.
 Result<void> GltfAccessors::read_sparse(const std::string& place, const GltfJson& sparse,
                                         std::size_t size, GltfNumbers& numbers) {
   const auto count = sparse.is_object() ? whole(sparse, "count", 0) : std::nullopt;

@@ -11,7 +11,7 @@
 namespace shigusa {
 namespace {
 
-// Poses that differ by less (share of the figure's size) are one.
+// Difference of poses, as a share of the figure's size, below which they count as equal.
 constexpr double kSame = 0.01;
 
 std::optional<Transformd> inverse_affine(const Transformd& x) {
@@ -62,7 +62,7 @@ class BindPose {
   }
 
  private:
-  // The joints of one skin, in the space that their mesh was bound in.
+  // Joints of one skin, in the space of the bind pose.
   bool read(const JsonSplice::Value& skin) {
     const auto matrices = json_.member(skin, "inverseBindMatrices");
     const Result<GltfJson> joints =

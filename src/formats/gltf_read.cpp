@@ -20,7 +20,7 @@
 namespace shigusa {
 namespace {
 
-// One node as the file has it.
+// A node of the file.
 struct FileNode {
   std::string name;
   int parent = -1;
@@ -37,13 +37,13 @@ struct FileNode {
   bool left_out = false;  // it is damaged, or hangs on one that is
 };
 
-// A node that is damaged, or a skin: -1.
+// Replaces a damaged node, or a skin, by -1.
 struct Fault {
   int node = -1;
   Error error;
 };
 
-// An index of another list of the file, or -1 where there is none that can be one.
+// Index in another list of the file, or -1 if absent or invalid.
 int index_or_none(const GltfJson& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_number_unsigned()) return -1;
@@ -51,7 +51,7 @@ int index_or_none(const GltfJson& json, const char* key) {
   return index <= std::numeric_limits<int>::max() ? static_cast<int>(index) : -1;
 }
 
-// Reads one file. Each step returns false after it has noted the error.
+// Reader of one file. Each step returns false after it has recorded an error.
 class GltfReader {
  public:
   GltfReader(const GltfJson& json, std::string_view name) : json_(json), name_(name) {}
@@ -130,7 +130,7 @@ class GltfReader {
     return indices(json, "children", described(index), read.children) && read_place(json, index);
   }
 
-  // A list of nodes; their range is checked when all are read.
+  // Reads a list of nodes; ranges are checked at the end.
   bool indices(const GltfJson& json, const char* key, const std::string& place,
                std::vector<int>& into) {
     const auto list = json.find(key);
@@ -193,7 +193,8 @@ class GltfReader {
     return true;
   }
 
-  // Each node hangs on one other at most, and all on roots: else `children` does not make a forest.
+  // Checks that each node has at most one parent and all have roots, so that `children` is a
+  // forest.
   bool parents() {
     for (int i = 0; i < count(); ++i) {
       for (const int child : node(i).children) {
@@ -245,7 +246,7 @@ class GltfReader {
     return true;
   }
 
-  // Leaves damaged nodes and what hangs on them out of the skeleton; fails where joints do.
+  // Removes damaged nodes and their descendants from the skeleton; fails if they include joints.
   bool leave_out_faulty() {
     for (const Fault& fault : faults_) {
       if (fault.node < 0) continue;
@@ -280,8 +281,8 @@ class GltfReader {
     }
   }
 
-  // Rigid limbs may hang on the joints of a skin that binds the trunk alone. Where the joints make
-  // no person and all nodes do, these are the skeleton.
+  // Chooses between joints and all nodes: rigid limbs may be children of the joints of a skin that
+  // binds only the trunk. If only all nodes make a person, they are the skeleton.
   bool complete() {
     if (result_.skins.empty() || !vrm_.all.empty() || is_person()) return true;
     const std::size_t joints = result_.file_node.size();

@@ -9,12 +9,12 @@
 
 namespace shigusa {
 
-// Of a mesh of more vertices every second, third, … is taken, so that no more than these are kept.
+// Largest number of vertices kept; of larger meshes every second, third, … vertex is taken.
 inline constexpr std::size_t kSkinMaxVertices = 1'000'000;
-// More than these indices, and parts of meshes shown by nodes, are not read.
+// Largest number of indices, and of mesh parts shown by nodes, that are read.
 inline constexpr std::size_t kSkinMaxIndices = 50'000'000;
 inline constexpr std::size_t kSkinMaxParts = 20'000;
-// Of a mesh of more triangles vertices alone are taken.
+// Largest number of triangles; of larger meshes only vertices are taken.
 inline constexpr std::size_t kSkinMaxFaces = 200'000;
 
 // The vertices of a file's meshes as viewers show them where the nodes of its skeleton stand at

@@ -13,7 +13,7 @@
 
 namespace shigusa {
 
-// Limits of an MJCF model; more is refused before memory is taken.
+// Limits of an MJCF model, checked before memory is taken.
 inline constexpr std::size_t kMjcfMaxBytes =
     info_of(FileFormat::mjcf).max_bytes;             // of each of its files
 inline constexpr std::size_t kMjcfMaxTags = 50'000;  // of all of them
@@ -21,19 +21,18 @@ inline constexpr int kMjcfMaxFiles = 32;
 inline constexpr int kMjcfMaxDepth = 64;     // of bodies and frames in one another
 inline constexpr int kMjcfMaxNesting = 100;  // of elements
 inline constexpr int kMjcfMaxLinks = 1024;
-// Lengths, masses, moments and angles beyond this are refused.
+// Largest length, mass, moment and angle.
 inline constexpr double kMjcfMaxValue = 1e6;
 
-// Gives the text of a file that a model includes, by its path from the model's: a file is looked
-// for beside the one that includes it, then beside the main one. A model without such a file is
-// read without it, with a doubt, where the error is ErrorCode::not_found.
+// Loader of included files, by their path relative to the model's. A file is searched for beside
+// the including one, then beside the main one. On ErrorCode::not_found the model is read without
+// it, with a warning.
 using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
 
-// The error of a model, after the doubt among those that tells which files it includes were not
-// here.
+// The error of a model, preceded by the warning that names absent included files.
 [[nodiscard]] Error after_absent(const std::vector<Message>& doubts, Error error);
 
-// Files of that folder and of folders in it; any other is an error.
+// Loader of files in a folder and its subfolders; other paths are an error.
 [[nodiscard]] MjcfInclude included_from(std::filesystem::path folder);
 
 // Parses the text of an MJCF file, MuJoCo's own format. `name` stands for the file in errors, which

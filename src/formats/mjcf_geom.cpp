@@ -21,14 +21,14 @@ constexpr NamedShape kShapes[] = {{"sphere", Shape::sphere, 1},
                                   {"ellipsoid", Shape::ellipsoid, 3},
                                   {"box", Shape::box, 3}};
 
-// A shape's volume (m³), and for one kilogram its moments about its own axes (m²).
+// Volume (m³) of a shape, and its moments about its own axes per kilogram (m²).
 struct Solid {
   double volume;
   Vec3d moments;
 };
 
-// `s`: m, radius and half the length of what is round, else half the sizes. The capsule is a
-// cylinder and two half balls, of the same density.
+// `s`: m, radius and half the length of round shapes, else half sizes. A capsule is a cylinder with
+// two hemispheres of the same density.
 Solid solid(Shape shape, const Vec3d& s) {
   const double r2 = s.x * s.x;
   switch (shape) {

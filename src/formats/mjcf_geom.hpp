@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// A shape of a body, in the frame that its element stands in.
+// A shape of a body, in the frame of its element's parent.
 struct MjcfGeom {
   bool solid = false;     // a shape that is read: no mesh, plane or height field
   bool mesh = false;      // a mesh, whose shape would have a mass
@@ -20,7 +20,7 @@ struct MjcfGeom {
 
 [[nodiscard]] MjcfGeom read_geom(MjcfFiles& files, MjcfValues& values, const MjcfPart& part);
 
-// The mass of an <inertial>, in the frame that it stands in.
+// Mass properties of an <inertial>, in the frame of its parent.
 [[nodiscard]] LinkMass read_inertial(MjcfFiles& files, MjcfValues& values, const MjcfPart& part);
 
 }  // namespace shigusa

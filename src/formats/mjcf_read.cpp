@@ -24,13 +24,13 @@ bool is_tame(std::span<const Vec3d> points) {
                      [](const Vec3d& v) { return is_within(v, kMjcfMaxValue); });
 }
 
-// An element that may name the class of what stands in it, within one of that class.
+// An element that may set the default class of its contents, within one of that class.
 MjcfPart in_class(const XmlElement& element, std::string_view childclass) {
   const char* named = element.attribute("childclass");
   return {element, named != nullptr ? named : childclass};
 }
 
-// An element that stands in a body, in its own frame or in those of <frame>s within it.
+// An element of a body, in the body's frame or in that of a nested <frame>.
 struct Inside {
   MjcfPart part;
   Transformd frame;  // in the body
@@ -55,7 +55,7 @@ class ModelReader {
   }
 
  private:
-  // A body and what of its parent is needed to hang it there.
+  // A body with the data of its parent needed to attach it.
   struct Hung {
     Inside inside;
     int parent = -1;     // link
@@ -112,7 +112,7 @@ void ModelReader::read_robot() {
   if (root_ && !files_.error()) take_body({*root_, -1, {}, 0});
 }
 
-// Of all bodies of the world the one with the most joints.
+// The body of the world with the most joints.
 void ModelReader::find_root(const Inside& world, int depth) {
   if (too_deep(world.part.element, depth)) return;
   files_.each(world.part.element, [&](const XmlElement& e) {
@@ -145,7 +145,7 @@ int ModelReader::count_joints(const XmlElement& body, int depth) {
   return count;
 }
 
-// Lists the elements of a body, with those of its frames.
+// Lists the elements of a body, including those in its frames.
 void ModelReader::list(const Inside& inside, int depth, std::vector<Inside>& content) {
   constexpr std::string_view kMakers[] = {"attach", "composite", "flexcomp", "replicate"};
   files_.each(inside.part.element, [&](const XmlElement& e) {
@@ -223,7 +223,8 @@ std::string ModelReader::name_of(const XmlElement& element, const std::string& o
   return name;
 }
 
-// Links and joints from the parent to the body; returns where the body's link has its frame in it.
+// Adds links and joints from the parent to the body; returns the origin of the body's link in the
+// body's frame.
 Vec3d ModelReader::add_joints(const Hung& body, const std::vector<Inside>& joints,
                               const std::string& name) {
   Transformd place = body.inside.frame * values_.place(body.inside.part);
@@ -373,7 +374,7 @@ void ModelReader::add_masses(const std::vector<Inside>& content, const Vec3d& sh
   link.inertia = own.inertia;
 }
 
-// A forearm that no body follows has its hand as a shape, called so, in many a model.
+// Gives a forearm without a child body a hand if it has a shape with that name, as in many models.
 void ModelReader::add_hand(const std::vector<Inside>& content, const Vec3d& shift, int forearm) {
   const auto is_body = [](const Inside& each) { return is(each.part.element, "body"); };
   const std::string& name = robot_.links[index(forearm)].name;

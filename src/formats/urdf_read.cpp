@@ -56,7 +56,7 @@ class UrdfReader {
   }
 
  private:
-  // A joint with the links that it holds together.
+  // A joint with the links that it connects.
   struct Hung {
     const XmlElement* joint;
     std::string parent;
@@ -70,7 +70,7 @@ class UrdfReader {
     return name;
   }
 
-  // As many numbers as `count` of an attribute; those of `otherwise` where there is none.
+  // Numbers of an attribute, `count` of them; `otherwise` if it is absent.
   Result<void> read_numbers(const XmlElement& element, const char* attribute, std::size_t count,
                             double* numbers) const {
     const char* text = element.attribute(attribute);
@@ -103,7 +103,7 @@ class UrdfReader {
     return value;
   }
 
-  // By the <origin> in an element; where its parent is without one.
+  // Transform of an element's <origin>; the identity if absent.
   [[nodiscard]] Result<Transformd> place_of(const XmlElement& element) const {
     const XmlElement* origin = element.child("origin");
     if (origin == nullptr) return Transformd{};
@@ -115,7 +115,7 @@ class UrdfReader {
     return Transformd{turned(rpy), at};
   }
 
-  // Named postures, as SRDF has them; those that are not whole are left out.
+  // Reads named postures in the form of SRDF; incomplete ones are left out.
   void take_states(const XmlElement& robot) {
     for (const XmlElement& element : robot.children) {
       if (element.name != "group_state") continue;
@@ -133,7 +133,7 @@ class UrdfReader {
     }
   }
 
-  // Links and joints by name. Each link hangs on one joint at most.
+  // Indexes links and joints by name. Each link has at most one parent joint.
   Result<void> gather(const XmlElement& robot) {
     std::map<std::string, const XmlElement*> joints;
     for (const XmlElement& element : robot.children) {
@@ -175,7 +175,7 @@ class UrdfReader {
     return link;
   }
 
-  // The links, parents first.
+  // Orders the links, parents first.
   Result<void> take_tree() {
     std::map<std::string, std::vector<std::string>> below;
     for (const Hung& joint : joints_) below[joint.parent].push_back(joint.child);

@@ -23,7 +23,7 @@ struct Entity {
 constexpr Entity kEntities[] = {
     {"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};
 
-// A character by its number, in UTF-8; nothing where there is none of that number.
+// Character of a code point in UTF-8; empty if invalid.
 std::string utf8(std::uint32_t code) {
   if (code == 0 || (code >= 0xD800 && code < 0xE000) || code > 0x10FFFF) return {};
   const auto tail = [&](int shift) { return static_cast<char>(0x80 | ((code >> shift) & 0x3F)); };
@@ -36,7 +36,7 @@ std::string utf8(std::uint32_t code) {
   return {head(0xF0, 18), tail(12), tail(6), tail(0)};
 }
 
-// The character of an entity by what stands between & and ;, or nothing where that is none.
+// Character of an entity from the text between & and ;, or empty if unknown.
 std::string resolved(std::string_view entity) {
   for (const auto& [name, character] : kEntities) {
     if (entity == name) return std::string(1, character);
@@ -68,7 +68,7 @@ std::string unescaped(std::string_view text) {
   return out;
 }
 
-// Walks over the tags of a text, and hangs each element into the one that is open.
+// Parser of tags that attaches each element to the open one.
 class XmlReader {
  public:
   XmlReader(std::string_view text, const XmlLimits& limits, std::string_view name)

@@ -87,8 +87,8 @@ using OfMany = Sentence<std::size_t, std::string>;
 void doubt_about(const std::vector<std::string>& names, const OfOne& one, const OfMany& many,
                  std::vector<Message>& doubts);
 
-// Converts the limits of a robot's turning joints, with a warning: from degrees if most exceed a
-// full turn in radians, and back to radians if most are tiny, as if converted twice.
+// Converts the limits of a robot's turning joints, with a warning: degrees if most ranges exceed
+// two full turns in radians, and radians read as degrees if most ranges are tiny.
 void mend_limits(Robot& robot);
 
 // A name for a message: quoted, shortened, and without control bytes.
