@@ -21,8 +21,8 @@ struct StudioOptions {
   std::string folder;  // of the built page; empty: where it is installed, or in the source tree
 };
 
-// The folder of the page's built files: the user's, the one installed beside the program, or the
-// source tree's.
+// Folder of the page's built files: the user's, the one installed with the program, or the source
+// tree's.
 Result<fs::path> page_folder(const std::string& given) {
   if (!given.empty()) return given;
   std::error_code ignored;
