@@ -198,7 +198,7 @@ void replay_waiting(Check& check) {
                });
   for (std::size_t k = 0; k < made.size(); ++k) compare(check, *check.waiting[k].shard, *made[k]);
   check.waiting.clear();
-  // the last task of a shard may need more
+  // the last shard may have more tasks
   while (check.open.size() > 1) check.open.pop_front();
   check.show();
 }

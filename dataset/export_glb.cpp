@@ -70,7 +70,7 @@ class GlbWriter : public DataWriter {
   }
 
  private:
-  // Skips a motion that cannot be made for the character.
+  // GLB of a motion; ErrorCode::unsupported if it cannot be made for the character.
   Result<std::string> left_out(const DataMotion& motion) {
     Result<std::string> bytes = glb_of(motion);
     if (bytes || bytes.error().code == ErrorCode::io) return bytes;

@@ -147,7 +147,7 @@ Result<void> Reader::add_leaf(std::uint64_t leaf, std::string_view names, Entrie
     bytes.skip(20);
     if (kind >= kLink) return foreign("a member of a group is a link");
     std::string name = at < names.size() ? text_at(names.substr(at)) : "";
-    // sorted, so that duplicates are found
+    // strictly ascending, so that names are unique
     const bool next = entries.empty() || entries.back().first < name;
     if (name.empty() || name.find('/') != std::string::npos || !next) {
       return foreign("a name in a group is none");

@@ -4,13 +4,13 @@
 #include <shigusa/body_model.hpp>
 #include <shigusa/motion.hpp>
 
-// Figures that people's motions are measured by, read off one motion.
+// Figures that characterise people's motions, computed from one motion.
 namespace shigusa::bench {
 
-// The stature that lengths are given for, so that figures of short and tall people compare (m).
+// Reference stature for lengths, which makes figures of short and tall people comparable (m).
 inline constexpr double kUsualStature = 1.741;
 
-// Lengths are those of a body of kUsualStature; changes are from the first frame to the last.
+// Lengths are scaled to a body of kUsualStature; changes are from the first frame to the last.
 struct Figures {
   double trunk = 0.0;         // deg, at the end: from hips to shoulders, against the vertical
   double knee = 0.0;          // deg, at the end, mean of both
@@ -37,8 +37,8 @@ struct Figures {
   double hard = 0.0;  // 0 possible, 1 strains, 2 impossible, 3 not reached
 };
 
-// Of a motion of the body human that moves that side's hand. A motion without torques has no
-// centre of mass and no jolts.
+// For a motion of the body human that moves that side's hand. Without torques the centre of mass
+// and jolts are missing.
 [[nodiscard]] Figures figures_of(const BodyModel& body, const Motion& motion, Side side);
 
 }  // namespace shigusa::bench

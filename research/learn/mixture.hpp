@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-// The mixtures that are searched: weights on a logarithmic scale, each a coordinate in [0, 1].
+// Search space of mixtures: weights on a logarithmic scale, each a coordinate in [0, 1].
 namespace shigusa::bench {
 
-// Least and most of a weight that is searched; one below kDropped is 0.
+// Range of a searched weight; one below kDropped is 0.
 inline constexpr double kLeastWeight = 0.002;
 inline constexpr double kMostWeight = 4.0;
 inline constexpr double kDropped = 0.004;

@@ -12,7 +12,7 @@
 
 namespace shigusa::bench {
 
-// One candidate as it is judged: what was told of it, and what its files say.
+// One candidate under judgement: its reported values, and the contents of its files.
 struct Judged {
   const CharacterSpec& character;
   const RobotTree* robot;    // of a robot
@@ -26,7 +26,7 @@ struct Judged {
   std::vector<OutsideMotion> other_files{};  // with such nodes of goals and feet
 };
 
-// A flaw that a motion is given after the search, to see that judges find it.
+// A defect introduced after the search, to verify that judges detect it.
 enum class Flaw {
   none,
   goal_off,         // by 2 mm at the end
@@ -47,10 +47,10 @@ enum class Flaw {
   order_wrong,      // candidates the wrong way round
 };
 
-// Spoils it, where it has what the flaw is about.
+// Introduces the defect, if it applies to the candidate.
 void spoil(Flaw flaw, Judged& judged);
 
-// Judges of one candidate; they know files and data, and no function of the kernel.
+// Judges of one candidate; they use files and data, and no function of the kernel.
 void judge_goals(const Judged& judged, Audit& audit);
 void judge_feet(const Judged& judged, Audit& audit);
 void judge_limits(const Judged& judged, Audit& audit);
@@ -62,7 +62,7 @@ void judge_verdict(const Judged& judged, Audit& audit);
 // Heels, torques and the floor's pressure, by the masses and the table's angles.
 void judge_masses(const Judged& judged, Audit& audit);
 
-// Whether the motion is told as free of collisions.
+// Whether the motion is reported as free of collisions.
 [[nodiscard]] bool told_as_free(const Judged& judged);
 
 }  // namespace shigusa::bench
