@@ -18,14 +18,16 @@
 // floor's share of the second foot.
 namespace shigusa::bench {
 
-// A question to the library. Vectors and columns are in its own order of the freedoms.
+// Rollout with the library's Engine, which has these members. Vectors and columns are in the
+// library's own order of the degrees of freedom.
+//
 //   Engine(const ReachProblem&)
-//   int address(int dof)                      where a freedom of the body stands in that order
-//   void place(const VectorXd& q)             forward kinematics
-//   Vec3d hand();  Transformd foot()          m, world; the sole's middle of the foot off the base
-//   void hand_rows(double* rows)              (3 × dofs) of the position, row by row
-//   void foot_rows(double* position, double* rotation)  (3 × dofs) each
-//   void torques(const VectorXd& qd, const VectorXd& qdd, VectorXd& tau)  where it was placed last
+//   int address(int dof)                      index of a degree of freedom of the body in that
+//   order void place(const VectorXd& q)             forward kinematics Vec3d hand();  Transformd
+//   foot()          m, world; centre of the sole of the foot off the base void hand_rows(double*
+//   rows)              (3 × dofs) of the position, row by row void foot_rows(double* position,
+//   double* rotation)  (3 × dofs) each void torques(const VectorXd& qd, const VectorXd& qdd,
+//   VectorXd& tau)  at the last placement
 template <class Engine, int Rows>  // 3: the hand; 9: hand and foot
 class Rival {
  public:

@@ -103,7 +103,7 @@ Result<void> PageServer::start(int port) {
   daemon_.reset(MHD_start_daemon(
       MHD_USE_AUTO_INTERNAL_THREAD, 0, nullptr, nullptr, &Callbacks::answer, this,
       MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_NOTIFY_CONNECTION, &Callbacks::notify, this,
-      // one more than are kept, so that new connections are always accepted
+      // more than are kept, so that new connections are always accepted
       MHD_OPTION_CONNECTION_LIMIT, 2 * kMostConnections, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
       kMemoryOfConnection, MHD_OPTION_CONNECTION_TIMEOUT, kTimeToAsk, MHD_OPTION_END));
   if (!daemon_) {

@@ -14,7 +14,7 @@ namespace shigusa::bench {
 // Checks reachability by a method independent of closest_reach: variable-metric minimisation within
 // the joint limits, from many random postures, of
 //
-// ½ |hand - goal|² + ½ Σ |sole corner - its position|²
+//   ½ |hand - goal|² + ½ Σ |sole corner - its position|²
 //
 // for a single posture. Three corners of each planted foot fix its position and tilt. At a
 // reachable goal the minimum is 0. Only the forward kinematics is shared with the code under test.

@@ -17,16 +17,17 @@ struct TwistBone {
   bool chain = false;  // whether the next joint is its descendant
 };
 
-// The twist bones of a skeleton in the posture `world` (nodes, as world_transforms gives), by their
-// places along the limb: joint and next joint are 0 and 1.
+// Twist bones of a skeleton in the posture `world` (nodes, as from world_transforms), with their
+// positions along the limb: joint and next joint are 0 and 1.
 //
-// - A node between a limb's bone and the next one that stands on the line between the two and well
-//   apart from both is one, whatever its name (Rigify's DEF-forearm.L.001, Daz's lForearmTwist).
-// - Any other is one by its name (twist, roll, 捩; ulna) where it stands beside that line: below
-//   the limb's bone (Unreal's lowerarm_twist_01_l), or on what that bone hangs on, if it bears no
-//   bone.
+// - A node between a limb's bone and the next one is a twist bone if it is on the line between the
+//   two and well apart from both, whatever its name (Rigify's DEF-forearm.L.001, Daz's
+//   lForearmTwist).
+// - Any other node is a twist bone by its name (twist, roll, 捩; ulna) if it is near that line:
+//   below the limb's bone (Unreal's lowerarm_twist_01_l), or below the parent of that bone without
+//   having a bone below it.
 //
-// Forearm twist bones that all stand at the elbow share by their number.
+// Forearm twist bones that are all at the elbow share the twist by their number.
 [[nodiscard]] std::vector<TwistBone> find_twist_bones(const Skeleton& skeleton,
                                                       const std::vector<Transformd>& world,
                                                       const HumanoidMap& map);

@@ -124,29 +124,29 @@ void mend_limits(Robot& robot);
 // assignment.
 [[nodiscard]] Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked = {});
 
-// The robot as a body that stands on its right foot, the left one planted beside it. Its start
-// posture has every angle at 0, or as near to that as limits allow, and may leave the left foot in
-// the air: see settled_posture.
+// Builds the body of a robot that stands on its right foot, with the left one planted beside it.
+// Its start posture has every angle at 0, or as near to that as limits allow, and may leave the
+// left foot in the air: see settled_posture.
 //
-// - The kernel's tree grows from the right foot, so joints on the way to the pelvis are turned
-//   round. Links between fixed joints are one. Joints of toes, fingers and what the head carries
-//   keep their angle, with a doubt.
-// - Freedoms are named as a person's, where the map and the axis tell: "right_knee.flexion"; the
-//   sign is the anatomical one. In `robot()` stands which joint of the file each is.
-// - Limits and strengths are the file's. A joint that may turn all the way round has a person's
-//   limits where it is a person's joint; one without effort gets a person's strength, by the
-//   robot's weight.
-// - The sole is where what the foot collides with ends, else the lowest frame that is fixed to it,
-//   else a person's.
+// - The kernel's tree grows from the right foot, so joints between it and the pelvis are reversed.
+//   Rigidly connected links are one. Joints of toes, fingers and attachments of the head are fixed
+//   at their angles, with a warning.
+// - Degrees of freedom have a person's names where the map and the axis determine them:
+//   "right_knee.flexion"; the sign is the anatomical one. `robot()` maps them to the joints of the
+//   file.
+// - Limits and strengths are the file's. A continuous joint has a person's limits if it is a
+//   person's joint; one without effort gets a person's strength, scaled by the robot's weight.
+// - The sole is at the lower end of the foot's collision shapes, else at the lowest frame fixed to
+//   it, else by human proportions.
 // - Hands end at the frame of a gripper, palm or hand that is fixed beyond the wrist, else at the
 //   wrist's link.
-// - Stature is that of a person with such legs and trunk.
-// - Links without mass weigh nothing, with a doubt.
+// - Stature is that of a person with these legs and trunk.
+// - Links without mass are massless, with a warning.
+// - A link that represents the world, above a floating joint or a joint without degrees of freedom,
+//   is not the root.
 //
-// - A link that stands for the world, above a floating joint or a joint of none, is not the root.
-//
-// `mass`: kg, spread over the links as a person's where none has a mass. Fails where the map's
-// bones are no chain of turning joints, or no link has a mass and none is given.
+// `mass`: kg, distributed over the links as a person's if none has a mass. Fails if the map's bones
+// are no chain of turning joints, or if no link has a mass and none is given.
 [[nodiscard]] Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map,
                                             std::optional<double> mass = std::nullopt);
 
