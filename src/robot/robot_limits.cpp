@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits of a robot's joints in another unit than the file's format has.
+// Correction of joint limits in another unit than the format's.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -34,7 +34,7 @@ void mend_limits(Robot& robot) {
     if (!joint.ends || !joint.turns) continue;
     const auto& [lower, upper] = *joint.ends;
     const double most = max(abs(lower), abs(upper));
-    // what stands for no limit
+    // such values mean no limit
     if (most >= 1000.0) continue;
     ++told;
     different.emplace(lower, upper);
