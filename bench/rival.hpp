@@ -22,12 +22,12 @@ namespace shigusa::bench {
 // library's own order of the degrees of freedom.
 //
 //   Engine(const ReachProblem&)
-//   int address(int dof)                      index of a degree of freedom of the body in that
-//   order void place(const VectorXd& q)             forward kinematics Vec3d hand();  Transformd
-//   foot()          m, world; centre of the sole of the foot off the base void hand_rows(double*
-//   rows)              (3 × dofs) of the position, row by row void foot_rows(double* position,
-//   double* rotation)  (3 × dofs) each void torques(const VectorXd& qd, const VectorXd& qdd,
-//   VectorXd& tau)  at the last placement
+//   int address(int dof)                      index of the body's dof in that order
+//   void place(const VectorXd& q)             forward kinematics
+//   Vec3d hand();  Transformd foot()          m, world; sole centre of the foot off the base
+//   void hand_rows(double* rows)              (3 × dofs) of the position, row by row
+//   void foot_rows(double* position, double* rotation)  (3 × dofs) each
+//   void torques(const VectorXd& qd, const VectorXd& qdd, VectorXd& tau)  at the last placement
 template <class Engine, int Rows>  // 3: the hand; 9: hand and foot
 class Rival {
  public:

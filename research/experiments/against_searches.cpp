@@ -88,7 +88,7 @@ std::size_t point_of(int budget) {
   return static_cast<std::size_t>(at - kPoints.begin());
 }
 
-// (drawn places) score per unit of the plotted value
+// (drawn places) `value` of each place
 template <class Value>
 std::vector<double> of_drawn_places(const Subject& subject, Value&& value) {
   std::vector<double> values;
