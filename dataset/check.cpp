@@ -42,14 +42,14 @@ struct Check {
   const std::filesystem::path& folder;
   const CheckSettings& settings;
   ShardList shards;
-  std::uint64_t lone;  // a task that is made again whatever the share
+  std::uint64_t lone;  // a task that is always made again
   CheckRun run{};
   CheckReport report{};
-  std::map<std::uint64_t, std::string> sums{};  // of the shards that are whole
+  std::map<std::uint64_t, std::string> sums{};  // of complete shards
   // tasks to be made again together, from open shards
   std::vector<Replay> waiting{};
   std::list<ShardReader> open{};
-  DatasetStatistics statistics{};  // of the shards that are whole
+  DatasetStatistics statistics{};  // of complete shards
 
   void tell(std::string file, std::string says) {
     ++run.problem_count;

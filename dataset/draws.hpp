@@ -24,7 +24,7 @@ enum class DrawMode {
 struct DrawSource {
   std::uint64_t seed = 0;
   std::uint64_t task = 0;
-  std::uint64_t person = 0;  // that what stands under "character" is drawn by
+  std::uint64_t person = 0;  // random stream of values under "character"
   DrawMode mode = DrawMode::random;
   std::size_t alternative = 0;  // of each choice, in the modes that are not random
 };

@@ -30,7 +30,7 @@ struct Made {
   std::uint64_t number = 0;
   DrawnAgain again;
   MotionPlayer player;
-  std::optional<GenerateResult> searched{};  // where its plan has no such parameters
+  std::optional<GenerateResult> searched{};  // if its plan lacks these parameters
 };
 
 class GlbWriter : public DataWriter {

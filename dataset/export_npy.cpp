@@ -12,7 +12,7 @@ namespace shigusa::npy {
 namespace {
 
 constexpr std::size_t kAlignment = 64;  // of the numbers
-constexpr char32_t kUnknown = 0xFFFD;   // in the place of what is not UTF-8
+constexpr char32_t kUnknown = 0xFFFD;   // replaces invalid UTF-8
 
 std::string shape_text(const Shape& shape) {
   std::string text = "(";

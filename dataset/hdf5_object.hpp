@@ -46,7 +46,7 @@ struct Object {
   };
   std::optional<Members> members{};                   // of a group
   std::optional<ElementForm> form{};                  // of a dataset, as all below
-  std::optional<std::vector<std::uint64_t>> sides{};  // none of a single element
+  std::optional<std::vector<std::uint64_t>> sides{};  // empty for a single element
   std::optional<Layout> layout{};
   std::vector<Filter> filters{};  // in the order of packing
   std::vector<Attribute> attributes{};

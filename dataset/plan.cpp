@@ -27,7 +27,7 @@ struct DatasetPlan::Made {
   std::vector<DatasetSeries> series;
   KeptMotions motions = KeptMotions::reached;
   Json task;
-  Json whole;  // the file, but for where its characters are
+  Json whole;  // the file without the paths of its characters
   std::vector<std::string> files;
   std::string text;
   std::string digest;

@@ -80,7 +80,7 @@ using SplitShares = std::array<SplitCounts, kEnumWords<Split>.size()>;
 struct DatasetStatistics {
   std::uint64_t tasks = 0;
   std::uint64_t motions = 0;
-  std::uint64_t refused = 0;  // tasks of which no motion can be asked for
+  std::uint64_t refused = 0;  // tasks without possible motions
   std::uint64_t missed = 0;   // tasks whose goals are not met
   std::uint64_t evaluations = 0;
   // of tasks

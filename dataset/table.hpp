@@ -33,7 +33,7 @@ struct Column {
   ElementType type = ElementType::f64;
   std::vector<std::size_t> shape{};  // of one row; none: a single number
   std::string unit{};                // "m"
-  std::string says{};                // what it is
+  std::string says{};                // description
   std::vector<std::string> words{};  // of numbers that stand for words: word k is that of k
   std::size_t text_size = 0;         // bytes of a text, the rest of which are 0
   std::string bytes{};               // of all rows, as the machine has them

@@ -23,8 +23,8 @@ namespace shigusa::app {
 inline constexpr int kDone = 0;
 inline constexpr int kFault = 1;        // a fault of the program
 inline constexpr int kWrongInput = 2;   // the call or a file is wrong, the standard output too
-inline constexpr int kUnreachable = 3;  // a goal is out of reach, or no motion was found that
-                                        // the body could make; what is nearest is written
+inline constexpr int kUnreachable = 3;  // a goal is out of reach, or no possible motion was found;
+                                        // the nearest one is written
 
 // A character's options beside its source, as typed.
 struct CharacterOptions {
@@ -86,7 +86,7 @@ void add_character_options(CLI::App& command, CharacterOptions& options);
 
 // Help texts of file options that depend on the command.
 struct FileHelp {
-  std::string usual;  // formats that are written where nothing is said
+  std::string usual;  // default formats
   std::string rate;   // Hz, likewise
   bool rare = false;  // all of these options are
 };

@@ -15,7 +15,7 @@ struct OptionManual {
   std::string name{};   // "--goal"; of an argument "TASK"
   std::string form{};   // of its value, as OptionHelp has it; empty of a flag
   std::string brief{};  // its line
-  std::string full{};   // all that is to be said; the line where that says all
+  std::string full{};   // full description; the line if that is complete
   bool argument = false;
   bool required = false;
   bool repeatable = false;

@@ -20,7 +20,7 @@ std::string entry(const std::string& label, const std::string& line) {
   } else {
     text += std::string(kColumn - width_of(text), ' ');
   }
-  // what goes on does so below the line's beginning
+  // continuation lines are aligned with the first
   return text + wrapped(line, kColumn, kTextWidth).substr(kColumn);
 }
 

@@ -13,7 +13,7 @@ namespace shigusa::app {
 struct OptionHelp {
   std::string group{};  // its heading
   std::string brief{};  // its line in --help
-  std::string full{};   // what --help-all and the manual say in place of the line; empty: the line
+  std::string full{};   // text of --help-all and the manual in place of the line; empty: the line
   // form of its value: choices "paper|flat"; FILE or FOLDER for a path; else a pattern, "X,Y,Z".
   // Empty for a flag.
   std::string form{};

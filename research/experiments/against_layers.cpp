@@ -20,7 +20,7 @@ struct Pairing {
   const char* name;
   SearchMethod method;
   Preset layered;
-  Preset flat;  // whose parameters are those at once
+  Preset flat;  // preset with all parameters at once
   const char* criteria_name;
   CriteriaSettings (*criteria)();
 };

@@ -29,7 +29,7 @@ constexpr int kStarts = 8;                 // of the independent method
 struct GoalSet {
   const char* name;
   std::uint64_t seed;
-  bool around;  // the whole box, with what lies behind
+  bool around;  // the whole box, including the region behind
 };
 constexpr GoalSet kSets[] = {
     {"in front, tuned on", 101, false}, {"in front, others", 102, false}, {"all around", 12, true}};

@@ -15,8 +15,8 @@ struct Plan {
   bool quick = false;           // to see that all runs, not for numbers
   std::uint64_t goal_seed = 1;  // of the goals that are drawn
   int goals = 30;               // drawn for each body
-  int seeds = 32;               // of searches, where nothing else is said
-  int few_seeds = 8;            // where there are many of them
+  int seeds = 32;               // default number of seeds of searches
+  int few_seeds = 8;            // for long series
   int slow_seeds = 2;           // where a motion takes long
   int motions = 5000;           // delivered for each body, of the experiment on limits …
   int human_goals = 10000;      // goals drawn for the body human

@@ -38,7 +38,7 @@ struct Variant {
   std::optional<CriteriaPreset> mixture{};  // in place of the preset's own
   std::vector<std::string> left_out{};      // criteria
   std::vector<std::string> fixed{};         // "bow=0"
-  bool by_default = false;  // criteria of the preset flat, whatever the preset's are
+  bool by_default = false;                  // criteria of the preset flat for any preset
 };
 
 std::vector<std::string> default_names() {

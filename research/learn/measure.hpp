@@ -26,7 +26,7 @@ struct Measured {
 struct MeasureSettings {
   int threads = 0;
   std::uint64_t seed = 0;        // of the queries
-  std::optional<int> motions{};  // that a query scores; as many as usual where not given
+  std::optional<int> motions{};  // scored per query; default if empty
 };
 
 // (mixtures × cases) figures of the best motion.

@@ -23,7 +23,7 @@ constexpr std::size_t kNamesShown = 6;
 struct Measured {
   std::vector<Jolts> candidates;
   std::vector<Verdict> verdicts;   // of them
-  std::vector<std::string> names;  // (freedoms) of the body
+  std::vector<std::string> names;  // (dofs) of the body
 };
 
 Measured measured(int index) {

@@ -31,7 +31,7 @@ constexpr const char* kUsage =
 // Sources of data on people.
 struct Sources {
   std::filesystem::path shared;
-  std::filesystem::path regularities;  // what regularities.py has written; may be empty
+  std::filesystem::path regularities;  // output of regularities.py; may be empty
 };
 
 Result<Drawn> words_alone(Result<std::string> text) {

@@ -120,9 +120,9 @@ struct NamedMade {
 // A row of the picture of hands' paths: a figure that shows one of them, and a graph of all.
 struct PathRow {
   const std::vector<NamedMade>& made;
-  std::size_t shown;  // the one whose figure is drawn
+  std::size_t shown;  // index of the one in the figure
   std::vector<std::pair<std::string, std::vector<GraphPoint>>> people;
-  double band[2];  // where people's paths are, where they are farthest from the straight way
+  double band[2];  // people's range of the largest deviation from the straight line
   const char* band_name;
 };
 

@@ -23,7 +23,7 @@ struct Bone {
 [[nodiscard]] std::vector<Bone> bones_of(const BodyModel& body, const OutsideMotion& motion);
 
 struct BoneInBox {
-  double depth = 0.0;  // m, of the bone's line, beyond what the first frame has
+  double depth = 0.0;  // m, of the bone's axis, in excess of the first frame
   Bone bone;
   std::string obstacle;
 };

@@ -16,7 +16,7 @@ constexpr double kStrained = 1.0;    // of a joint's strength
 constexpr double kNobodys = 1.5;     // of a person's
 constexpr double kTipping = 0.01;    // m, outside the feet
 constexpr double kFalling = 0.05;    // m
-constexpr double kOfSwing = 0.2;     // of what changes from frame to frame, which is not sure
+constexpr double kOfSwing = 0.2;     // share of the uncertain changes between frames
 constexpr double kInJolts = 0.4;     // of a difference, in motions that jolt
 constexpr double kHeelFlat = 0.002;  // m: less is no lifted heel
 

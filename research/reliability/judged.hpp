@@ -36,14 +36,14 @@ enum class Flaw {
   foot_tilted,      // by 0.2° half-way
   limit_passed,     // by 0.2°
   box_in_limb,      // about the elbow, half-way
-  arm_in_head,      // told as free
+  arm_in_head,      // reported as free
   seat_low,         // by 2 mm
   heel_told_high,   // by 2 mm
   rest_slid,        // by 2 mm after it arrived
   rest_off,         // the box smaller by 2 mm on all sides
   torque_told_low,  // all by half
-  weakness_hidden,  // a joint beyond its strength is told as possible
-  tipping_hidden,   // the pressure far outside the feet, told as possible
+  weakness_hidden,  // a joint beyond its strength is reported as possible
+  tipping_hidden,   // the pressure far outside the feet, reported as possible
   order_wrong,      // candidates the wrong way round
 };
 

@@ -19,7 +19,7 @@ struct Kind {
   const char* name;
   // A kind's task of that number, determined by the number and the cast.
   DrawnTask (*draw)(const Cast& cast, std::uint64_t number);
-  bool may_be_refused = false;  // a hand may not reach what it is to rest on
+  bool may_be_refused = false;  // a hand may not reach its support
 };
 
 // All kinds; those of built-in bodies' hands and feet first.

@@ -179,7 +179,7 @@ std::string format_facts() {
 
 std::string format_failure(const Error& error) {
   const Json json{{"place", error.place}, {"message", message_to_json(error.message)}};
-  // names from files may hold anything; what is not UTF-8 is replaced
+  // names from files may hold any bytes; invalid UTF-8 is replaced
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -289,7 +289,7 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
   json["search_detail"] = search_to_json(generation);
   json["doubts"] = texts_to_json(task.body.doubts());
   json["task"] = task_to_json(played_task(file, generation));
-  // names from files may hold anything; what is not UTF-8 is replaced
+  // names from files may hold any bytes; invalid UTF-8 is replaced
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -275,7 +275,7 @@ void Canvas::text(Point at, const std::string& text, double size, Colour colour,
                       kAnchor[static_cast<std::size_t>(align)], length, markup_text(text));
 }
 
-// Joins paths of one look where that paints the same: fills of the same orientation, and strokes.
+// Joins paths of one look if that paints the same: fills of the same orientation, and strokes.
 void Canvas::add(const std::string& look, const std::string& data) {
   end_texts();
   if (look != look_) end_path();

@@ -27,7 +27,7 @@ class Cursor {
  public:
   explicit Cursor(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
 
-  // The next token; empty at the end of the text.
+  // Next token; empty at the end of the text.
   std::string_view token() {
     skip_blanks();
     const char* start = at_;
@@ -36,7 +36,7 @@ class Cursor {
     return {start, static_cast<std::size_t>(at_ - start)};
   }
 
-  // The rest of the same line, up to a brace, without blanks around it.
+  // Rest of the same line, up to a brace, without surrounding blanks.
   std::string_view rest_of_line() {
     const auto stops = [](char c) { return c == '\n' || c == '\r' || c == '{' || c == '}'; };
     while (at_ != end_ && is_space(*at_) && !stops(*at_)) ++at_;
@@ -253,7 +253,7 @@ class BvhReader {
     return true;
   }
 
-  // `placed`: the axes that have their position channel.
+  // `placed`: axes with their position channel.
   bool channel(int index, bool (&placed)[3]) {
     const std::string_view token = cursor_.token();
     std::size_t kind = 0;
@@ -306,7 +306,7 @@ class BvhReader {
     return fail_here(say("bvh_cut", found, value_count(), motion_.clip.frames, channels_.size()));
   }
 
-  // before memory is taken: can the text hold the values, and the memory the result?
+  // checked before memory is taken: whether the text can hold the values, and memory the result
   bool values_fit() {
     if (channels_.empty() && motion_.clip.frames > 1) {
       return fail_here(say("no_channels", motion_.clip.frames));
@@ -393,7 +393,7 @@ class BvhReader {
       local.translation[static_cast<int>(channel.axis)] = value;
       return;
     }
-    // whole turns go first, exactly: sin_cos is for moderate angles
+    // full turns are removed first, exactly: sin_cos is for moderate angles
     constexpr double kTurn = 360.0;
     if (abs(value) > kTurn) value -= kTurn * static_cast<double>(static_cast<int>(value / kTurn));
     local.rotation = local.rotation * axis_rotation(channel.axis, radians(value));
@@ -401,7 +401,7 @@ class BvhReader {
 
   Cursor cursor_;
   std::string_view name_;
-  bool lenient_;      // what a damaged file still has is taken
+  bool lenient_;      // damaged files are read as far as possible
   bool cut_ = false;  // the text ended among the values
   int promised_ = 0;  // frames
   std::vector<Message> doubts_;
@@ -409,7 +409,7 @@ class BvhReader {
   SkeletonMotion motion_;
   NodeNames names_;
   std::vector<Seen> seen_;         // (nodes)
-  std::vector<int> open_;          // nodes whose } is still to come, outermost first
+  std::vector<int> open_;          // nodes with a pending }, outermost first
   std::vector<Channel> channels_;  // columns of the motion
   Error error_;
 };

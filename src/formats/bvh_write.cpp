@@ -31,8 +31,8 @@ Vec3d angles_after(const Mat3d& r, const Order& order, double first) {
   const auto [i, j, k] = order;
   const double s = (j - i + 3) % 3 == 1 ? 1.0 : -1.0;
   const auto at = [&r](int row, int column) { return r.column(column)[row]; };
-  // Rot(first)ᵀ R = Rot(a[1]) Rot(a[2]); in gimbal lock the first may be any angle, and the others
-  // make up for it
+  // Rot(first)ᵀ R = Rot(a[1]) Rot(a[2]); in gimbal lock the first angle is arbitrary, and the
+  // others compensate
   const SinCos<double> a = sin_cos(first);
   const double jj = a.cos * at(j, j) + s * a.sin * at(k, j);
   const double ji = a.cos * at(j, i) + s * a.sin * at(k, i);
@@ -112,7 +112,7 @@ class BvhWriter {
 
  private:
   [[nodiscard]] const SkeletonNode& node(std::size_t i) const { return motion_.skeleton.nodes[i]; }
-  // an end site that carries children is a joint by mistake
+  // an end site with children is in fact a joint
   [[nodiscard]] bool is_end(std::size_t i) const { return node(i).end_site && !has_child_[i]; }
 
   template <class... Args>
@@ -231,7 +231,7 @@ class BvhWriter {
         }
       }
     }
-    // each number brings its blank; the first needs none
+    // each number includes its blank; the first needs none
     if (text_.size() > start) text_.erase(start, 1);
     append("\n");
   }
@@ -242,7 +242,7 @@ class BvhWriter {
 
   void write_length(double v) { write_number(v / unit_, decimals_, 0.5 * resolution_); }
 
-  // `half`: half of the last decimal; what lies below it is 0, never -0
+  // `half`: half of the last decimal; smaller values are 0, never -0
   void write_number(double value, int decimals, double half) {
     append(" {:.{}f}", abs(value) < half ? 0.0 : value, decimals);
   }
@@ -268,7 +268,7 @@ std::vector<int> bvh_order(const Skeleton& skeleton) {
   std::vector<std::vector<int>> children(skeleton.nodes.size());
   std::vector<int> open;
   std::vector<int> order;
-  // from behind, so that the first of those that wait is the last in the list
+  // in reverse, so that the first pending node is last in the list
   for (int i = count - 1; i >= 0; --i) {
     const int parent = skeleton.nodes[index(i)].parent;
     SHG_CHECK(parent < i, "parents come before their children");

@@ -105,7 +105,7 @@ class BinaryReader : public Reader {
   [[nodiscard]] std::string here() const { return fmt::format("byte {}", at_); }
   bool cut() { return wrong(say("fbx_cut"), here()); }
 
-  // Little-endian, whatever the machine is.
+  // Little-endian on every machine.
   template <class T>
   bool take(T& value) {
     if (bytes_.size() - at_ < sizeof(T)) return false;
@@ -326,7 +326,7 @@ class TextReader : public Reader {
         const std::size_t begin = at_;
         const std::string_view word = bare();
         if (peek() == ':') {
-          // a record without values, and the next one's name
+          // a record without values, and the name of the next one
           at_ = begin;
           return true;
         }

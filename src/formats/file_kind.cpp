@@ -14,7 +14,7 @@ namespace {
 using Known = Sentence<>;
 
 constexpr std::string_view kXmlBlanks = " \t\r\n";
-constexpr std::size_t kLooked = 65536;  // bytes in which a file tells its kind
+constexpr std::size_t kLooked = 65536;  // bytes that are examined for the kind
 
 // A kind of file with its first bytes, its name, and the remedy.
 struct ForeignKind {

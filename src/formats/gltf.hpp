@@ -39,7 +39,7 @@ struct GltfPlace {
 // A node that shows a mesh.
 struct GltfMeshNode {
   int mesh = 0;   // index in the file
-  int skin = -1;  // index in GltfCharacter::skins; -1: the mesh goes with the node as one piece
+  int skin = -1;  // index in GltfCharacter::skins; -1: rigidly attached to the node
   int node = -1;  // of the skeleton, the nearest at or above it; -1: none is
   Transformd
       place;  // at rest: of the mesh in that node, or in the world; with scales in its matrix
@@ -59,7 +59,7 @@ struct GltfCharacter {
   std::vector<int> file_node;     // (nodes) the index that each has in the file
   std::vector<GltfPlace> places;  // (nodes) as the file has them; a matrix in its parts
   VrmVersion vrm = VrmVersion::none;
-  HumanoidMap humanoid;  // what a VRM file tells of its bones; empty for others
+  HumanoidMap humanoid;  // bones stated by a VRM file; empty for others
   // all VRM bones by their VRM names, such as "leftUpperLeg": nodes of the skeleton
   std::vector<std::pair<std::string, int>> vrm_bones;
   std::vector<GltfMeshNode> meshes;  // in the order of the file's nodes

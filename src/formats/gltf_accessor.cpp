@@ -157,9 +157,9 @@ Result<GltfJson> GltfAccessors::entry(const char* list, const GltfJson& index) {
   }
   const auto& value = entries[index.get<std::size_t>()];
   const std::string place = fmt::format("{}[{}]", list, index.get<std::size_t>());
-  // data in the text are not parsed but decoded
+  // embedded data are decoded without parsing
   if (const auto uri = json_.member(value, "uri"); uri) return GltfJson(json_.text_of(uri));
-  // one entry may be asked for many times
+  // one entry may be requested many times
   constexpr std::size_t kMaxEntryBytes = std::size_t{64} << 10;
   if (json_.text_of(value).size() > kMaxEntryBytes) {
     return wrong(place, say("json_bytes", json_.text_of(value).size(), kMaxEntryBytes));
@@ -398,7 +398,7 @@ Result<std::vector<double>> GltfAccessors::numbers(const GltfJson& index, int co
 double GltfNumbers::at(std::size_t element, std::size_t component) const {
   const auto other = std::lower_bound(elsewhere_.begin(), elsewhere_.end(), element);
   const bool moved = other != elsewhere_.end() && *other == element;
-  // what a sparse accessor does not tell of is 0
+  // values missing from a sparse accessor are 0
   if (!moved && elements_.bytes.empty()) return 0.0;
   const AccessorElements& in = moved ? replaced_ : elements_;
   const std::size_t row = moved ? static_cast<std::size_t>(other - elsewhere_.begin()) : element;

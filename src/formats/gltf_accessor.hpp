@@ -55,7 +55,7 @@ struct GltfAttribute {
 };
 
 struct GltfPrimitive {
-  std::vector<std::optional<GltfNumbers>> attributes;  // as asked for; none where it has none
+  std::vector<std::optional<GltfNumbers>> attributes;  // as requested; empty if absent
   std::optional<GltfNumbers> indices;                  // of its vertices
 };
 
@@ -111,9 +111,9 @@ class GltfAccessors {
   std::vector<JsonSplice::Value> views_;
   std::vector<JsonSplice::Value> buffers_;
   std::vector<std::string> decoded_;             // (buffers) of data in the text
-  std::map<std::size_t, std::string> unpacked_;  // (views) once they are asked for
+  std::map<std::size_t, std::string> unpacked_;  // (views) unpacked on first use
   std::deque<std::string> columns_;              // of Draco's meshes
-  std::size_t room_ = kUnpackedMaxBytes;         // for what is unpacked
+  std::size_t room_ = kUnpackedMaxBytes;         // left for unpacked data
   std::size_t taken_ = 0;                        // numbers so far
 };
 

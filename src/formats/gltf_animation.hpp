@@ -18,8 +18,8 @@ inline constexpr std::size_t kGltfMaxTransforms = 8'000'000;  // frames × nodes
 
 struct AnimationChoice {
   std::string animation{};   // its name, or its index from 0; empty: the first
-  double frame_rate = 60.0;  // Hz, what it is sampled at, > 0
-  int posed = 0;             // the frame whose places are kept
+  double frame_rate = 60.0;  // Hz, sampling rate, > 0
+  int posed = 0;             // frame whose local transforms are kept
   bool gaps = false;         // damaged tracks and keys are left out; else they are errors
 };
 
@@ -33,13 +33,13 @@ struct GltfGap {
 // A character's motion in an animation of its file.
 struct GltfMotion {
   GltfCharacter character;  // `humanoid` also by the map of a VRM animation
-  std::string animation{};  // its name; where it has none its index
+  std::string animation{};  // its name, or its index if unnamed
   // nodes of character.rest, with rotations relative to the rest pose. Metres.
   SkeletonMotion motion;
   // (nodes) as character.places, in the requested frame; empty if there is no such frame
   std::vector<GltfPlace> posed;
   std::vector<Message> doubts;  // the character's and the animation's
-  std::vector<GltfGap> gaps{};  // where they are asked for
+  std::vector<GltfGap> gaps{};  // if requested
 };
 
 // A pose of a character's nodes.

@@ -19,7 +19,7 @@ struct GltfNewNode {
   int parent = 0;  // index in the file
   std::string name;
   Vec3d translation{};       // in the parent
-  std::optional<Vec3d> tip;  // in the node: of another one that hangs on it
+  std::optional<Vec3d> tip;  // position of a further child node, in the node's frame
 };
 
 // The file with nodes appended, GLB or JSON as before; everything else is kept byte for byte.

@@ -28,13 +28,13 @@ struct FileNode {
   Transformd place;     // in its parent; with the scale in its matrix
   GltfPlace parts;      // the same in parts
   bool uneven = false;  // scaled differently along its axes
-  bool mesh = false;    // shows one, whatever its index says
+  bool mesh = false;    // shows a mesh, even if its index is invalid
   int mesh_index = -1;
   int skin_index = -1;
   bool joint = false;     // of a skin or of VRM
   bool needed = false;    // stands in the skeleton
   bool added = false;     // by add_nodes
-  bool left_out = false;  // it is damaged, or hangs on one that is
+  bool left_out = false;  // damaged, or a descendant of a damaged node
 };
 
 // Replaces a damaged node, or a skin, by -1.
@@ -81,7 +81,7 @@ class GltfReader {
 
   FileNode& node(int i) { return nodes_[index(i)]; }
   [[nodiscard]] int count() const { return static_cast<int>(nodes_.size()); }
-  // "node 3 'hips'"
+  // Name for messages, "node 3 'hips'".
   std::string described(int i) {
     return node(i).name.empty() ? fmt::format("node {}", i)
                                 : fmt::format("node {} '{}'", i, node(i).name);
@@ -205,7 +205,7 @@ class GltfReader {
         node(child).parent = i;
       }
     }
-    // depth first, as BVH has it; the order stays when nodes are left out
+    // depth first, as in BVH; the order is kept when nodes are removed
     for (int root = 0; root < count(); ++root) {
       if (node(root).parent >= 0) continue;
       std::vector<int> open{root};
@@ -302,7 +302,7 @@ class GltfReader {
     return find_humanoid(rest.skeleton, world_transforms(rest.skeleton, rest.clip, 0)).has_value();
   }
 
-  // All nodes but those that only show meshes.
+  // All nodes except those that only show meshes.
   void mark_all() {
     for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
       FileNode& each = node(*i);
@@ -326,7 +326,7 @@ class GltfReader {
       world[own] = parent < 0 ? node(i).place : world[above] * node(i).place;
       const Vec3d& at = world[own].translation;
       for (int k = 0; k < 3; ++k) {
-        if (abs(at[k]) <= kGltfMaxValue) continue;  // false for what is no number
+        if (abs(at[k]) <= kGltfMaxValue) continue;  // false for NaN
         return wrong(described(i), say("far_from_origin", at[k], kGltfMaxValue));
       }
       place[own] = static_cast<int>(result_.file_node.size());
@@ -342,7 +342,7 @@ class GltfReader {
     return true;
   }
 
-  // Which nodes show meshes, all indices now of the skeleton's own nodes.
+  // Finds the nodes that show meshes; all indices are now those of the skeleton.
   void take_meshes() {
     for (GltfSkin& skin : result_.skins) {
       for (int& joint : skin.joints) joint = place_[index(joint)];

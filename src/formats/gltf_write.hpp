@@ -14,10 +14,10 @@ namespace shigusa {
 // Animation of one node of a glTF file.
 struct GltfTrack {
   int node = 0;                     // index in the file
-  GltfPlace rest;                   // where it stands: what a matrix is replaced by
-  std::vector<Quatd> rotations;     // (frames), or empty where it does not turn
-  std::vector<Vec3d> translations;  // (frames) in its parent, or empty where it does not move
-  std::vector<Vec3d> scales{};      // (frames), or empty where it has that of rest
+  GltfPlace rest;                   // rest transform, which replaces a matrix
+  std::vector<Quatd> rotations;     // (frames), or empty if it does not turn
+  std::vector<Vec3d> translations;  // (frames) in its parent, or empty if it does not move
+  std::vector<Vec3d> scales{};      // (frames), or empty if it keeps its rest scale
 };
 
 struct GltfAnimation {

@@ -23,7 +23,7 @@ class JsonSplice {
   struct Value {
     std::size_t begin = 0;
     std::size_t end = 0;
-    std::size_t key_begin = 0;  // of an object's member: where its key begins
+    std::size_t key_begin = 0;  // for an object's member: where its key begins
     explicit operator bool() const { return end > begin; }
   };
 

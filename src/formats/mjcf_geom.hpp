@@ -12,7 +12,7 @@ namespace shigusa {
 // A shape of a body, in the frame of its element's parent.
 struct MjcfGeom {
   bool solid = false;     // a shape that is read: no mesh, plane or height field
-  bool mesh = false;      // a mesh, whose shape would have a mass
+  bool mesh = false;      // a mesh with mass, whose shape is unknown
   bool collides = false;  // with anything
   Robot::Shape shape;  // in the frame of its element; a capsule is a cylinder, an ellipsoid a box
   LinkMass mass;       // in the frame of its element

@@ -94,7 +94,7 @@ class ModelReader {
   std::vector<std::string> root_held_by_;
   std::vector<std::string> sliding_;
   std::vector<std::string> following_;
-  std::vector<std::string> meshes_;   // bodies whose masses are meshes'
+  std::vector<std::string> meshes_;   // bodies with masses from meshes
   std::vector<std::string> unknown_;  // elements that make bodies and are not read
   std::map<std::string, std::size_t> joints_by_name_;
   std::map<const XmlElement*, std::size_t> joint_of_;  // the first of an element's
@@ -193,7 +193,7 @@ void ModelReader::take_body(const Hung& body) {
 }
 
 std::string ModelReader::free_name(std::set<std::string>& taken, std::string name) {
-  // names go through XML and tables
+  // names are written to XML and tables
   for (char& c : name) {
     const bool odd = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
     if (odd || std::string_view("&<>\"'").find(c) != std::string_view::npos) c = '_';
@@ -275,7 +275,7 @@ std::vector<Robot::Joint> ModelReader::read_ball(const Inside& inside, Robot::Jo
   return three;
 }
 
-// A hinge or a slide, or the three hinges of a ball; the origin is turned to the angle 0.
+// A hinge or a slide, or the three hinges of a ball; the origin is that at angle 0.
 std::vector<Robot::Joint> ModelReader::read_joint(const Inside& inside, const std::string& body) {
   const MjcfPart& part = inside.part;
   const std::string name = name_of(part.element, body + "_joint");
@@ -318,7 +318,7 @@ void ModelReader::read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball
     return;
   }
   if (!joint.slides) *ends = {values_.angle((*ends)[0]), values_.angle((*ends)[1])};
-  // the range of a ball is how far it turns, about any axis
+  // the range of a ball is its largest rotation about any axis
   if (ball) (*ends)[0] = -(*ends)[1];
   constexpr double kFarthest = 1000.0;  // rad, m
   const bool endless = !is_finite((*ends)[1] - (*ends)[0]);
@@ -330,7 +330,7 @@ void ModelReader::read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball
     joint.lower = (*ends)[0];
     joint.upper = (*ends)[1];
   }
-  // a joint that can be at one angle only
+  // a joint with a single possible angle
   if (joint.limited && length < 1e-6) joint.turns = false;
 }
 
@@ -422,7 +422,7 @@ void ModelReader::scale_masses() {
   }
 }
 
-// Numbers that the file's own came to.
+// Checks numbers derived from those of the file.
 Result<void> ModelReader::check_numbers() const {
   const auto tame = [](const Vec3d& v) { return is_within(v, kMjcfMaxValue); };
   const auto beyond = [&](const Sentence<std::string, double>& sentence, const std::string& link) {

@@ -26,7 +26,7 @@ struct MjcfSettings {
   bool degrees = true;
   bool autolimits = true;           // a range is a limit
   bool from_inertial = true;        // a body's <inertial> counts …
-  bool from_geoms = true;           // … and where it has none, its shapes do
+  bool from_geoms = true;           // whether missing ones come from the shapes
   std::array<int, 2> groups{0, 5};  // of shapes that have mass
   double total_mass = 0.0;          // kg; 0: as it is
   std::string euler = "xyz";        // order of the angles; capitals: about fixed axes

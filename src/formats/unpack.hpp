@@ -16,7 +16,7 @@ inline constexpr std::size_t kUnpackedMaxBytes = std::size_t{512} << 20;
 // Storage type of an accessor's component.
 struct AccessorComponent {
   std::size_t bytes = 4;
-  double largest = 0.0;  // of a normalised integer what stands for 1; 0: a float
+  double largest = 0.0;  // integer that stands for 1 if normalised; 0: a float
   bool has_sign = true;
 };
 

@@ -157,7 +157,7 @@ class UrdfReader {
     return {};
   }
 
-  // The link that a joint hangs on, or carries.
+  // Parent or child link of a joint.
   [[nodiscard]] Result<std::string> link_of(const XmlElement& joint, const char* end) const {
     const XmlElement* found = nullptr;
     for (const XmlElement& child : joint.children) {
@@ -208,7 +208,7 @@ class UrdfReader {
     to.name = name;
     for (const XmlElement& child : link.children) {
       if (child.name == "visual") {
-        // what a robot looks like refuses nothing
+        // errors in visual shapes are ignored
         const Result<Robot::Shape> shape = shape_of(child);
         if (shape && is_tame(*shape)) to.shown.push_back(*shape);
       } else if (child.name == "collision") {
@@ -223,7 +223,7 @@ class UrdfReader {
     return inertial == nullptr ? Result<void>{} : take_mass(*inertial, to);
   }
 
-  // The shape of a <collision> or <visual>.
+  // Shape of a <collision> or <visual>.
   [[nodiscard]] Result<Robot::Shape> shape_of(const XmlElement& element) const {
     const XmlElement& shape = element.child("geometry")->children[0];
     using Kind = Robot::Shape::Kind;
@@ -269,7 +269,7 @@ class UrdfReader {
     }
     SHG_TRY_ASSIGN(const Transformd at, place_of(inertial));
     to.com = at.translation;
-    // without mass there is nothing to turn
+    // a massless link needs no inertia
     to.inertia = scaled(at.rotation * moments * transpose(at.rotation), to.mass > 0.0 ? 1.0 : 0.0);
     return {};
   }
@@ -340,7 +340,7 @@ class UrdfReader {
     if (!to.limited) return {};
     to.lower = lower;
     to.upper = upper;
-    // a joint that can be at one angle only
+    // a joint with a single possible angle
     if (to.upper - to.lower < 1e-6) to.turns = false;
     return {};
   }
@@ -348,7 +348,7 @@ class UrdfReader {
   const std::string name_;
   std::map<std::string, const XmlElement*> links_;
   std::vector<Hung> joints_;                  // in the file's order
-  std::map<std::string, std::string> above_;  // the link that a link hangs on
+  std::map<std::string, std::string> above_;  // parent link of each link
   std::map<std::string, int> index_;          // of links in the robot
   std::vector<std::string> sliding_;
   std::vector<std::string> mimics_;

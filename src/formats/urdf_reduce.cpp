@@ -52,7 +52,7 @@ class Reducer {
 
   Result<XmlElement> reduce(const XmlElement& element) {
     if (element.name == "limit") return reduced_limit(element);
-    // without its round ends a capsule is a cylinder
+    // a capsule without its round ends is a cylinder
     XmlElement reduced{element.name == "capsule" ? "cylinder" : element.name,
                        element.attributes,
                        {},
@@ -65,7 +65,7 @@ class Reducer {
         continue;
       if (element.name == "robot") SHG_TRY(count(child));
       SHG_TRY_ASSIGN(XmlElement kept, reduce(child));
-      // a mesh is not read
+      // meshes are not read
       const bool shape = kept.name == "collision" || kept.name == "visual";
       const XmlElement* geometry = shape ? kept.child("geometry") : nullptr;
       if (shape && (geometry == nullptr || geometry->children.empty())) continue;

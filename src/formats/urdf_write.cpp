@@ -64,7 +64,7 @@ void write_link(const Robot::Link& link, std::string& text) {
 
 void write_joint(const Robot& robot, const Robot::Joint& joint, std::string& text) {
   const auto out = std::back_inserter(text);
-  // limits tell a joint that can be at one angle only
+  // such limits mark a joint with a single possible angle
   const bool rigid = joint.limited && joint.upper - joint.lower < 1e-6;
   const bool follows = joint.moves && !joint.slides && !joint.turns && !rigid;
   const char* type = !joint.moves               ? "fixed"

@@ -109,7 +109,7 @@ class XmlReader {
       }
       return skip_to(">", "<!");
     }
-    // the tag's end is the first > outside quotes
+    // the end of a tag is the first > outside quotes
     std::size_t end = at_ + 1;
     char quote = 0;
     for (; end < text_.size() && (quote != 0 || text_[end] != '>'); ++end) {
@@ -142,7 +142,7 @@ class XmlReader {
     if (static_cast<int>(open_.size()) >= limits_.depth) {
       return wrong(say("xml_deep", shortened(name), limits_.depth));
     }
-    // no element that is open has siblings behind it, so none moves when one is added
+    // open elements have no later siblings, so adding one moves none
     XmlElement& above = open_.empty() ? top_ : *open_.back();
     XmlElement& element = above.children.emplace_back();
     element.name = name;
@@ -197,7 +197,7 @@ class XmlReader {
   std::size_t at_ = 0;
   std::size_t counted_ = 0;  // lines are counted as far as here
   int line_ = 1;
-  XmlElement top_;  // what the one element stands in
+  XmlElement top_;  // parent of the root element
   std::vector<XmlElement*> open_;
 };
 

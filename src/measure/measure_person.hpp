@@ -64,14 +64,11 @@ struct MeasureSettings {
 //   vertex, averaged over left and right. If a trunk that stands at rest is longer along its bones
 //   than straight by more than 3 %, the straight length is used.
 // - Fingertips and toe tips are the farthest nodes below hand and foot, without the thumb; the
-// vertex
-//   is the head's tip. Missing ones are placed by the proportions of anthropometry.hpp.
+//   vertex is the head's tip. Missing ones are placed by the proportions of anthropometry.hpp.
 // - A hand's grip is the node nearest to kGripFraction of the line from wrist to fingertip, among
-// the
-//   hand and its named descendants, thumbs excepted.
+//   the hand and its named descendants, thumbs excepted.
 // - The floor is at the lower foot's sole: 0.039 of the stature below its ankle, or at the tip of
-// the
-//   toes.
+//   the toes.
 //
 // A mesh, if there is one, determines more:
 // - A sole is at the lowest vertex bound to a foot or its descendants, or to the shank of a missing
@@ -79,11 +76,10 @@ struct MeasureSettings {
 //   that of the vertices slightly above, along the direction from ankle to toes. A foot without
 //   toes points towards its vertices.
 // - The vertex of a head without a tip is the highest vertex bound to the head itself over its
-// middle,
-//   so that neither ears nor parts on separate bones count; its height above the head's joint is at
-//   most kTallestSkull times the breadth of the head. The stature follows from it and the bones;
-//   for a person standing straight it is the height from the soles to the vertex if they differ by
-//   more than 1.4 %.
+//   middle, so that neither ears nor parts on separate bones count; its height above the head's
+//   joint is at most kTallestSkull times the breadth of the head. The stature follows from it and
+//   the bones; for a person standing straight it is the height from the soles to the vertex if they
+//   differ by more than 1.4 %.
 // - Each part's shape is fitted to the vertices bound to it (fitted_parts).
 inline constexpr double kFileFloor = 0.003;              // m
 inline constexpr double kTrunkLeanMost = radians(20.0);  // more is a stoop

@@ -137,9 +137,8 @@ void mend_limits(Robot& robot);
 // - Limits and strengths are the file's. A continuous joint has a person's limits if it is a
 //   person's joint; one without effort gets a person's strength, scaled by the robot's weight.
 // - The sole is at the lower end of the foot's collision shapes, else at a frame named as a sole,
-// at
-//   the bottom of a box with the foot's mass and inertia, or at the lowest frame fixed to it, else
-//   by human proportions.
+//   at the bottom of a box with the foot's mass and inertia, or at the lowest frame fixed to it,
+//   else by human proportions.
 // - Hands end at the frame of a gripper, palm or hand that is fixed beyond the wrist, else at the
 //   wrist's link.
 // - Stature is that of a person with these legs and trunk.

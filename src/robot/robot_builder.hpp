@@ -166,7 +166,7 @@ class RobotBuilder {
   std::vector<int> node_of_;          // (groups)
   std::vector<std::string> unlimited_;
   std::vector<std::string> still_names_;
-  std::vector<std::string> weak_;      // freedoms without effort
+  std::vector<std::string> weak_;      // dofs without effort
   std::vector<std::string> massless_;  // links
   std::vector<std::string> carrying_;  // joints between the world and the root
   BodyDefinition body_;

@@ -14,7 +14,7 @@ constexpr double kWide = 2.0 * kTwoPi;       // rad: no joint of a limb turns tw
 constexpr double kNarrow = radians(kTwoPi);  // rad: radians that were taken for degrees
 constexpr double kMostDegrees = 360.0;       // more stands for no limit
 constexpr double kPerRadian = 180.0 / kPi;
-constexpr std::size_t kFewest = 4;  // limits that differ tell a unit
+constexpr std::size_t kFewest = 4;  // distinct limits needed to infer a unit
 
 void set_limits(Robot::Joint& joint, double lower, double upper) {
   joint.limited = upper - lower < kTwoPi;

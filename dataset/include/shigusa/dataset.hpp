@@ -41,7 +41,7 @@ enum class DatasetSeries {
   positions,  ///< of the skeleton's nodes, in the world
   centre_of_mass,  ///< in the world
   pressure,        ///< centre of pressure on the floor
-  contacts,        ///< what each foot stands on
+  contacts,        ///< support of each foot
 };
 /// Words of DatasetSeries.
 template <>

@@ -32,7 +32,7 @@ struct CheckSettings {
 /// A problem of a data set.
 struct DatasetProblem {
   std::string file;  ///< its name in the folder
-  std::string says;  ///< what is wrong with it
+  std::string says;  ///< description of the problem
 };
 
 /// Number of problems listed; further ones are only counted.

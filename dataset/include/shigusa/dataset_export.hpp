@@ -28,10 +28,10 @@ enum class DataFormat {
 /// Properties of such a format.
 struct DataFormatInfo {
   DataFormat format;        ///< that the row is of
-  std::string_view word;    ///< it is asked for by
+  std::string_view word;    ///< its word in options
   std::string_view about;   ///< one sentence
-  double rate = 0.0;        ///< frames a second where nobody asks for others; 0: the motion's own
-  bool rate_fixed = false;  ///< others cannot be asked for
+  double rate = 0.0;        ///< default frame rate (Hz); 0: the motion's own
+  bool rate_fixed = false;  ///< other rates are refused
 };
 
 /// All formats, in the order of DataFormat.
@@ -81,12 +81,12 @@ struct DataExportSettings {
   std::optional<TaskRange> tasks{};     ///< only motions of these
   std::optional<Verdict> verdict{};     ///< only motions of this verdict or a better one
   std::optional<std::uint64_t> most{};  ///< no more motions than these
-  std::optional<double> rate{};         ///< Hz, of formats that let it be asked for
+  std::optional<double> rate{};         ///< Hz, for formats with a selectable rate
   bool series = false;                  ///< of csv: a file of each motion's series too
   /// humanml3d only: shorter motions hold their last pose up to this number of frames; 0: no
   /// padding
   std::size_t least_frames = 0;
-  std::filesystem::path character{};  ///< of glb: who moves; empty: the task's own
+  std::filesystem::path character{};  ///< glb only: character to move; empty: the task's own
   std::function<void(const DataExportReport&)> report{};  ///< called now and then
   const std::atomic<bool>* cancel = nullptr;              ///< ends the work once it is true
 };
@@ -97,7 +97,7 @@ struct DataExportRun {
   std::uint64_t left_out = 0;  ///< that the form cannot hold
   std::string why{};           ///< why the first of these was left out
   std::uint64_t searched = 0;  ///< of glb: motions that were searched anew for the character
-  std::uint64_t missed = 0;    ///< of glb: motions whose goals the character cannot reach
+  std::uint64_t missed = 0;    ///< glb only: motions whose goals the character cannot reach
   bool stopped = false;        ///< `cancel` ended it before all were written
 };
 

@@ -24,7 +24,7 @@ struct DatasetMotion {
   double stature = 0.0;                 ///< m
   double mass = 0.0;                    ///< kg
   Sex sex = Sex::male;                  ///< of the person
-  std::optional<double> seat{};         ///< m, height of the seat; none of who stands
+  std::optional<double> seat{};         ///< m, height of the seat; empty for a standing person
   std::vector<Goal> goals{};            ///< of the task, in its order
   int rank = 1;                         ///< of the task's candidates, from 1
   double score = 0.0;                   ///< lower is better
