@@ -38,7 +38,7 @@ struct CharacterFile {
   std::vector<GltfGap> gaps;           // glTF: its gaps by node
   std::vector<GltfPlace> posed;        // glTF: (nodes) in the requested frame of the motion
   HumanoidMap given;                   // bone map given by the file itself
-  std::vector<Message> doubts;         // warnings of the reader
+  std::vector<Message> doubts;         // doubts of the reader
   CharacterRig rig;                    // its format, and the data that only that format has
   std::vector<SkinVertex> skin;        // glTF: mesh at rest
   std::vector<SkinVertex> bound_skin;  // mesh in the bind pose
@@ -60,7 +60,7 @@ struct PersonStart {
   FilePose measured;      // pose in which the person was measured
   MeasuredPerson person;  // result of that measurement
   FilePose posed;         // pose of the file that the motion starts from
-  MeasuredPerson start;   // the person in that pose; with all warnings
+  MeasuredPerson start;   // the person in that pose; with all doubts
   bool eased = false;     // whether they start at ease from that pose
   bool sits = false;      // whether they sit as in the file
   std::optional<int>

@@ -14,7 +14,7 @@ namespace shigusa {
 
 // Finds the toes' joints of a file's person: at rest from the file's nodes (`world`, nodes), at the
 // start moved along with the feet. Toes with only a joint in the file get a tip by average
-// proportions, with a warning. Fails if the file has no toes, or toes that are not ahead of the
+// proportions, with a doubt. Fails if the file has no toes, or toes that are not ahead of the
 // ankle.
 [[nodiscard]] Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& map,
                                      const MeasuredPerson& person, const std::string& file,

@@ -12,7 +12,7 @@
 
 namespace shigusa {
 
-// A file to which missing hands or feet were added, with the warnings to report.
+// A file to which missing hands or feet were added, with the doubts to report.
 struct EndedFile {
   std::string bytes;
   std::vector<Message> doubts;

@@ -21,7 +21,7 @@ struct FilePoses {
 
 // Chooses the start posture from a file that has such a frame. A requested frame is used as it is,
 // standing or, with a seat, sitting; a lying person is refused, and an unstable posture gives a
-// warning. Without a request: the first frame in which the person stands still on both feet; else
+// doubt. Without a request: the first frame in which the person stands still on both feet; else
 // the rest pose; if that does not stand either, the first frame in which they stand while moving,
 // or `frame`. Without a seat, a start other than frame 0 is reported. `known`: the person, measured
 // in any of the poses.

@@ -72,13 +72,13 @@ struct GltfCharacter {
 // them.
 //
 // - Nodes are the joints of all skins and the bones of VRM, all their ancestors, and their leaf
-// children without a mesh: tips of fingers and toes. A file without joints and bones gives all
-// nodes. If the joints of skins make no person, but all nodes except those that only show meshes
-// do, the skeleton consists of the latter, with a warning, since limbs may be rigid parts.
+//   children without a mesh: tips of fingers and toes. A file without joints and bones gives all
+//   nodes. If the joints of skins make no person, but all nodes except those that only show meshes
+//   do, the skeleton consists of the latter, with a doubt, since limbs may be rigid parts.
 // - Scales are applied to the offsets, mirroring ones too. Bones below a non-uniform scale keep
-// their lengths of the rest pose; warnings name such nodes.
+//   their lengths of the rest pose; doubts name such nodes.
 // - Names are made unique as in parse_bvh; a node without a name is "node 17" by its index.
-// - Bones of the VRM map without a node in the file are left out, with a warning.
+// - Bones of the VRM map without a node in the file are left out, with a doubt.
 [[nodiscard]] Result<GltfCharacter> parse_gltf(std::string_view bytes, std::string_view name);
 
 }  // namespace shigusa

@@ -30,7 +30,7 @@ inline constexpr std::size_t kSkinMaxFaces = 200'000;
 // - Numbers are floats or integers (KHR_mesh_quantization), sparse or not, from the binary chunk or
 //   from embedded data, decoded if packed by Draco or meshopt (in a build with
 //   SHIGUSA_PACKED_MESHES). Other files are not opened: parts of a mesh that are left out are
-//   counted in the warnings, with the reason of the first.
+//   counted in the doubts, with the reason of the first.
 [[nodiscard]] Skin read_gltf_skin(std::string_view bytes, std::string_view name,
                                   const GltfCharacter& character,
                                   std::span<const GltfPlace> places);

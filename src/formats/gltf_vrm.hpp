@@ -21,7 +21,7 @@ struct VrmBones {
 };
 
 // Reads the bones of VRM 0.x and 1.0; `nodes`: number of nodes in the file. If a file holds both,
-// 1.0 is read. Never fails: unknown bones and missing nodes are left out, with a warning.
+// 1.0 is read. Never fails: unknown bones and missing nodes are left out, with a doubt.
 [[nodiscard]] VrmBones read_vrm_bones(const nlohmann::json& file, int nodes);
 
 }  // namespace shigusa

@@ -26,10 +26,10 @@ inline constexpr double kMjcfMaxValue = 1e6;
 
 // Loader of included files, by their path relative to the model's. A file is searched for beside
 // the including one, then beside the main one. On ErrorCode::not_found the model is read without
-// it, with a warning.
+// it, with a doubt.
 using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
 
-// The error of a model, preceded by the warning that names absent included files.
+// The error of a model, preceded by the doubt that names absent included files.
 [[nodiscard]] Error after_absent(const std::vector<Message>& doubts, Error error);
 
 // Loader of files in a folder and its subfolders; other paths are an error.
@@ -50,7 +50,7 @@ using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
 //   ones separately from visual ones. Meshes, height fields, sites, tendons, sensors and skins are
 //   left out.
 // - Defaults are those of MuJoCo 3: angles in degrees, and limits wherever there is a range.
-// - Sliding joints, and joints that follow another by an equality, are fixed at 0, with a warning.
+// - Sliding joints, and joints that follow another by an equality, are fixed at 0, with a doubt.
 [[nodiscard]] Result<Robot> parse_mjcf(std::string_view text, std::string_view name,
                                        const MjcfInclude& include = {});
 

@@ -45,7 +45,7 @@ class MjcfFiles {
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   // Included files that were absent.
   [[nodiscard]] const std::vector<std::string>& absent() const { return absent_; }
-  // Warning about absent files; there must be one.
+  // Doubt about absent files; there must be one.
   [[nodiscard]] Message doubt_of_absent() const;
 
  private:

@@ -30,11 +30,11 @@ inline constexpr double kUrdfMaxValue = 1e6;
 
 // Parses the text of a URDF file. `name` stands for the file in errors, which state the line, the
 // link or joint, the value seen and the allowed range. Files that urdfdom refuses are refused too.
-// Sliding, planar, floating and mimic joints are kept at 0, with a warning.
+// Sliding, planar, floating and mimic joints are kept at 0, with a doubt.
 [[nodiscard]] Result<Robot> parse_urdf(std::string_view text, std::string_view name);
 
 // The robot as a URDF file that parse_urdf reads as the same robot, with angles accurate to a few
-// 1e-16. Warnings are not written.
+// 1e-16. Doubts are not written.
 [[nodiscard]] std::string write_urdf(const Robot& robot);
 
 }  // namespace shigusa

@@ -52,12 +52,12 @@ struct MeasureSettings {
 // millimetres, decimetres, inches and the CMU database's 1/0.45 inch by the resulting stature, and
 // moves the person onto the floor, between the feet, facing +Z. The last three units require a
 // usual stature, or a child's with a child's proportions. A figure that no unit gives 0.5 to 2.5 m
-// is taken to be 1.70 m tall, with a warning. Fails if a limb segment has zero length.
+// is taken to be 1.70 m tall, with a doubt. Fails if a limb segment has zero length.
 //
 // - Up is the axis of the file, ±x ±y ±z, nearest to the line from the ankles to the head. If legs
 //   and trunk do not both point along it (a stoop, a sitting person), the axis along which both
 //   point at rest, in the OFFSETs, has priority. A body that is straight along no axis, such as one
-//   below a tilted armature, has its own direction, with a warning.
+//   below a tilted armature, has its own direction, with a doubt.
 // - Left is the mean of the hip line and the shoulder line, made horizontal. If the feet then point
 //   backwards, the file is mirrored, and so is the measured person.
 // - Stature is ankle height (0.039 of it) + shank + thigh + the chain of joints from mid-hip to the

@@ -13,7 +13,7 @@ namespace shigusa {
 // Finds the humanoid bones of a skeleton: by the usual names, and by topology (a root with two legs
 // and, above it, two arms and a head) if names are missing or contradict it. `world` is the posture
 // (nodes, as from world_transforms) that determines left and right, up and down. Neck, head and
-// toes may stay unmapped, each with a warning; any other missing bone is an error that names it and
+// toes may stay unmapped, each with a doubt; any other missing bone is an error that names it and
 // the joints found instead.
 //
 // Names: motion capture (LeftUpLeg; LeftHip, LeftKnee; CMU's lfemur), Mixamo, Blender and Rigify,
@@ -25,12 +25,12 @@ namespace shigusa {
 // legs and spine, or a bone of that name just above. Spine, chest and upper chest are the joints
 // from there to the junction of the arms, of more than three those nearest to kSpineShares of the
 // distance to the neck; a shoulder is the first joint from there to the upper arm. A skeleton
-// without these gives no warning.
+// without these causes no doubt.
 //
 // `given`: bones stated by the file itself (VRM). They have priority over names if consistent: a
 // limb with all its joints, each below the one before, hips above the legs, a neck and a head above
 // the arms, toes below the foot. Omitted or contradicted bones are found as above, except for an
-// omitted shoulder; for a limb or the hips this gives a warning.
+// omitted shoulder; for a limb or the hips this is reported as a doubt.
 //
 // `asked`: bones assigned by the user. They have priority over everything else; names and shape
 // determine the rest, but if any spine bone is assigned, other spine bones stay unmapped. Fails if

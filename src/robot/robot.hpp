@@ -82,12 +82,12 @@ struct Robot {
 using OfOne = Sentence<std::string>;
 using OfMany = Sentence<std::size_t, std::string>;
 
-// Adds a warning about the named things: `one` with the name, or `many` with the number and the
+// Adds a doubt about the named things: `one` with the name, or `many` with the number and the
 // first name, formatted for display.
 void doubt_about(const std::vector<std::string>& names, const OfOne& one, const OfMany& many,
                  std::vector<Message>& doubts);
 
-// Converts the limits of a robot's turning joints, with a warning: degrees if most ranges exceed
+// Converts the limits of a robot's turning joints, with a doubt: degrees if most ranges exceed
 // two full turns in radians, and radians read as degrees if most ranges are tiny.
 void mend_limits(Robot& robot);
 
@@ -98,7 +98,7 @@ void mend_limits(Robot& robot);
 [[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);
 
 // Robot with a hand link fixed at the end of the forearm if an arm ends at its elbow, with a
-// warning. The hand is where the forearm's shapes end, but not nearer than its centre of mass; else
+// doubt. The hand is where the forearm's shapes end, but not nearer than its centre of mass; else
 // at twice the distance of that; else by human proportions.
 [[nodiscard]] Robot with_hands(Robot robot);
 
@@ -107,11 +107,11 @@ void mend_limits(Robot& robot);
 // Links mapped as hands that are too long for that, relative to the distance from their shoulders:
 // forearms, of both arms or of none.
 [[nodiscard]] std::vector<int> forearms_for_hands(const Robot& robot, const HumanoidMap& map);
-// Robot with a link fixed at the end of each of these links, with warnings; for robots whose names
+// Robot with a link fixed at the end of each of these links, with doubts; for robots whose names
 // do not mark the ends of limbs.
 [[nodiscard]] Robot with_ends(Robot robot, const std::vector<int>& links);
 
-// Robot with ankles added if no joint turns between shank and foot, with a warning. Each turns
+// Robot with ankles added if no joint turns between shank and foot, with a doubt. Each turns
 // about the knee's axis, at a person's height above the sole. Links keep their indices; the frame
 // of such a foot moves to its ankle.
 [[nodiscard]] Robot with_ankles(Robot robot, const HumanoidMap& map);
@@ -130,7 +130,7 @@ void mend_limits(Robot& robot);
 //
 // - The kernel's tree grows from the right foot, so joints between it and the pelvis are reversed.
 //   Rigidly connected links are one. Joints of toes, fingers and attachments of the head are fixed
-//   at their angles, with a warning.
+//   at their angles, with a doubt.
 // - Degrees of freedom have a person's names where the map and the axis determine them:
 //   "right_knee.flexion"; the sign is the anatomical one. `robot()` maps them to the joints of the
 //   file.
@@ -142,7 +142,7 @@ void mend_limits(Robot& robot);
 // - Hands end at the frame of a gripper, palm or hand that is fixed beyond the wrist, else at the
 //   wrist's link.
 // - Stature is that of a person with these legs and trunk.
-// - Links without mass are massless, with a warning.
+// - Links without mass are massless, with a doubt.
 // - A link that represents the world, above a floating joint or a joint without degrees of freedom,
 //   is not the root.
 //

@@ -10,7 +10,7 @@ namespace shigusa {
 inline constexpr double kRobotLeastStature = 0.3;
 inline constexpr double kRobotMostStature = 3.0;
 
-// Warning about a robot of that stature (m), with the probable unit of its file; empty for a usual
+// Doubt about a robot of that stature (m), with the probable unit of its file; empty for a usual
 // height.
 [[nodiscard]] std::optional<Message> doubt_of_size(double stature);
 

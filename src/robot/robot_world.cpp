@@ -89,7 +89,7 @@ void RobotBuilder::find_world(RobotFrame& frame) {
   tell_of_world(frame, robot_.links[index(world)].name, bolt, floating);
 }
 
-// Replaces warnings about the joints between the world and the root; other joints keep theirs.
+// Replaces doubts about the joints between the world and the root; other joints keep theirs.
 void RobotBuilder::tell_of_world(RobotFrame& frame, const std::string& world,
                                  const std::string& bolt,
                                  const std::vector<std::string>& floating) {
