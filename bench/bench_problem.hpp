@@ -13,7 +13,7 @@
 #include "problem/make_problem.hpp"
 #include "rollout/reach_problem.hpp"
 
-// The subject of measurement: the paper's first experiment, and random genomes of its code.
+// Benchmark problem: the paper's first experiment, with random genomes of its code.
 namespace shigusa::bench {
 
 inline constexpr int kMotions = 480;  // full lanes in every set

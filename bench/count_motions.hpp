@@ -7,8 +7,8 @@
 
 namespace shigusa::bench {
 
-// Counters motions/s and us/motion, by the time that the process computes. Make one before the
-// measured loop and call `count` after it.
+// Counters motions/s and us/motion, by CPU time of the process. Construct one before the measured
+// loop and call `count` after it.
 class MotionCounter {
  public:
   explicit MotionCounter(benchmark::State& state) : state_(state), begin_(std::clock()) {}

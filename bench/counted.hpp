@@ -8,17 +8,17 @@
 
 namespace shigusa::bench {
 
-// Floating-point operations of the kernel. Moves of numbers or of their signs do not count.
+// Numbers of floating-point operations of the kernel. Moves and sign changes do not count.
 struct Operations {
   std::int64_t additions = 0;  // and subtractions
   std::int64_t multiplications = 0;
   std::int64_t divisions = 0;
   std::int64_t square_roots = 0;
-  std::int64_t comparisons = 0;  // smaller and larger ones of two too
+  std::int64_t comparisons = 0;  // min and max too
   std::int64_t sines = 0;        // pairs of sine and cosine; their operations are counted above
 };
 
-// The type of comparisons.
+// Type of comparison results.
 struct CountedTruth {
   bool value = false;
 
@@ -29,7 +29,7 @@ struct CountedTruth {
   friend bool all(CountedTruth a) { return a.value; }
 };
 
-// A scalar of the kernel, like one lane of a pack, that counts what is done with it.
+// Scalar of the kernel, like one lane of a pack, that counts its operations.
 class Counted {
  public:
   static inline Operations done;
@@ -80,7 +80,7 @@ class Counted {
     return Counted(__builtin_sqrtf(a.value_));
   }
 
-  // the operations of the packs' sin_cos, one by one
+  // operations of the packs' sin_cos, one by one
   friend SinCos<Counted> sin_cos(Counted angle) {
     using C = Counted;
     ++done.sines;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion of the whole human as its two plans score it: by layers, and with all parameters at
+// Scoring time of a motion of the whole human in two plans: by layers, and with all parameters at
 // once.
 #include <benchmark/benchmark.h>
 
@@ -20,7 +20,7 @@ Task human_task(Preset preset) {
   return with_preset(Task(human_body(), {.goals = {{"right_hand", kLowFrontLeft}}}), preset);
 }
 
-// (motions × genes) about the middle, where searches spend most of their time
+// (motions × genes) around the middle, where searches spend most of their time
 std::vector<double> random_points(std::size_t genes) {
   Random random(7);
   std::vector<double> points;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many floating-point operations a motion takes, on the average of the measured ones: counted,
-// not timed. Each motion is counted by itself: in lanes it also waits for the corrections of its
-// neighbours.
+// Mean number of floating-point operations of a motion: counted, not timed. Each motion is counted
+// separately; in lanes it also waits for its neighbours' corrections.
 #include <benchmark/benchmark.h>
 
 #include "bench_problem.hpp"
@@ -12,7 +11,7 @@
 namespace shigusa::bench {
 namespace {
 
-// The largest difference of the counted motions' scores from those of one lane.
+// Largest difference between the scores of counted motions and those of one lane.
 double difference(const Measured& measured, const CriteriaSettings& criteria,
                   const std::vector<Counted>& scores) {
   std::vector<double> expected(scores.size());
@@ -62,7 +61,7 @@ void count(benchmark::State& state, const char* character) {
   state.counters["divisions"] = per_motion(done.divisions);
   state.counters["square_roots"] = per_motion(done.square_roots);
   state.counters["comparisons"] = per_motion(done.comparisons);
-  // how often the body is placed
+  // number of times that the body is placed
   state.counters["placements"] = per_motion(done.sines) / measured.task.body.dof_count();
 }
 

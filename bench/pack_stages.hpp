@@ -9,8 +9,8 @@
 
 namespace shigusa::bench {
 
-// The stages for the pack S. Included only by the source files that are compiled for a SIMD set:
-// everything in it that is not inlined must bear the set's pack in its name, as in PackScorer.
+// Stages for the pack S. Include only in source files that are compiled for a SIMD set: functions
+// that are not inlined must have the set's pack in their names, as in PackScorer.
 template <class S>
 class PackStages final : public Stages {
  public:
@@ -30,7 +30,7 @@ class PackStages final : public Stages {
         dynamics_(body_),
         criteria_(body_, *input.criteria),
         rollout_(problem_, LostMotion::left) {
-    // somewhere beside the start posture, so that nothing is 0
+    // offset from the start posture, so that no value is 0
     for (std::size_t d = 0; d < angles_.size(); ++d) angles_[d] = S(body_.start()[d] + 0.05);
     for (const IkTarget<double>& target : ik_targets(problem_)) {
       targets_.push_back({.link = target.link,
@@ -74,7 +74,7 @@ class PackStages final : public Stages {
   }
 
   void peak() override {
-    // so near to 1 and 0 that no number leaves its range
+    // near 1 and 0, so that values stay in range
     const S factor = opaque(S(1.0F - 0x1p-24F));
     const S term = opaque(S(0x1p-30F));
     S products[kPeakChains];
@@ -94,7 +94,7 @@ class PackStages final : public Stages {
   }
 
  private:
-  // the same, but the compiler cannot know
+  // same values, but unknown to the compiler
   static S opaque(S s) {
     asm volatile("" : "+m"(s.lanes));
     return s;

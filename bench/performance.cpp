@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes docs/performance.md from what shigusa_bench has measured.
+// Writes docs/performance.md from the measurements of shigusa_bench.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace {
 
 constexpr int kSteps = 60;           // IK steps of a motion; it has one frame more
 constexpr int kSearchMotions = 300;  // of search/…
-// Where rounds scatter by more the machine had other work, and no page is written. Virtual machines
-// that share their cores scatter by a tenth at rest; the page tells by how much.
+// Scatter of rounds above which the machine counts as busy and no page is written. Virtual machines
+// with shared cores have some 10 % at rest; the page states the value.
 constexpr double kScatterLimit = 0.2;
-constexpr const char* kAbsent = "–";  // in a table, what was not measured
+constexpr const char* kAbsent = "–";  // table cell without a measurement
 
-// The medians of a run of shigusa_bench.
+// Medians of a run of shigusa_bench.
 class Measurements {
  public:
   explicit Measurements(const nlohmann::json& run) {
@@ -40,7 +40,7 @@ class Measurements {
     if (scatter_.empty()) throw std::runtime_error("nothing was measured more than once");
   }
 
-  // Standard deviation of the rounds' times as a share of their mean: the median benchmark's.
+  // Standard deviation of the rounds' times relative to their mean: median over the benchmarks.
   [[nodiscard]] double scatter() const { return scatter_[scatter_.size() / 2]; }
 
   [[nodiscard]] bool has(const std::string& name) const { return medians_.contains(name); }
@@ -52,7 +52,7 @@ class Measurements {
   [[nodiscard]] double micros_per_motion(const std::string& name) const {
     return 1e6 / value(name, "motions/s");
   }
-  // of all frames of one motion; the stage runs so often in it
+  // over all frames of one motion, which is the number of runs of the stage
   [[nodiscard]] double stage_micros(const std::string& body, const std::string& stage,
                                     const std::string& set, int times) const {
     const std::string name = "stage/" + body + "/" + stage + "/" + set;
@@ -64,7 +64,7 @@ class Measurements {
   std::vector<double> scatter_;  // of each benchmark, ascending
 };
 
-// The set's name on the page.
+// Name of a set on the page.
 std::string title(const std::string& set) {
   static const std::map<std::string, std::string> titles = {
       {"avx512", "AVX-512"}, {"avx2", "AVX2"}, {"sse2", "SSE2"}, {"double", "scalar double"}};
@@ -72,7 +72,7 @@ std::string title(const std::string& set) {
   return found == titles.end() ? set : found->second;
 }
 
-// The sets of lanes that were measured, widest first.
+// Measured sets of lanes, widest first.
 std::vector<std::string> wide_sets(const Measurements& m) {
   std::vector<std::string> sets;
   for (const char* set : {"avx512", "avx2", "sse2", "simd128"}) {
@@ -81,7 +81,7 @@ std::vector<std::string> wide_sets(const Measurements& m) {
   return sets;
 }
 
-// The processor, without anything else of the machine.
+// Name of the processor, without other data of the machine.
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   std::map<std::string, std::string> first;
@@ -115,7 +115,7 @@ std::string introduction(const Measurements& m, const nlohmann::json& run) {
 
 struct Goal {
   const char* title;
-  const char* name;  // before the set
+  const char* name;  // without the set
   bool search;       // ms per search, else µs per motion
   std::map<std::string, double> goals;
 };
@@ -164,7 +164,7 @@ std::string goal_table(const Measurements& m) {
                     full, title(set), 100 * full / searched, 100 * filled);
 }
 
-// The queries that a person waits for.
+// Queries of interactive use.
 std::string query_table(const Measurements& m) {
   struct Row {
     const char* words;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The times that a person waits for: a whole query, and a character's file.
+// Times of interactive use: a whole query, and reading a character's file.
 #include <benchmark/benchmark.h>
 
 #include <shigusa/character.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kVrmBytes = 5'000'000;
 
-// generate() with nothing said but the goal, low front-left.
+// generate() with default settings and a goal low front-left.
 void query(benchmark::State& state, const BodyModel& body, SimdSet simd, int threads) {
   Task task(body, {.goals = {{"right_hand", {0.25, 0.55, 0.50}}}});
   task.batch = {simd, threads};
@@ -27,7 +27,7 @@ void query(benchmark::State& state, const BodyModel& body, SimdSet simd, int thr
   }
 }
 
-// A VRM of a person, a million numbers for a mesh, and textures that nothing looks at.
+// A VRM of a person with a million numbers of mesh data, and unused textures.
 std::string large_vrm() {
   nlohmann::json file = testing_support::person_gltf();
   nlohmann::json& bones = file["extensions"]["VRMC_vrm"]["humanoid"]["humanBones"];
@@ -39,7 +39,7 @@ std::string large_vrm() {
       bones[testing_support::camel_case(bone)] = {{"node", n}};
     }
   }
-  // a face's shapes make a VRM's JSON long
+  // facial morph targets make the JSON of a VRM long
   nlohmann::json& accessors = file["accessors"] = nlohmann::json::array();
   for (int k = 0; k < 4000; ++k) {
     accessors.push_back({{"bufferView", k},

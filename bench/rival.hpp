@@ -11,21 +11,23 @@
 #include "dynamics/inverse_dynamics.hpp"
 #include "rollout/reach_problem.hpp"
 
-// The loop of a rollout, assembled from another library in double precision: 60 steps of weighted
-// inverse kinematics along the hand's path, speeds and accelerations by central differences, joint
-// torques by the recursive Newton-Euler algorithm in each frame. Left out, which flatters the
-// rivals: criteria, the check of feet and path, further steps where the hand or a foot is off, and
-// the floor's share of the second foot.
+// Loop of a rollout assembled from another library in double precision: 60 steps of weighted
+// inverse kinematics along the hand's path, velocities and accelerations by central differences,
+// joint torques by the recursive Newton-Euler algorithm in each frame. Left out, in favour of the
+// rivals: criteria, the check of feet and path, further steps if hand or foot is off, and the
+// floor's share of the second foot.
 namespace shigusa::bench {
 
-// A question to the library. Vectors and columns are in its own order of the freedoms.
+// Rollout with the library's Engine, which has these members. Vectors and columns are in the
+// library's own order of the degrees of freedom.
+//
 //   Engine(const ReachProblem&)
-//   int address(int dof)                      where a freedom of the body stands in that order
+//   int address(int dof)                      index of the body's dof in that order
 //   void place(const VectorXd& q)             forward kinematics
-//   Vec3d hand();  Transformd foot()          m, world; the sole's middle of the foot off the base
+//   Vec3d hand();  Transformd foot()          m, world; sole centre of the foot off the base
 //   void hand_rows(double* rows)              (3 × dofs) of the position, row by row
 //   void foot_rows(double* position, double* rotation)  (3 × dofs) each
-//   void torques(const VectorXd& qd, const VectorXd& qdd, VectorXd& tau)  where it was placed last
+//   void torques(const VectorXd& qd, const VectorXd& qdd, VectorXd& tau)  at the last placement
 template <class Engine, int Rows>  // 3: the hand; 9: hand and foot
 class Rival {
  public:
@@ -55,7 +57,7 @@ class Rival {
     return result;
   }
 
-  // One motion.
+  // Computes one motion.
   void run(const Vector& inverse_weights) {
     const double rate = problem_.steps / problem_.duration;
     before_ = now_ = start_;
@@ -72,7 +74,7 @@ class Rival {
     }
   }
 
-  // The fault of the answer, or nothing: it reaches the goal, stands, and knows the body's weight.
+  // Error of the solution, or empty: checks goal, foot and body weight.
   [[nodiscard]] std::string fault() {
     run(in_order(std::vector<double>(static_cast<std::size_t>(dofs_), 1.0)));
     if (!(norm(engine_.hand() - path_.back()) < kHandTolerance)) return "the hand misses its goal";
@@ -94,7 +96,7 @@ class Rival {
   }
 
  private:
-  // next = now + A Jᵀ (J A Jᵀ + D)⁻¹ e, as weighted_ik_step has it
+  // next = now + A Jᵀ (J A Jᵀ + D)⁻¹ e, as in weighted_ik_step
   void step(const Vec3d& hand, const Vector& inverse_weights) {
     put(0, hand - engine_.hand());
     engine_.hand_rows(jacobian_.data());
@@ -164,7 +166,7 @@ bool register_rival(const std::string& name) {
   return true;
 }
 
-// The foot that stands, but not on the base; nullptr where there is none.
+// The planted foot that is not the base; null if there is none.
 inline const Foot* second_foot(const BodyModel& body) {
   for (const Foot& foot : body.feet()) {
     if (foot.link != kBaseLink) return &foot;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The loop of a rollout, assembled from Orocos KDL.
+// Loop of a rollout, assembled from Orocos KDL.
 #include <kdl/tree.hpp>
 #include <kdl/treefksolverpos_recursive.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
@@ -20,8 +20,8 @@ KDL::RigidBodyInertia inertia(const MassProperties& m) {
       KDL::RotationalInertia(i.cx.x, i.cy.y, i.cz.z, i.cy.x, i.cz.x, i.cz.y));
 }
 
-// A segment for each dof and one without mass at each point that is followed. KDL looks segments up
-// by their names, again and again, so these are short.
+// A segment per dof, and a massless one at each tracked point. KDL often looks segments up by name,
+// so the names are short.
 KDL::Tree make_tree(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
   const auto link_name = [&](int link) {

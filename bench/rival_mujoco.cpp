@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The loop of a rollout, assembled from MuJoCo.
+// Loop of a rollout, assembled from MuJoCo.
 #include "rival.hpp"
 #include "support/mujoco_body.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One motion of 60 frames, and whole searches, by SIMD set; what threads bring.
+// One motion of 60 frames, and whole searches, by SIMD set and number of threads.
 #include <benchmark/benchmark.h>
 
 #include <shigusa/run.hpp>
@@ -16,7 +16,7 @@ namespace {
 constexpr int kScalarMotions = 32;
 constexpr int kSearchMotions = 300;
 
-// Motions are delivered so: in double precision, one at a time.
+// Delivery of motions: in double precision, one at a time.
 void rollout_double(benchmark::State& state, const char* character) {
   const Measured measured(character, kScalarMotions);
   const CriteriaSettings criteria;
@@ -43,7 +43,7 @@ void rollout_lanes(benchmark::State& state, const char* character, SimdSet simd,
   const CriteriaSettings criteria;
   BatchRollout batch(measured.problem, criteria, {simd, threads});
   std::vector<double> scores(kMotions);
-  // the first makes what each thread needs
+  // the first call allocates each thread's workspace
   batch.score(measured.inverse_weights, scores);
   const MotionCounter counter(state);
   for (auto _ : state) {
@@ -53,7 +53,7 @@ void rollout_lanes(benchmark::State& state, const char* character, SimdSet simd,
   counter.count(kMotions);
 }
 
-// The search alone, as generate() runs it: the problem is at hand, nothing is delivered.
+// Search alone, as generate() runs it, without setup of the problem and without delivery.
 void search(benchmark::State& state, const char* character, SimdSet simd) {
   const Measured measured(character, 1);
   const CriteriaSettings criteria;
@@ -93,7 +93,7 @@ void register_set(SimdSet simd) {
       ->Unit(benchmark::kMillisecond);
 }
 
-// One thread, two, four, … up to the machine's cores; "real_time" follows the name.
+// One thread, two, four, … up to the number of cores; "real_time" follows the name.
 void register_scaling() {
   const int cores = thread_count(0);
   for (int threads = 1; threads <= cores; threads *= 2) {

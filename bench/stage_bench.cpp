@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a rollout's time goes: each stage by itself, one frame in all lanes, in the widest sets;
-// what forbidding fused multiply-add costs; and what a core can multiply and add at most.
+// Time of each stage of a rollout: one frame in all lanes, in the widest sets; the cost of
+// forbidding fused multiply-add; and the peak arithmetic rate of a core.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

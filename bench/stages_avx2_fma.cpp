@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pack has another name here, or the linker might take for the other kernels what is compiled
-// with fused multiply-add for this one.
+// The pack has another name here, so that the linker does not use code with fused multiply-add for
+// the other kernels.
 #define Pack FusedPack
 #include "pack_stages.hpp"
 

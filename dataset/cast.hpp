@@ -10,14 +10,14 @@
 
 namespace shigusa {
 
-// Those who move in a data set. A file is measured once for each build that is drawn of it, and the
-// last few of these are kept: many tasks are of the same few. May be asked by several threads.
+// Cache of a data set's characters. A file is measured once per drawn build, and the most recent
+// ones are kept, as many tasks share few. Thread-safe.
 class Cast {
  public:
-  // Characters' files are looked for in `folder`.
+  // Characters' files are relative to `folder`.
   explicit Cast(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  // The character as measured.
+  // The measured character.
   [[nodiscard]] Result<CharacterSpec> measured(const CharacterSpec& asked);
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

@@ -25,31 +25,31 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Numbers of one task that differ are told of this many columns.
+// Largest number of columns per task whose differences are reported.
 constexpr std::size_t kToldColumns = 5;
-// Tasks for each thread that are made before they are compared; the shards that have them are open.
+// Tasks per thread that are made before they are compared; their shards stay open.
 constexpr std::size_t kTasksOfThread = 8;
 
-// A task that is to be made again, and the shard that has it.
+// A task to be made again, and its shard.
 struct Replay {
   const ShardReader* shard = nullptr;
   std::uint64_t task = 0;
 };
 
-// A data set that is being checked.
+// A check in progress.
 struct Check {
   const DatasetPlan& plan;
   const std::filesystem::path& folder;
   const CheckSettings& settings;
   ShardList shards;
-  std::uint64_t lone;  // a task that is made again whatever the share
+  std::uint64_t lone;  // a task that is always made again
   CheckRun run{};
   CheckReport report{};
-  std::map<std::uint64_t, std::string> sums{};  // of the shards that are whole
-  // tasks that are made again together, of shards that are open
+  std::map<std::uint64_t, std::string> sums{};  // of complete shards
+  // tasks to be made again together, from open shards
   std::vector<Replay> waiting{};
   std::list<ShardReader> open{};
-  DatasetStatistics statistics{};  // of the shards that are whole
+  DatasetStatistics statistics{};  // of complete shards
 
   void tell(std::string file, std::string says) {
     ++run.problem_count;
@@ -70,7 +70,7 @@ std::uint64_t stream_of(std::uint64_t task) {
   return hash.value();
 }
 
-// A task of the shards that are there.
+// A task of the existing shards.
 std::uint64_t lone_task(const DatasetPlan& plan, const ShardList& shards) {
   Random random(plan.seed(), stream_of(plan.tasks()));
   const std::uint64_t shard = shards.there[random.next() % shards.there.size()];
@@ -83,7 +83,7 @@ bool is_drawn(const Check& check, std::uint64_t task) {
          Random(check.plan.seed(), stream_of(task)).chance(check.settings.share);
 }
 
-// The rows of a table that are of one task; fails where they do not stand together.
+// Rows of a table that belong to one task; fails if they are not contiguous.
 Result<RowRange> rows_of_task(const ShardReader& shard, const std::string& path,
                               std::uint64_t task) {
   SHG_TRY_ASSIGN(const Table table, read_columns(shard, path, {"task"}));
@@ -100,7 +100,7 @@ Result<RowRange> rows_of_task(const ShardReader& shard, const std::string& path,
                   static_cast<std::size_t>(last - tasks.begin())};
 }
 
-// How a column of a shard differs from the one that was made again; empty where it does not.
+// Difference between a stored and a recomputed column; empty if there is none.
 std::string difference(const Column& made, const Column* kept) {
   if (kept == nullptr) return "is not there";
   if (made.type != kept->type || made.shape != kept->shape || made.text_size != kept->text_size) {
@@ -117,7 +117,7 @@ std::string difference(const Column& made, const Column* kept) {
                      made.type == ElementType::text ? "characters" : "numbers");
 }
 
-// Compares a task's rows of one table; adds a sentence for each column that differs.
+// Compares a task's rows of one table; adds a sentence for each differing column.
 Result<void> compare_table(const ShardReader& shard, std::uint64_t task, const std::string& path,
                            const Table* made, std::vector<std::string>& differences) {
   SHG_TRY_ASSIGN(const RowRange rows, rows_of_task(shard, path, task));
@@ -142,7 +142,7 @@ Result<void> compare_table(const ShardReader& shard, std::uint64_t task, const s
   return {};
 }
 
-// The tables of a shard and of a task that was made again, each path once.
+// Tables of a shard and of a recomputed task, each path once.
 Result<std::vector<std::string>> paths_of_both(const ShardReader& shard, const MadeTask& made) {
   SHG_TRY_ASSIGN(std::vector<std::string> paths, paths_of(shard));
   for (const Table& table : made.tables) paths.push_back(table.path);
@@ -168,7 +168,7 @@ Result<std::vector<std::string>> differences_of(const ShardReader& shard, const 
   return differences;
 }
 
-// Compares a task that was made again with its rows.
+// Compares a recomputed task with its rows.
 void compare(Check& check, const ShardReader& shard, const MadeTask& made) {
   ++check.run.replayed;
   ++check.report.replayed;
@@ -187,8 +187,8 @@ void compare(Check& check, const ShardReader& shard, const MadeTask& made) {
   check.tell(name, text);
 }
 
-// Makes the tasks that wait, several at once, and compares them. HDF5 is called by this thread
-// alone.
+// Recomputes the waiting tasks, several at once, and compares them. HDF5 is called only from this
+// thread.
 void replay_waiting(Check& check) {
   std::vector<std::optional<MadeTask>> made(check.waiting.size());
   parallel_for(static_cast<int>(made.size()), thread_count(check.settings.threads),
@@ -198,7 +198,7 @@ void replay_waiting(Check& check) {
                });
   for (std::size_t k = 0; k < made.size(); ++k) compare(check, *check.waiting[k].shard, *made[k]);
   check.waiting.clear();
-  // the last one may have more tasks
+  // the last shard may have more tasks
   while (check.open.size() > 1) check.open.pop_front();
   check.show();
 }
@@ -208,7 +208,7 @@ Result<void> not_cancelled(const Check& check) {
   return fail(ErrorCode::cancelled, "is stopped: not all of it was checked", check.folder.string());
 }
 
-// Looks at a shard's bytes and draws the tasks of it that are made again.
+// Verifies a shard's bytes and selects its tasks to recompute.
 Result<void> check_shard(Check& check, std::uint64_t number) {
   const std::string name = shard_name(number);
   std::error_code failed;
@@ -241,7 +241,7 @@ Result<void> check_shard(Check& check, std::uint64_t number) {
   return {};
 }
 
-// Compares the index's list of shards with those that are there.
+// Compares the index's list of shards with the existing ones.
 void check_index(Check& check) {
   const std::filesystem::path path = check.folder / kIndexName;
   std::error_code failed;
@@ -269,15 +269,14 @@ void check_index(Check& check) {
                          there.size(), shard_name(*there.begin())));
 }
 
-// Whether a text of statistics tells that number of shards.
+// Whether a statistics file states that number of shards.
 bool is_of_shards(const std::string& text, std::size_t shards) {
   const Json json = Json::parse(text, nullptr, false);
   const auto count = json.is_object() ? json.find("shards") : json.end();
   return count == json.end() || *count == Json(shards);
 }
 
-// Compares the file of statistics with those of the shards, where no fault of index or shards is
-// told already.
+// Compares the statistics file with the shards, if no error of index or shards has been reported.
 void check_statistics(Check& check) {
   if (check.run.problem_count > 0) return;
   const std::filesystem::path path = check.folder / kStatisticsName;

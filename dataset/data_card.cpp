@@ -12,12 +12,12 @@
 namespace shigusa {
 namespace {
 
-// Tasks that are drawn to find one with a body.
+// Largest number of tasks drawn to find one with a body.
 constexpr std::uint64_t kTriedTasks = 20;
-// Counts of more words are told by the commonest.
+// Number of words up to which all counts are listed; of more, the commonest.
 constexpr std::size_t kToldWords = 20;
 
-// A text of the plan's author within a line of Markdown.
+// Text of the plan's author, escaped for a line of Markdown.
 std::string one_line(std::string text) {
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
@@ -25,7 +25,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-// "reached 30; unsteady 5": the commonest first.
+// Counts such as "reached 30; unsteady 5", the commonest first.
 std::string counts_text(const Counts& counts) {
   std::vector<std::pair<std::string, std::uint64_t>> sorted(counts.begin(), counts.end());
   std::erase_if(sorted, [](const auto& one) { return one.second == 0; });
@@ -92,7 +92,7 @@ std::string beginning(const CardFacts& facts) {
   return text;
 }
 
-// The template of the tasks, as a block of Markdown: indented, so that no text in it ends it.
+// Template of the tasks as an indented block of Markdown, which no text in it can end.
 std::string template_text(const DatasetPlan& plan) {
   const Json json = Json::parse(plan.text(), nullptr, false);
   if (!json.is_object() || !json.contains("task")) return "";
@@ -298,7 +298,7 @@ an error. Of many shards read stretches of rows and open the index anew between 
 shards one by one; `/shards/rows` tells how many rows each has.
 )";
 
-// An example that runs in the folder.
+// An example to run in the folder.
 std::string loading(const CardFacts& facts) {
   const Table& table = facts.motions.front();
   const Column* angles = table.find("angles");
@@ -338,7 +338,7 @@ std::string format_card(const CardFacts& facts) {
   text += columns_text(facts) + splits_text(facts);
   text += kLimits;
   text += licence(facts);
-  // before there are shards there is no index to load
+  // without shards there is no index to load
   if (facts.statistics != nullptr && !facts.motions.empty()) text += loading(facts);
   text += kChecking;
   return text;

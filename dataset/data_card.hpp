@@ -11,11 +11,11 @@
 
 namespace shigusa {
 
-// The facts that a data card tells. Borrows all of it.
+// Contents of a data card. Borrows all members.
 struct CardFacts {
   const DatasetPlan& plan;
   std::string program;  // "shigusa 0.1.0"
-  // the motions' tables without rows; where there are no shards yet, see planned_tables
+  // tables of motions without rows; before there are shards see planned_tables
   const std::vector<Table>& motions;
   const DatasetStatistics* statistics = nullptr;  // none before there are shards
   std::uint64_t missing = 0;                      // shards
@@ -23,11 +23,11 @@ struct CardFacts {
   std::uint64_t first_shard = 0;                  // that is there
 };
 
-// The data card: Markdown in plain English.
+// The data card as Markdown.
 [[nodiscard]] std::string format_card(const CardFacts& facts);
 
-// The table, without rows, of the motions of the first task of a plan that has a body; none where
-// none of the first few has.
+// Table of motions, without rows, of the first task of a plan that has a body; empty if none of the
+// first few has one.
 [[nodiscard]] std::vector<Table> planned_tables(const DatasetPlan& plan);
 
 }  // namespace shigusa

@@ -31,13 +31,13 @@ std::uint64_t whole_in(const Column& column, std::size_t row) {
   return number >= 0.0 ? static_cast<std::uint64_t>(number) : 0;
 }
 
-// The columns that belong to a series.
+// Columns of a series.
 bool is_of(std::string_view column, DatasetSeries series) {
   const bool turns = series == DatasetSeries::nodes;
   return column == word_of(series) || (turns && (column == "root_m" || column == "offsets_m"));
 }
 
-// The rows of a table by the task that they are of.
+// Rows of a table by their task.
 std::multimap<std::uint64_t, Row> by_task(const Table& table) {
   std::multimap<std::uint64_t, Row> rows;
   for (std::size_t at = 0; at < table.rows(); ++at) {
@@ -54,7 +54,7 @@ std::vector<Row> rows_of(const std::multimap<std::uint64_t, Row>& rows, std::uin
   return found;
 }
 
-// Puts a task's and its goals' rows beside each motion.
+// Adds a task's and its goals' rows to each motion.
 Result<void> join_motions(ShardRows& rows, std::size_t others, const std::string& place) {
   const auto table = rows.tables.begin();
   const auto tasks = by_task(*table);

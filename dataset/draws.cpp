@@ -55,7 +55,7 @@ bool is_box(const Json& value) {
   return true;
 }
 
-// The word of a draw; the first of those that it has.
+// Word of a draw; the first of several.
 std::string word_in(const Json& draw) {
   for (const DrawInfo& known : kDraws) {
     if (draw.contains(known.word)) return std::string(known.word);
@@ -139,7 +139,7 @@ Result<void> check_argument(const Json& draw, const std::string& word, const std
   return {};
 }
 
-// The normal quantile of p in (0, 1): P. J. Acklam's rational approximation (relative error below
+// Normal quantile of p in (0, 1): P. J. Acklam's rational approximation (relative error below
 // 1.15e-9).
 double normal_quantile(double p) {
   constexpr std::array a{-3.969683028665376e+01, 2.209460984245205e+02,  -2.759285104469687e+02,
@@ -163,7 +163,7 @@ double normal_quantile(double p) {
   return above / (((((b[0] * r + b[1]) * r + b[2]) * r + b[3]) * r + b[4]) * r + 1.0);
 }
 
-// Draws a template.
+// Evaluator of a template.
 class Drawer {
  public:
   Drawer(const DrawSource& source, const TaskOfDraws& task_of)
@@ -172,8 +172,7 @@ class Drawer {
   Result<Json> task(const Json& whole) { return object(whole, ""); }
 
  private:
-  // Draws whatever stands at a place; `beside`: the object that it is a member of, as far as that
-  // has been drawn.
+  // Draws a value; `beside`: the object that it belongs to, as far as drawn.
   Result<Json> value(const Json& form, const std::string& place, const Json& beside) {
     if (is_draw(form)) return draw(form, place, beside);
     if (form.is_object()) return object(form, place);
@@ -187,7 +186,7 @@ class Drawer {
     return list;
   }
 
-  // The members that others depend on come first.
+  // Members that others depend on are drawn first.
   static int order_of(const std::string& key) {
     constexpr std::array<std::string_view, 4> kFirst{"character", "sex", "stature_m", "effector"};
     const auto* const found = std::find(kFirst.begin(), kFirst.end(), key);
@@ -216,7 +215,7 @@ class Drawer {
     hash.add(place.starts_with("character") ? source_.person : source_.task);
     return Random(source_.seed, hash.value());
   }
-  // A share of a range, 0..1.
+  // Fraction of a range, 0..1.
   double share(Random& random) const {
     if (source_.mode == DrawMode::lowest) return 0.0;
     return source_.mode == DrawMode::highest ? 1.0 : random.uniform();
@@ -269,7 +268,7 @@ class Drawer {
       chosen = form.contains("shares") ? by_shares(form["shares"], random.uniform())
                                        : random.below(static_cast<std::uint32_t>(values.size()));
     }
-    // what an alternative draws has a place of its own, but under "goals" it is still goals
+    // draws of an alternative have a place of their own, but one under "goals" is still a goal's
     const bool goals = place == "goals";
     return value(values[chosen], goals ? place : fmt::format("{}={}", place, chosen), beside);
   }
@@ -312,7 +311,7 @@ class Drawer {
                    point_of(surface["along"][1]) * b);
   }
 
-  // Tries points until the body gets to one.
+  // Draws points until the body reaches one.
   Result<Json> in_reach(const Json& box, const std::string& place, const Json& goal,
                         Random& random) {
     if (source_.mode != DrawMode::random) return to_json(in_box(box, random));

@@ -13,27 +13,27 @@
 
 namespace shigusa {
 
-// How draws come out.
+// Evaluation of draws: random, or at an end of their ranges.
 enum class DrawMode {
   random,   // by the seed
   lowest,   // at the low end of each range
   highest,  // at the high end
 };
 
-// The numbers that a draw depends on, and how it comes out.
+// Inputs of a draw, and its evaluation.
 struct DrawSource {
   std::uint64_t seed = 0;
   std::uint64_t task = 0;
-  std::uint64_t person = 0;  // that what stands under "character" is drawn by
+  std::uint64_t person = 0;  // random stream of values under "character"
   DrawMode mode = DrawMode::random;
   std::size_t alternative = 0;  // of each choice, in the modes that are not random
 };
 
-// The task that a drawn template has come to so far, for draws that depend on a body: its
-// "character", and of a goal its effector.
+// The partially drawn task, for draws that depend on a body: its "character", and the effector of
+// the goal.
 using TaskOfDraws = std::function<Result<Task>(const Json& character, const Json& goal)>;
 
-// A kind of draw: a JSON object {word: argument} in a value's place.
+// A kind of draw, written as a JSON object {word: argument} in place of a value.
 struct DrawInfo {
   std::string_view word;
   std::string_view form;  // of its argument
@@ -61,22 +61,21 @@ inline constexpr std::array kDraws{
         "Of a goal's position_m: that of an earlier goal, and an offset, which may be a draw."},
 };
 
-// Whether a JSON value is a draw: an object that has one of their words.
+// Whether a JSON value is a draw: an object with one of their words.
 [[nodiscard]] bool is_draw(const Json& value);
 
-// Fails on draws within a template whose arguments are wrong; `place` is the template's.
+// Validates the draws' arguments within a template; `place`: place of the template.
 [[nodiscard]] Result<void> check_draws(const Json& value, const std::string& place);
 
-// The most alternatives that a choice within it has, 1 without any.
+// Largest number of alternatives of its choices, 1 without any.
 [[nodiscard]] std::size_t most_alternatives(const Json& value);
 
-// The template with a value in each draw's place. Characters are drawn before all else, and of them
-// sex and stature first.
+// The template with drawn values. Characters are drawn first, beginning with sex and stature.
 [[nodiscard]] Result<Json> drawn(const Json& task, const DrawSource& source,
                                  const TaskOfDraws& task_of);
 
-// The stature (m) that `percent` of a hundred people of a sex do not exceed: a normal distribution
-// on either side of the median, through the three percentiles that stature_percentile has.
+// Percentile of stature (m) for a sex: a normal distribution on either side of the median, through
+// the three percentiles of stature_percentile.
 [[nodiscard]] double stature_at(double percent, Sex sex);
 
 }  // namespace shigusa

@@ -12,14 +12,14 @@ namespace {
 
 using MakeWriter = Result<std::unique_ptr<DataWriter>> (*)(const ExportJob&);
 
-// The writers in the order of DataFormat.
+// Writers in the order of DataFormat.
 template <std::size_t... place>
 constexpr std::array<MakeWriter, sizeof...(place)> all_writers(std::index_sequence<place...>) {
   return {make_writer<kDataFormats[place].format>...};
 }
 constexpr auto kWriters = all_writers(std::make_index_sequence<kDataFormats.size()>());
 
-// Fails on a folder that others' files are in.
+// Fails on a folder that holds foreign files.
 Result<void> prepare(const DataExportSettings& settings) {
   SHG_TRY(prepare_folder(settings.to));
   std::error_code refused;
@@ -70,13 +70,13 @@ Result<std::optional<Split>> asked_split(const DataExportSettings& settings) {
               "--split");
 }
 
-// Whether a shard has a task that is asked for.
+// Whether a shard has a requested task.
 bool has_asked(const DataExportSettings& settings, const TaskRange& tasks) {
   return !settings.tasks ||
          (tasks.first < settings.tasks->last && tasks.last > settings.tasks->first);
 }
 
-// An export as it goes on.
+// An export in progress.
 struct Exporting {
   const ExportJob& job;
   DataWriter& writer;

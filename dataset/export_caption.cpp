@@ -10,7 +10,7 @@
 namespace shigusa {
 namespace {
 
-// Heights in statures.
+// Heights as shares of the stature.
 constexpr double kFloor = 0.12;
 constexpr double kLow = 0.5;
 constexpr double kHigh = 0.95;
@@ -25,7 +25,7 @@ constexpr double kTogether = 0.6;  // m: hands that are nearer to each other rea
 constexpr double kLoadTold = 0.5;  // kg
 constexpr double kReached = 0.01;  // m: a goal missed by more is reached towards
 
-// A word of the sentences as tokens have it.
+// A word of a sentence with its token.
 struct Token {
   std::string_view word;
   std::string_view token;
@@ -70,7 +70,7 @@ constexpr std::array kTokens{
     Token{"holding", "hold/VERB"},
 };
 
-// "bends down with straight knees", "turns left": how the body goes there.
+// Verbs for the posture, such as "bends down with straight knees", "turns left".
 std::vector<std::string> posture_verbs(const DataMotion& motion) {
   const std::vector<PostureWord> words = words_for(motion.ends());
   const auto has = [&words](PostureWord word) {
@@ -94,7 +94,7 @@ std::vector<std::string> posture_verbs(const DataMotion& motion) {
   return verbs;
 }
 
-// "down to the floor in front", "up to the left"; a blank before it.
+// Direction with a leading blank, such as "down to the floor in front", "up to the left".
 std::string way_to(const Vec3d& goal, double stature) {
   const double height = goal.y / stature;
   std::string way = height < kFloor      ? " down to the floor"
@@ -117,7 +117,7 @@ std::string with_blanks(std::string name) {
   return name;
 }
 
-// ", holding 5 kg" of what a hand or both hands hold.
+// Load in one or both hands, such as ", holding 5 kg".
 std::string load_words(double load) {
   return load < kLoadTold ? "" : fmt::format(", holding {:.0f} kg", load);
 }
@@ -126,7 +126,7 @@ bool is_hand(const Row& goal) {
   return parse_joint_name(goal.text("effector")).joint_kind == JointKind::hand;
 }
 
-// "reaches down in front with the right hand".
+// Goal in words, such as "reaches down in front with the right hand".
 std::string goal_words(const Row& goal, double stature, bool missed) {
   const std::string effector = with_blanks(goal.text("effector"));
   const std::string way = way_to(goal.point("position_m"), stature);
@@ -151,7 +151,7 @@ std::vector<std::string> goal_verbs(const DataMotion& motion) {
   return verbs;
 }
 
-// "a, b and c".
+// List in words, "a, b and c".
 std::string listed(const std::vector<std::string>& parts) {
   std::string text;
   for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -7,12 +7,12 @@
 
 namespace shigusa {
 
-// "a person squats, turns left and reaches down in front with the right hand, holding 5 kg": a
-// motion in words, by its goals, its end and its loads.
+// Caption of a motion from its goals, its end and its loads, such as "a person squats, turns left
+// and reaches down in front with the right hand, holding 5 kg".
 [[nodiscard]] std::string caption_of(const DataMotion& motion);
 
-// The words of such a sentence as HumanML3D has them, "a/DET person/NOUN squat/VERB": nouns and
-// verbs in their plain form, no numbers.
+// Tokens of such a sentence in the format of HumanML3D, "a/DET person/NOUN squat/VERB": nouns and
+// verbs as lemmas, without numbers.
 [[nodiscard]] std::string tokens_of(const std::string& caption);
 
 }  // namespace shigusa

@@ -15,7 +15,7 @@ struct SeriesColumn {
   std::size_t step;   // from one frame to the next
 };
 
-// "right_knee.flexion [rad]", "hips.x [m]", "hips.qw", "left_foot": the numbers of a frame.
+// Column names of a frame: "right_knee.flexion [rad]", "hips.x [m]", "hips.qw", "left_foot".
 std::vector<std::string> names_of(const Table& table, const Column& column) {
   const auto all = [&](const char* list, std::initializer_list<const char*> ends) {
     std::vector<std::string> names;

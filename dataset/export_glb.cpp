@@ -25,12 +25,12 @@ constexpr const char* kOtherNumbers =
     "this "
     "character.\n";
 
-// The motions of one task, made for a character.
+// Motions of one task, generated for a character.
 struct Made {
   std::uint64_t number = 0;
   DrawnAgain again;
   MotionPlayer player;
-  std::optional<GenerateResult> searched{};  // where its plan has no such parameters
+  std::optional<GenerateResult> searched{};  // if its plan lacks these parameters
 };
 
 class GlbWriter : public DataWriter {
@@ -70,7 +70,7 @@ class GlbWriter : public DataWriter {
   }
 
  private:
-  // A motion that cannot be made for the character is one that is left out.
+  // GLB of a motion; ErrorCode::unsupported if it cannot be made for the character.
   Result<std::string> left_out(const DataMotion& motion) {
     Result<std::string> bytes = glb_of(motion);
     if (bytes || bytes.error().code == ErrorCode::io) return bytes;
@@ -127,7 +127,7 @@ bool can_be_glb(const FormatInfo& info) {
   return info.person && is_file(info.format, NeededFile::gltf);
 }
 
-// Fails where no task of the plan has a character whose file can leave.
+// Fails if no task of the plan has a character whose file can be exported.
 Result<void> check_own(const DatasetPlan& plan) {
   const bool built_in = plan.character_files().empty();
   if (built_in && has_mannequin()) return {};

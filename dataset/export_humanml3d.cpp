@@ -12,8 +12,8 @@
 namespace shigusa {
 namespace {
 
-// A joint of HumanML3D's: one of our nodes, or where that is missing a place on the line between
-// two others that come at this share of the way.
+// A joint of HumanML3D: one of our nodes, or, if that is missing, the point at this share of the
+// line between two others.
 struct Joint {
   std::string_view name;
   std::string_view node;
@@ -22,8 +22,8 @@ struct Joint {
   std::string_view to = {};
   double share = 0.0;
 };
-// In its order, which is that of SMPL's first 22. The shares are those of shigusa's own body,
-// human.
+// The joints in HumanML3D's order, that of SMPL's first 22. The shares are those of shigusa's own
+// body, human.
 constexpr std::array<Joint, 22> kJoints{{
     {"pelvis", "hips", "approximate: ours lies between the hip joints, SMPL's some 9 cm higher"},
     {"left_hip", "left_upper_leg", ""},
@@ -51,7 +51,7 @@ constexpr std::array<Joint, 22> kJoints{{
     {"right_wrist", "right_hand", ""},
 }};
 
-// The nodes that a joint is made from: one, or two with the share of the way.
+// Source of a joint: one node, or two with the share of the line between them.
 struct Source {
   int from = -1;
   int to = -1;
@@ -104,7 +104,7 @@ std::string joints_table() {
   return text;
 }
 
-// Frames that a motion has at least in what reads HumanML3D.
+// Least number of frames that HumanML3D's readers accept.
 constexpr std::size_t kReadFrames = 40;
 
 class HumanMl3dWriter : public DataWriter {
@@ -151,7 +151,7 @@ class HumanMl3dWriter : public DataWriter {
   }
 
  private:
-  // How many motions the usual readers leave out.
+  // Number of motions that these readers leave out.
   [[nodiscard]] std::string about_lengths() const {
     std::string text = fmt::format(
         "\nHumanML3D's usual readers leave out motions of fewer than {} frames, which is {} of "

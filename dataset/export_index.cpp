@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 20;  // that is written at once
 
-// Columns of the tasks' table, beside the number and what stands with the motion too.
+// Columns of the tasks' table, without the task number and columns that motions have too.
 constexpr std::array kTaskFields{"person",    "character", "preset", "sex",
                                  "stature_m", "mass_kg",   "seat_m", "status"};
 
-// The columns of a goal, and how many numbers each has.
+// Columns of a goal, with their widths.
 struct GoalColumn {
   std::string_view column;
   std::size_t parts;
@@ -29,13 +29,14 @@ constexpr std::array kGoalFields{GoalColumn{"position_m", 3},    GoalColumn{"loa
                                  GoalColumn{"rotation_xyzw", 4}, GoalColumn{"axis", 3},
                                  GoalColumn{"direction", 3},     GoalColumn{"tolerance_m", 3}};
 
-// The list that names the numbers of a column; empty of one that has no names.
+// List of names of a column's numbers; empty if it has none.
 std::string list_of(const Column& column) {
   if (column.name == "penalties") return "criteria";
   return column.name == "parameters" ? column.name : std::string();
 }
 
-// "penalties.balance", "parameters.bow", "position_m.x", "rotation_xyzw.w".
+// Column name of one number: "penalties.balance", "parameters.bow", "position_m.x",
+// "rotation_xyzw.w".
 std::string part_name(std::string_view column, std::size_t k, std::size_t parts) {
   if (parts == 1) return std::string(column);
   return fmt::format("{}.{}", column, "xyzw"[k]);
@@ -107,7 +108,7 @@ void CsvLine::add(const Column& column, std::size_t row, std::size_t k) {
   const double number = number_in(column, row, k);
   if (column.type == ElementType::f64 || !is_finite(number)) return add(number);
   part();
-  // as many digits as the number has
+  // with the digits of the number
   text_ += column.type == ElementType::f32 ? fmt::format("{}", static_cast<float>(number))
                                            : fmt::format("{}", static_cast<std::uint64_t>(number));
 }
@@ -151,7 +152,7 @@ Result<void> ExportIndex::begin(const ExportJob& job) {
       goals_ = std::max(goals_, ++of_task[Row{&goals, at}.whole("task")]);
     }
   }
-  // numbers of one thing first, then lists, whatever body comes first
+  // single numbers first, then lists, whichever body is first
   std::stable_sort(numbers_.begin(), numbers_.end(), [](const Number& a, const Number& b) {
     return std::tie(a.list, a.name) < std::tie(b.list, b.name);
   });

@@ -8,7 +8,7 @@
 
 namespace shigusa {
 
-// A file that is written piece by piece and has its name only once it is whole.
+// A file written in pieces that gets its name when complete.
 class LongFile {
  public:
   [[nodiscard]] Result<void> begin(const std::filesystem::path& path);
@@ -24,8 +24,8 @@ class LongFile {
   std::string waiting_;
 };
 
-// A line of CSV (RFC 4180, but lines end with LF alone): numbers with the fewest digits that read
-// back to the same, nothing where there is no number.
+// A line of CSV (RFC 4180, but with LF line ends): numbers with the fewest digits that read back
+// exactly, empty if absent.
 class CsvLine {
  public:
   void add(std::string_view text);
@@ -41,18 +41,19 @@ class CsvLine {
   bool begun_ = false;
 };
 
-// index.csv: a row a motion, with all of its numbers and those of its task. Borrows the job.
+// Writer of index.csv: a row per motion, with all of its numbers and those of its task. Borrows the
+// job.
 class ExportIndex {
  public:
-  // Looks through the shards for the columns that there are.
+  // Collects the columns of all shards.
   [[nodiscard]] Result<void> begin(const ExportJob& job);
-  // `file`: of the motion, in the export's folder; or empty.
+  // `file`: of the motion, in the export's folder, or empty.
   [[nodiscard]] Result<void> add(const DataMotion& motion, std::string_view file);
   [[nodiscard]] Result<void> finish() { return file_.finish(); }
   [[nodiscard]] std::uint64_t motions() const { return motions_; }
 
  private:
-  // A column of the motions' tables, or one number of a column of several.
+  // A column of the motions' tables, or one number of a vector column.
   struct Number {
     std::string column;
     std::string list;  // that names the numbers of the column; empty of one number alone

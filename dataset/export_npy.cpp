@@ -12,7 +12,7 @@ namespace shigusa::npy {
 namespace {
 
 constexpr std::size_t kAlignment = 64;  // of the numbers
-constexpr char32_t kUnknown = 0xFFFD;   // in the place of what is not UTF-8
+constexpr char32_t kUnknown = 0xFFFD;   // replaces invalid UTF-8
 
 std::string shape_text(const Shape& shape) {
   std::string text = "(";
@@ -21,7 +21,7 @@ std::string shape_text(const Shape& shape) {
   return text + ")";
 }
 
-// A file's bytes; `type` as "<f4".
+// Bytes of an array's file; `type`: "<f4".
 std::string file_of(std::string_view type, const Shape& shape, std::string_view numbers) {
   std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type,
                                    shape_text(shape));
@@ -43,7 +43,7 @@ std::string bytes_of(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-// The characters of a text in UTF-8.
+// Code points of a UTF-8 text.
 std::u32string characters(std::string_view text) {
   std::u32string all;
   for (std::size_t at = 0; at < text.size();) {
@@ -85,7 +85,7 @@ tl::unexpected<Error> failed(const char* why) {
   return fail(ErrorCode::io, fmt::format("cannot make an archive: libzip says: {}", why), "npz");
 }
 
-// Adds an array's file to an archive that is open.
+// Adds an array's file to an open archive.
 bool add(zip_t* archive, const std::string& name, const std::string& bytes) {
   zip_source_t* source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);
   if (source == nullptr) return false;
@@ -96,7 +96,7 @@ bool add(zip_t* archive, const std::string& name, const std::string& bytes) {
     return false;
   }
   const auto at = static_cast<zip_uint64_t>(place);
-  // the first day that an archive can tell: a time would differ from run to run
+  // the earliest date of an archive: the current time would change the bytes
   constexpr zip_uint16_t kFirstDay = 1 << 5 | 1;
   return zip_set_file_compression(archive, at, ZIP_CM_STORE, 0) == 0 &&
          zip_file_set_dostime(archive, at, 0, kFirstDay, 0) == 0;
@@ -139,7 +139,7 @@ Result<std::string> archive(const Arrays& arrays) {
   zip_error_init(&error);
   const Source memory(zip_source_buffer_create(nullptr, 0, 0, &error));
   if (!memory) return failed(zip_error_strerror(&error));
-  // the archive takes one of the source's two owners with it
+  // the archive releases one of the source's two references
   zip_source_keep(memory.get());
   zip_t* open = zip_open_from_source(memory.get(), ZIP_TRUNCATE, &error);
   if (open == nullptr) {

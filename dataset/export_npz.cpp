@@ -9,12 +9,12 @@
 namespace shigusa {
 namespace {
 
-// The axis of a turn times its angle (rad), 0 to π.
+// Rotation vector: axis times angle (rad), 0 to π.
 Vec3d axis_angle(const Quatd& turn) {
   const Quatd q = turn.w < 0.0 ? Quatd{-turn.x, -turn.y, -turn.z, -turn.w} : turn;
   const Vec3d v{q.x, q.y, q.z};
   const double sine = norm(v);
-  // of a small angle the sine is half of it
+  // for small angles the sine is half the angle
   return (sine > 1e-12 ? 2.0 * atan2(sine, q.w) / sine : 2.0) * v;
 }
 
@@ -22,7 +22,7 @@ void push(const Vec3d& v, std::vector<float>& into) {
   for (int k = 0; k < 3; ++k) into.push_back(static_cast<float>(v[k]));
 }
 
-// The goals of a motion's task.
+// Goals of a motion's task.
 void add_goals(const DataMotion& motion, npy::Arrays& arrays) {
   std::vector<std::string> effectors;
   std::vector<double> places;
@@ -52,7 +52,7 @@ npy::Arrays arrays_of(const DataMotion& motion, const NodeMotion& nodes, double 
       {"poses", npy::floats(poses, {frames, 3 * count})},
       {"trans", npy::floats(places, {frames, 3})},
       {"gender", npy::text(motion.task.text("sex"))},
-      // AMASS has both spellings, and its readers one of them
+      // AMASS files use both spellings, and readers expect one of them
       {"mocap_framerate", npy::number(rate)},
       {"mocap_frame_rate", npy::number(rate)},
       {"joint_names", npy::texts(nodes.names)},

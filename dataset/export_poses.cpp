@@ -38,7 +38,7 @@ double frame_time_of(double duration, std::size_t frames) {
   return frames > 1 ? duration / static_cast<double>(frames - 1) : duration;
 }
 
-// The nodes of a row that has the columns of their turns.
+// Nodes of a row that stores their rotations.
 Result<NodeMotion> turns_in(const Row& row, const std::string& id) {
   NodeMotion motion{.names = *row.table->names_of("nodes"),
                     .parents = {},
@@ -72,7 +72,7 @@ Result<NodePlaces> places_in(const Row& row, const std::string& id) {
   return motion;
 }
 
-// The freedom of a body that a data set's joint is, and the sign of its numbers.
+// A body's degree of freedom for a data set's joint, and the sign of its values.
 std::pair<int, double> dof_of(const BodyModel& body, const std::string& joint) {
   if (!body.robot()) return {body.find_dof(joint).value_or(-1), 1.0};
   for (const RobotJoint& one : body.robot()->joints) {
@@ -81,7 +81,7 @@ std::pair<int, double> dof_of(const BodyModel& body, const std::string& joint) {
   return {-1, 1.0};
 }
 
-// The clip that a row's angles are; none where they are not kept.
+// Clip of a row's stored angles; empty if they are not stored.
 std::optional<Clip> clip_in(const Row& row, const BodyModel& body) {
   const std::vector<double> angles = row.numbers(word_of(DatasetSeries::angles));
   const std::vector<std::string>* joints = row.table->names_of("joints");
@@ -104,7 +104,7 @@ std::optional<Clip> clip_in(const Row& row, const BodyModel& body) {
   return clip;
 }
 
-// The row of a motion, made again with series that are not kept of it; table and row.
+// Row of a motion made again with the missing series; table and row.
 Result<Table> made_again(const DatasetPlan& plan, const DataMotion& motion,
                          std::span<const DatasetSeries> series) {
   SHG_TRY_ASSIGN(DrawnAgain again, drawn_again(plan, motion));
@@ -123,7 +123,7 @@ Result<Table> made_again(const DatasetPlan& plan, const DataMotion& motion,
   return rows.take();
 }
 
-// A motion as a clip whose "freedoms" are numbers of any kind, to be resampled.
+// Clip that carries numbers of any kind in place of joint angles, for resampling.
 Clip clip_of(std::vector<double> numbers, std::size_t frames, double frame_time) {
   const auto dofs = static_cast<int>(numbers.size() / frames);
   return {.dofs = dofs,
@@ -141,7 +141,7 @@ Quatd unit(const Quatd& q) {
   return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
 }
 
-// Sets the numbers of a plan by a row's; the name of one that the row does not know, or nothing.
+// Sets a plan's parameters from a row; returns the name of one that the row lacks, if any.
 std::string set_parameters(const Row& row, const ParameterList& list, Parameters& values) {
   const std::vector<std::string>* names = row.table->names_of("parameters");
   const std::vector<double> numbers = row.numbers("parameters");
@@ -206,7 +206,7 @@ NodeMotion at_rate(const NodeMotion& motion, double rate) {
       numbers.insert(numbers.end(), {q.x, q.y, q.z, q.w});
     }
   }
-  // neighbours are a few degrees apart: between them the parts of a quaternion go as its angles do
+  // neighbours are a few degrees apart, so quaternion components may be interpolated linearly
   const Clip clip =
       resampled(clip_of(std::move(numbers), motion.frames(), motion.frame_time), rate);
   NodeMotion made{.names = motion.names,
@@ -271,7 +271,7 @@ Result<DrawnAgain> drawn_again(const DatasetPlan& plan, const DataMotion& motion
     file.character.seat = own.seat;
     file.character.heels = own.heels;
   }
-  // the one that the search came to, where the task gives none
+  // the duration found by the search, if the task gives none
   file.duration = motion.task.number("duration_s");
   SHG_TRY_ASSIGN(Task task, make_task(file, {}));
   task.batch.threads = 1;

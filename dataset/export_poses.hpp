@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-// How the nodes of a motion's skeleton go.
+// Motion of a skeleton's nodes.
 struct NodeMotion {
   std::vector<std::string> names;
   std::vector<int> parents;    // -1 of the first node
@@ -25,7 +25,7 @@ struct NodeMotion {
   [[nodiscard]] int find(std::string_view name) const;
 };
 
-// The same as places.
+// The same as transforms.
 struct NodePlaces {
   std::vector<std::string> names;
   std::vector<int> parents;
@@ -39,14 +39,14 @@ struct NodePlaces {
   }
 };
 
-// Motions of a data set as nodes that move: from the series where they are kept, and else by
-// making the motion again from its parameters.
+// Node motions of a data set: from stored series, or by making the motion again from its
+// parameters.
 class Poses {
  public:
   // Borrows the plan.
   explicit Poses(const DatasetPlan& plan) : plan_(&plan) {}
 
-  // The series that are to be read for these.
+  // Series to read for these.
   [[nodiscard]] std::vector<DatasetSeries> series_for_turns() const;
   [[nodiscard]] std::vector<DatasetSeries> series_for_places() const;
 
@@ -59,22 +59,22 @@ class Poses {
   const DatasetPlan* plan_;
 };
 
-// The motion at a rate (Hz), its frames as `resampled` has them; turns stay turns.
+// Motion at a rate (Hz), with frames as in `resampled`; rotations stay unit quaternions.
 [[nodiscard]] NodeMotion at_rate(const NodeMotion& motion, double rate);
 [[nodiscard]] NodePlaces at_rate(const NodePlaces& motion, double rate);
 
-// Where the nodes of such a motion are.
+// Source of a motion's nodes.
 [[nodiscard]] NodePlaces places_of(const NodeMotion& motion);
 
-// A task of a data set, drawn again, with the values that one of its motions was made from.
+// A task of a data set, drawn again, with the parameters of one of its motions.
 struct DrawnAgain {
   TaskFile file;
   Task task;
   Parameters parameters;
-  // why these are no values for the task's plan, where it is another body's; empty: they are
+  // reason why the values do not fit the task's plan, if its body differs; empty: they fit
   std::string misfit{};
 };
-// `person`: stands in the place of the task's own, where it is given.
+// `person`: replaces the task's character, if given.
 [[nodiscard]] Result<DrawnAgain> drawn_again(const DatasetPlan& plan, const DataMotion& motion,
                                              const CharacterSpec* person = nullptr);
 

@@ -12,13 +12,13 @@
 
 namespace shigusa {
 
-// The folder that an export fills. Its files are made beside their places and moved there whole, by
-// one folder for all of them: write_file looks through the folder each time.
+// Output folder of an export. Files are completed in one staging folder and renamed, as write_file
+// would scan the folder each time.
 class ExportFolder {
  public:
-  // Fails where nothing can be written there.
+  // Fails if the folder is not writable.
   [[nodiscard]] Result<void> open(const std::filesystem::path& path);
-  // Makes a file of the folder, "motions/0000/000012-1.npz", and the folders that it is in.
+  // Writes a file of the folder, such as "motions/0000/000012-1.npz", creating its parent folders.
   [[nodiscard]] Result<void> put(const std::string& name, std::string_view bytes);
 
  private:
@@ -26,7 +26,7 @@ class ExportFolder {
   std::string last_;  // folder that was made last
 };
 
-// An export that is under way. Borrows all of it.
+// An export in progress. Borrows all members.
 struct ExportJob {
   const DataExportSettings& settings;
   const DataFolder& data;
@@ -34,7 +34,7 @@ struct ExportJob {
   double rate = 0.0;  // Hz, of forms that have one
 };
 
-// Writes motions in one form into the folder, one after the other.
+// Writer of motions in one format, one after the other.
 class DataWriter {
  public:
   DataWriter() = default;
@@ -42,17 +42,17 @@ class DataWriter {
   DataWriter& operator=(const DataWriter&) = delete;
   virtual ~DataWriter() = default;
 
-  // The series that it reads of motions.
+  // Series that it reads of motions.
   [[nodiscard]] virtual std::vector<DatasetSeries> series() const = 0;
-  // Writes one motion; an error of ErrorCode::unsupported leaves it out, any other ends the export.
+  // Writes one motion; ErrorCode::unsupported skips it, any other error ends the export.
   [[nodiscard]] virtual Result<void> add(const DataMotion& motion) = 0;
-  // Writes what tells of all motions.
+  // Writes the files about all motions.
   [[nodiscard]] virtual Result<void> finish() = 0;
-  // Adds what only this form counts.
+  // Adds counts specific to the format.
   virtual void count(DataExportRun&) const {}
 };
 
-// The writer of a form; each has one.
+// Writer of a format; each has one.
 template <DataFormat format>
 [[nodiscard]] Result<std::unique_ptr<DataWriter>> make_writer(const ExportJob& job);
 template <>
@@ -64,11 +64,11 @@ Result<std::unique_ptr<DataWriter>> make_writer<DataFormat::csv>(const ExportJob
 template <>
 Result<std::unique_ptr<DataWriter>> make_writer<DataFormat::glb>(const ExportJob& job);
 
-// "motions/0000/000012-1.npz": a folder for every thousand tasks, as folders of very many files are
-// slow.
+// File of a motion, "motions/0000/000012-1.npz": a folder per thousand tasks, as folders of very
+// many files are slow.
 [[nodiscard]] std::string motion_file(const DataMotion& motion, std::string_view ending);
 
-// The beginning of a README.md: where the motions are from and which they are.
+// Beginning of a README.md: source and selection of the motions.
 [[nodiscard]] std::string about_export(const ExportJob& job, std::uint64_t motions);
 
 }  // namespace shigusa

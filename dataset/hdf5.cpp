@@ -36,7 +36,7 @@ hid_t number_type(ElementType type, bool in_file) {
   }
 }
 
-// Keeps the text of the error that happened first.
+// Keeps the text of the innermost error.
 herr_t keep_first(unsigned, const H5E_error2_t* error, void* text) {
   auto& kept = *static_cast<std::string*>(text);
   if (kept.empty() && error->desc != nullptr) kept = error->desc;
@@ -45,7 +45,7 @@ herr_t keep_first(unsigned, const H5E_error2_t* error, void* text) {
 
 Handle new_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
-// The sides of a column's dataset: its rows, then those of one row.
+// Dimensions of a column's dataset: its rows, then those of one row.
 std::vector<hsize_t> sides_of(const Column& column, std::size_t rows) {
   std::vector<hsize_t> sides{rows};
   sides.insert(sides.end(), column.shape.begin(), column.shape.end());
@@ -60,7 +60,7 @@ Handle space_of(const std::vector<hsize_t>& sides) {
   return {H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr), H5Sclose};
 }
 
-// The space of a dataset, of which rows first to first + rows - 1 are selected.
+// Data space with rows first to first + rows - 1 selected.
 Handle rows_of_space(const Column& column, std::size_t all, std::size_t first, std::size_t rows) {
   Handle space = space_of(sides_of(column, all));
   const std::vector<hsize_t> count = sides_of(column, rows);
@@ -80,7 +80,7 @@ Result<Handle> create_dataset(const Handle& group, const Column& column, const H
   return dataset;
 }
 
-// The value of a virtual dataset's rows whose file is not there.
+// Fill value of a virtual dataset for a missing file.
 void set_absent_value(const Handle& creation, const Column& column) {
   if (column.type == ElementType::text) return;
   Column absent{.name = column.name, .type = column.type};
@@ -93,8 +93,8 @@ void set_absent_value(const Handle& creation, const Column& column) {
   H5Pset_fill_value(creation.id(), held.id(), absent.bytes.data());
 }
 
-// A cache that keeps few of the virtual datasets that were written: each has its parts with it, 4
-// kB a part, of which the cache's own limits know nothing.
+// Cache settings that keep few written virtual datasets: each holds its parts, 4 kB each, which the
+// cache's own limits do not count.
 void use_small_cache(const Handle& access) {
   constexpr std::size_t kBytes = std::size_t{256} << 10;
   H5AC_cache_config_t config{};
@@ -132,7 +132,7 @@ Result<Handle> create_in_memory() {
   const Handle access = new_list(H5P_FILE_ACCESS);
   const Handle creation = new_list(H5P_FILE_CREATE);
   H5Pset_fapl_core(access.id(), kStep, false);
-  // in the earliest format: the sums that later ones begin with are wrong in H5Fget_file_image's
+  // earliest format: H5Fget_file_image gives wrong checksums for later ones
   H5Pset_obj_track_times(creation.id(), false);
   Handle file(H5Fcreate("in memory", H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
   if (!file) return failed("begin a file", "HDF5");
@@ -166,7 +166,7 @@ Result<Handle> create_on_disk(const std::filesystem::path& path, std::size_t use
 Result<Handle> create_group(const Handle& file, const std::string& path) {
   const Handle creation = new_list(H5P_GROUP_CREATE);
   H5Pset_obj_track_times(creation.id(), false);
-  // one after the other: those that the library makes by itself have times in them
+  // created one by one: intermediate groups created by the library have timestamps
   for (std::size_t end = path.find('/', 1); end != std::string::npos;
        end = path.find('/', end + 1)) {
     const std::string outer = path.substr(0, end);

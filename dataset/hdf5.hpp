@@ -13,11 +13,11 @@
 
 #include "table.hpp"
 
-// Writers of HDF5, by its own library. Files are read by hdf5_reader.hpp, as a stranger may have
-// made them.
+// Writers of HDF5, using its library. Files are read by hdf5_reader.hpp, since they may come from
+// untrusted sources.
 namespace shigusa::hdf5 {
 
-// An object of HDF5, closed when this goes.
+// Owner of an HDF5 object.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -43,27 +43,27 @@ class Handle {
   Close close_ = nullptr;
 };
 
-// Errors are told by results: the library prints none of them.
+// Turns off the library's printing of errors, which are returned as results.
 void be_quiet();
 
-// "cannot ACTION: " and what the library says of its last error.
+// Message "cannot ACTION: " and the text of the library's last error.
 [[nodiscard]] tl::unexpected<Error> failed(const char* action, const std::string& place);
 
-// The type of a column's numbers, in the file or in memory.
+// Number type of a column, in the file or in memory.
 [[nodiscard]] Handle type_of(const Column& column, bool in_file);
 
-// A file that is made in memory. Its bytes depend on what is written alone: no times are in it.
+// A file in memory. Its bytes depend only on its contents: timestamps are disabled.
 [[nodiscard]] Result<Handle> create_in_memory();
-// The bytes of such a file. Others may stand before them, in a multiple of 512: readers look for
-// where HDF5 begins.
+// Bytes of such a file. They may follow a user block of a multiple of 512 bytes: readers search for
+// the beginning of HDF5.
 [[nodiscard]] Result<std::string> image_of(const Handle& file);
 
-// A file on the disk, made anew, with room for `user_bytes` of another kind before what HDF5 has.
-// No times are in it, and nobody is kept from opening it meanwhile.
+// A new file on the disk, with a user block of `user_bytes`. Timestamps and file locking are
+// disabled.
 [[nodiscard]] Result<Handle> create_on_disk(const std::filesystem::path& path,
                                             std::size_t user_bytes);
 
-// A group within a file, with the groups that it is in.
+// A group within a file, created with its parents.
 [[nodiscard]] Result<Handle> create_group(const Handle& file, const std::string& path);
 [[nodiscard]] Result<void> write_text(const Handle& object, const char* name,
                                       const std::string& text);
@@ -74,28 +74,26 @@ void be_quiet();
 
 // Adds a column's unit, meaning and words to its dataset.
 [[nodiscard]] Result<void> describe(const Handle& dataset, const Column& column);
-// A text of any length, as a dataset: an attribute has no room for more than 64 kB.
+// A text of any length, as a dataset: attributes are limited to 64 kB.
 [[nodiscard]] Result<void> write_long_text(const Handle& group, const char* name,
                                            const std::string& text);
 [[nodiscard]] Result<void> write_column(const Handle& group, const Column& column);
 
-// The dataset of a column with `rows` rows, which are to be written in parts; the column's own rows
-// do not matter.
+// Dataset of a column with `rows` rows to be written in parts; the column's own rows are ignored.
 [[nodiscard]] Result<Handle> create_column(const Handle& group, const Column& column,
                                            std::size_t rows);
-// Writes all rows of a column into a dataset, from row `first` of it on.
+// Writes all rows of a column into a dataset, starting at row `first`.
 [[nodiscard]] Result<void> write_rows(const Handle& dataset, const Column& column,
                                       std::size_t first);
 
-// Rows of a virtual dataset: all rows of a dataset of another file.
+// Rows of a virtual dataset: a whole dataset of another file.
 struct VirtualPart {
   std::string file;  // as seen from the folder of the file with the virtual dataset
   std::string dataset;
   std::size_t rows = 0;  // above 0
 };
-// A dataset that has the parts' rows one after the other and none of its own. Where a file of them
-// cannot be opened, HDF5 gives rows of the value that it is told to: NaN, of whole numbers the
-// largest.
+// A virtual dataset of the parts' rows in sequence. For a missing file HDF5 returns a fill value:
+// NaN, or the largest whole number.
 [[nodiscard]] Result<void> write_virtual_column(const Handle& group, const Column& column,
                                                 std::span<const VirtualPart> parts);
 

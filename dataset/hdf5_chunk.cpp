@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kSumBytes = 4;
 
-// Unpacked bytes, of which the size is known; none where that is another.
+// Inflates bytes to a known size; empty if the size differs.
 std::optional<std::string> inflated(const std::string& packed, std::size_t size) {
   std::string bytes(size, '\0');
   uLongf made = size;
@@ -18,7 +18,8 @@ std::optional<std::string> inflated(const std::string& packed, std::size_t size)
   return bytes;
 }
 
-// Elements of which first all first bytes stand, then all second ones, …: each together again.
+// Reverses the shuffle filter, which groups the first bytes of all elements, then the second ones,
+// ….
 std::string unshuffled(const std::string& bytes, std::size_t element) {
   const std::size_t count = bytes.size() / element;
   std::string together = bytes;
@@ -31,7 +32,7 @@ std::string unshuffled(const std::string& bytes, std::size_t element) {
 
 }  // namespace
 
-// The chunk's bytes, of which there are `size`. Sums are not compared: the whole file has one.
+// Decodes a chunk of `size` bytes. Checksums are skipped: the whole file has one.
 Result<std::string> Reader::unpacked(const Chunk& chunk, const Object& object,
                                      std::size_t size) const {
   std::optional<std::string> bytes = source_.bytes(chunk.address, chunk.size);

@@ -9,7 +9,7 @@
 namespace shigusa::hdf5 {
 namespace {
 
-// The kinds of messages that an object's header has.
+// Message types of an object's header.
 enum Kind : std::uint64_t {
   none = 0x0,
   space = 0x1,
@@ -28,7 +28,7 @@ constexpr std::uint64_t kShared = 2;  // a flag of messages that stand elsewhere
 
 std::size_t padded(std::size_t size) { return (size + 7) / 8 * 8; }
 
-// The properties of the two floats, after their sizes.
+// Properties of the two floating-point types, after their sizes.
 constexpr std::string_view kFloat("\0\0\x20\0\x17\x08\0\x17\x7F\0\0\0", 12);
 constexpr std::string_view kDouble("\0\0\x40\0\x34\x0B\0\x34\xFF\x03\0\0", 12);
 
@@ -153,13 +153,13 @@ std::optional<Attribute> attribute_of(Bytes& bytes) {
                    .bytes = std::string(bytes.text(count * form->size))};
 }
 
-// Where more messages stand.
+// Addresses of continuation blocks.
 struct Block {
   std::uint64_t address = 0;
   std::uint64_t size = 0;
 };
 
-// Takes in a message; false where it is none of ours.
+// Reads a message; false if it is not supported.
 bool take(std::uint64_t kind, Bytes bytes, Object& object, std::vector<Block>& blocks) {
   switch (kind) {
     case none:

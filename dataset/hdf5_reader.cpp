@@ -13,7 +13,7 @@ constexpr std::uint64_t kMostLevels = 16;  // of a tree
 constexpr std::uint64_t kMostNames = std::uint64_t{1} << 20;  // bytes of a group's names
 constexpr std::size_t kMostText = std::size_t{16} << 20;
 
-// A node of a tree of version 1.
+// A node of a version 1 B-tree.
 struct Node {
   std::size_t entries = 0;
   std::string keys;  // and children, one after the other
@@ -32,13 +32,13 @@ Result<Node> read_node(const Source& source, std::uint64_t address, std::uint64_
   return Node{entries, *std::move(keys)};
 }
 
-// The level that the first node of a tree says that it has.
+// Declared level of a tree's root.
 std::uint64_t level_of(const Source& source, std::uint64_t tree) {
   const std::optional<std::string> head = source.bytes(tree, kNodeHead);
   return head ? static_cast<unsigned char>((*head)[5]) : 0;
 }
 
-// The names of a group's members, each with a zero behind it.
+// Names of a group's members, zero-terminated.
 Result<std::string> read_names(const Source& source, std::uint64_t heap) {
   const std::optional<std::string> head = source.bytes(heap, 32);
   if (!head) return foreign("the names of a group are not there");
@@ -55,10 +55,10 @@ std::string text_at(std::string_view padded) {
   return std::string(padded.substr(0, padded.find('\0')));
 }
 
-// How many rows a chunk of a column has.
+// Number of rows of a column's chunk.
 std::uint64_t chunk_rows(const StoredColumn& column) { return column.object.layout->chunk.front(); }
 
-// Whether a column's chunks are of whole rows.
+// Whether a column's chunks consist of whole rows.
 bool has_whole_rows(const StoredColumn& column) {
   const std::vector<std::uint64_t>& sides = *column.object.sides;
   const std::vector<std::uint64_t>& chunk = column.object.layout->chunk;
@@ -80,7 +80,7 @@ Result<Reader> Reader::open(Source source) {
 }
 
 std::uint64_t Reader::most_bytes() const {
-  // a deflated byte is of 1032 bytes at most
+  // deflate expands a byte to at most 1032
   constexpr std::uint64_t kMostUnpacked = 1100;
   return kMostUnpacked * source_.size();
 }
@@ -114,7 +114,7 @@ Result<Reader::Entries> Reader::entries(const Object& group) const {
   return found;
 }
 
-// `budget`: the nodes that may be read yet, as a tree may lead to itself.
+// `budget`: number of nodes left to read, as a tree may contain cycles.
 Result<void> Reader::add_entries(std::uint64_t node, std::uint64_t level, std::string_view names,
                                  std::size_t& budget, Entries& entries) const {
   constexpr std::uint64_t kOfGroups = 0;
@@ -147,7 +147,7 @@ Result<void> Reader::add_leaf(std::uint64_t leaf, std::string_view names, Entrie
     bytes.skip(20);
     if (kind >= kLink) return foreign("a member of a group is a link");
     std::string name = at < names.size() ? text_at(names.substr(at)) : "";
-    // in their order, so that no two have one name
+    // strictly ascending, so that names are unique
     const bool next = entries.empty() || entries.back().first < name;
     if (name.empty() || name.find('/') != std::string::npos || !next) {
       return foreign("a name in a group is none");

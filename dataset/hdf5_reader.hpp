@@ -15,7 +15,7 @@
 
 namespace shigusa::hdf5 {
 
-// Rows of a table, the last one not among them.
+// Range of rows of a table, [first, last).
 struct RowRange {
   std::size_t first = 0;
   std::optional<std::size_t> last{};  // none: to the end
@@ -28,24 +28,23 @@ struct StoredColumn {
   Object object;  // the dataset
 };
 
-// Reads the groups and datasets of a file that strangers may have made. HDF5's own library follows
-// a file to other files, and crashes on damaged ones; this one knows no more than what is written
-// here.
+// Reader of groups and datasets of untrusted files. HDF5's own library follows links to other
+// files, and crashes on damaged ones; this reader supports only what is described here.
 class Reader {
  public:
-  // Fails on what does not begin as a file does.
+  // Opens a file; fails without the signature.
   [[nodiscard]] static Result<Reader> open(Source source);
 
-  // More bytes than all columns together can have, however they are packed.
+  // Upper bound on the bytes of all columns, however they are compressed.
   [[nodiscard]] std::uint64_t most_bytes() const;
-  // An object by its path, "/" or "/motions/human-1f2e3d".
+  // Object by its path, "/" or "/motions/human-1f2e3d".
   [[nodiscard]] Result<Object> object(std::string_view path) const;
-  // Names of what a group has, sorted; and where.
+  // Sorted names of a group's members, with their addresses.
   using Entries = std::vector<std::pair<std::string, std::uint64_t>>;
   [[nodiscard]] Result<Entries> entries(const Object& group) const;
-  // A dataset of one to four sides that is a column of a table.
+  // A dataset of one to four dimensions as a column of a table.
   [[nodiscard]] Result<StoredColumn> column(std::uint64_t address, const std::string& name) const;
-  // Bytes of some of its rows. Fails where the file has them not.
+  // Bytes of some of its rows. Fails if the file lacks them.
   [[nodiscard]] Result<std::string> rows(const StoredColumn& column, const RowRange& range) const;
   // A dataset that is a single text.
   [[nodiscard]] Result<std::string> text(std::string_view path) const;
@@ -74,9 +73,9 @@ class Reader {
   std::uint64_t root_ = 0;  // where the object "/" is
 };
 
-// An attribute's text; empty where there is none. Fails where it is no text.
+// Text of an attribute; empty if absent. Fails if it is no text.
 [[nodiscard]] Result<std::string> text_of(const Object& object, std::string_view name);
-// The texts of an attribute that is a list of them.
+// Texts of an attribute that is a list.
 [[nodiscard]] Result<std::vector<std::string>> texts_of(const Object& object,
                                                         std::string_view name);
 

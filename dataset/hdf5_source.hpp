@@ -11,15 +11,15 @@
 
 namespace shigusa::hdf5 {
 
-// The bytes that addresses in a file of HDF5 are of: all that follow the head.
+// Bytes of an HDF5 file, addressed from behind the head.
 class Source {
  public:
   explicit Source(std::string bytes) : bytes_(std::move(bytes)), size_(bytes_.size()) {}
-  // The rest of a file from `begin` on.
+  // The file from `begin` on.
   Source(Descriptor file, std::uint64_t begin);
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  // Bytes of the file; none where it has fewer.
+  // Bytes of the file; empty if it has fewer.
   [[nodiscard]] std::optional<std::string> bytes(std::uint64_t at, std::uint64_t size) const;
 
  private:
@@ -29,7 +29,7 @@ class Source {
   std::uint64_t size_ = 0;
 };
 
-// Takes numbers, the least byte first, from the beginning of bytes; after their end all are 0.
+// Reads little-endian numbers from bytes; beyond their end they are 0.
 class Bytes {
  public:
   explicit Bytes(std::string_view all) : rest_(all) {}
@@ -54,7 +54,7 @@ class Bytes {
   }
   void skip(std::size_t size) { (void)text(size); }
 
-  // Whether all that was taken was there.
+  // Whether all reads were within the bytes.
   [[nodiscard]] bool whole() const { return whole_; }
   [[nodiscard]] std::string_view rest() const { return rest_; }
 

@@ -17,7 +17,7 @@
 namespace shigusa {
 namespace {
 
-// The text between `key` and the end of its line; empty where there is none.
+// Text between `key` and the end of its line; empty if absent.
 std::string value_of_line(std::string_view text, std::string_view key) {
   const std::size_t begin = text.find(key);
   if (begin == std::string_view::npos) return {};
@@ -25,7 +25,7 @@ std::string value_of_line(std::string_view text, std::string_view key) {
   return std::string(rest.substr(0, rest.find('\n')));
 }
 
-// A head in the one form that heads have; none elsewhere.
+// Parses the canonical form of a head; empty for any other text.
 std::optional<IndexHead> parse_index_head(std::string_view bytes) {
   IndexHead head{.plan = value_of_line(bytes, "\nplan "),
                  .sha256 = value_of_line(bytes, "\nsha256 ")};

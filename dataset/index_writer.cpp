@@ -11,7 +11,7 @@
 namespace shigusa {
 namespace {
 
-// Rows are written when they are this many: of what is packed together in the file a few times.
+// Number of rows written at once: a few compressed chunks.
 constexpr std::size_t kHeldRows = std::size_t{1} << 16;
 
 }  // namespace
@@ -30,7 +30,7 @@ Result<IndexFile> IndexFile::create(const std::filesystem::path& path) {
 }
 
 Result<std::uint64_t> IndexFile::finish(const IndexHead& head) {
-  // HDF5 writes the last of it when the file is closed, and tells of a full disk before that
+  // HDF5 writes the last data on closing, after its last report of errors such as a full disk
   if (H5Fflush(file_.id(), H5F_SCOPE_LOCAL) < 0) return hdf5::failed("write", path_.string());
   file_ = {};
   IndexHead whole = head;

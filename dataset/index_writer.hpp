@@ -14,14 +14,14 @@
 
 namespace shigusa {
 
-// An index that is being written: a file beside its place, which gets its name when it is whole and
-// on the disk, and goes where it is not.
+// An index under construction: a temporary file that is renamed when complete and flushed, and
+// removed otherwise.
 class IndexFile {
  public:
   [[nodiscard]] static Result<IndexFile> create(const std::filesystem::path& path);
 
   [[nodiscard]] const hdf5::Handle& file() const { return file_; }
-  // Gives the file its head and its name; its bytes.
+  // Writes the head and renames the file; returns its size.
   [[nodiscard]] Result<std::uint64_t> finish(const IndexHead& head);
 
  private:
@@ -31,17 +31,17 @@ class IndexFile {
   hdf5::Handle file_;
 };
 
-// A table whose rows come little by little, and of which few are held at a time.
+// A table written in batches of rows.
 class RowWriter {
  public:
-  // `columns` has the columns without rows; `rows` is how many there will be.
+  // `columns`: the columns without rows; `rows`: the final number of rows.
   [[nodiscard]] static Result<RowWriter> create(const hdf5::Handle& group, Table columns,
                                                 std::size_t rows);
-  // The table to which rows are added; flush() is to be called now and then.
+  // The table to which rows are added; call flush() regularly.
   [[nodiscard]] Table& rows() { return table_; }
   // Adds the rows of a table with the same columns.
   void add(const Table& more);
-  // Writes what there is, if it is much; `all`: whatever it is.
+  // Writes the pending rows if there are many; `all`: in any case.
   [[nodiscard]] Result<void> flush(bool all = false);
 
  private:

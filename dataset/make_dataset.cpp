@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The shards of a plan that are to be made.
+// Shards of a plan to be made.
 struct Making {
   const DatasetPlan& plan;
   const DatasetSettings& settings;
@@ -36,7 +36,7 @@ ShardHead head_of(const DatasetPlan& plan, std::uint64_t shard) {
   return {.plan = plan.digest(), .shard = shard, .tasks = plan.tasks_of(shard)};
 }
 
-// Whether the shard is there. Fails where another plan's is.
+// Whether the shard exists. Fails if it is of another plan.
 Result<bool> is_there(const DatasetPlan& plan, const std::filesystem::path& folder,
                       std::uint64_t shard) {
   const std::filesystem::path path = folder / shard_name(shard);
@@ -47,16 +47,16 @@ Result<bool> is_there(const DatasetPlan& plan, const std::filesystem::path& fold
                 "is a shard of another plan: give another folder, or move that one away",
                 path.string());
   }
-  // the last one of a plan that had fewer tasks is made again
+  // the last shard of a previously shorter plan is made again
   return same_place(*head, head_of(plan, shard));
 }
 
-// Makes the tasks of a shard, several at once, and gathers their rows in the tasks' order.
+// Makes the tasks of a shard in parallel, and collects their rows in task order.
 std::vector<Table> shard_tables(Making& work, std::uint64_t shard) {
   std::vector<Table> tables = empty_tables();
   const TaskRange range = work.plan.tasks_of(shard);
   const int threads = thread_count(work.settings.threads);
-  // a few for each thread: of these the one that takes longest is waited for
+  // a few per thread: the slowest of them is waited for
   const std::uint64_t batch = 8 * static_cast<std::uint64_t>(threads);
   for (std::uint64_t first = range.first; first < range.last; first += batch) {
     const auto count = std::min(batch, range.last - first);
@@ -74,7 +74,7 @@ std::vector<Table> shard_tables(Making& work, std::uint64_t shard) {
     }
     work.tell();
   }
-  // bodies that are drawn seldom come first in another order from shard to shard
+  // rarely drawn bodies occur in another order in each shard
   std::sort(tables.begin(), tables.end(),
             [](const Table& a, const Table& b) { return a.path < b.path; });
   return tables;
@@ -111,7 +111,7 @@ Result<void> keep_plan(const DatasetPlan& plan, const std::filesystem::path& fol
       return fail(ErrorCode::invalid_argument,
                   "is another plan: a folder has the data of one alone", path.string());
     }
-    // what may differ is how many tasks there are: the larger number stays
+    // only the number of tasks may differ: the larger one is kept
     if (other.tasks() >= plan.tasks()) return {};
   }
   return write_file(path, plan.text_in(folder));
@@ -135,7 +135,7 @@ Result<DatasetRun> make_dataset(const DatasetPlan& plan, const DatasetSettings& 
   work.tell();
   for (const std::uint64_t shard : missing) {
     if (settings.cancel != nullptr && settings.cancel->load()) break;
-    // another program may have made it meanwhile
+    // another program may have made it in the meantime
     SHG_TRY_ASSIGN(const bool there, is_there(plan, settings.folder, shard));
     if (there) {
       ++work.run.there;

@@ -25,7 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The rows that a shard has of a table.
+// Rows of a table in a shard.
 struct Part {
   std::uint32_t shard = 0;
   std::uint32_t rows = 0;
@@ -37,7 +37,7 @@ struct WholeTable {
   std::vector<Part> parts;
 };
 
-// A data set that is being merged.
+// A merge in progress.
 struct Merge {
   const DatasetPlan& plan;
   const std::filesystem::path& folder;
@@ -63,8 +63,7 @@ Table shards_table() {
             .text_size = kSumSize}}};
 }
 
-// Whether a table of tasks, or of what belongs to them, has the columns that this program knows and
-// no others.
+// Whether a table of tasks, or of their parts, has exactly the columns that this program writes.
 bool is_known(const Table& table) {
   for (const Table& known : empty_tables()) {
     if (known.path == table.path) return same_columns(known, table);
@@ -72,7 +71,7 @@ bool is_known(const Table& table) {
   return true;
 }
 
-// Notes the rows that a shard has of a table; how many.
+// Records a shard's rows of a table; returns their number.
 Result<std::size_t> note_table(Merge& merge, const ShardReader& shard, const std::string& path) {
   const std::uint64_t number = shard.head().shard;
   SHG_TRY_ASSIGN(Table columns, shard.table(path, {}, {0, 0}));
@@ -91,7 +90,7 @@ Result<std::size_t> note_table(Merge& merge, const ShardReader& shard, const std
   return tasks.rows();
 }
 
-// Reads a shard: its sum, its numbers, its splits.
+// Reads a shard: its checksum, its statistics, its splits.
 Result<void> add_shard(Merge& merge, std::uint64_t number, RowWriter& shards, RowWriter& splits) {
   SHG_TRY_ASSIGN(const ShardReader shard, open_shard(merge.plan, merge.folder, number));
   SHG_TRY_ASSIGN(const std::vector<std::string> paths, paths_of(shard));
@@ -147,7 +146,7 @@ Result<void> write_whole(const hdf5::Handle& file, const WholeTable& table) {
   return {};
 }
 
-// How many rows each shard has of each table: with them a reader finds a row's shard by itself.
+// Numbers of rows per shard and table, by which readers find the shard of a row.
 Result<void> write_row_counts(const hdf5::Handle& group, const Merge& merge) {
   Table table;
   table.columns = {{.name = "rows",
@@ -194,7 +193,7 @@ Result<void> write_rule(const hdf5::Handle& group, bool numbered) {
   return {};
 }
 
-// Reads all shards and writes what is as long as they are many.
+// Reads all shards and writes the tables whose size is proportional to them.
 Result<void> read_shards(Merge& merge, const hdf5::Handle& file) {
   SHG_TRY_ASSIGN(const hdf5::Handle list, hdf5::create_group(file, kShardsTable));
   SHG_TRY_ASSIGN(const hdf5::Handle parts, hdf5::create_group(file, kSplitsTable));

@@ -11,12 +11,11 @@ namespace shigusa {
 // Frames of a motion.
 inline constexpr std::size_t kDataFrames = kMotionSteps + 1;
 
-// The lists of names that a table of motions has.
+// Lists of names of a motion table.
 inline constexpr const char* kMotionLists[] = {"joints", "parameters",   "criteria",
                                                "nodes",  "node_parents", "feet"};
 
-// Adds the columns of a table of motions, without rows: what these are of stands in the table's
-// lists.
+// Adds the columns of a motion table without rows; the table's lists give their sizes.
 void add_motion_columns(std::span<const DatasetSeries> series, Table& table);
 
 }  // namespace shigusa

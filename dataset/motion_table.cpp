@@ -13,8 +13,8 @@
 namespace shigusa {
 namespace {
 
-// The freedoms in the order that the body has them standing on its right foot, or of a robot the
-// file's joints.
+// Degrees of freedom in the order of the body standing on its right foot, or for a robot the file's
+// joints.
 std::vector<DataDof> data_dofs(const TaskFile& file, const BodyModel& body) {
   std::vector<DataDof> dofs;
   if (body.robot()) {
@@ -48,7 +48,7 @@ std::vector<std::string> node_parents(const BodyModel& body,
   return parents;
 }
 
-// "human" of the built-in body, "avatar" of a file.
+// Kind of body: "human" for the built-in body, "avatar" for a file.
 std::string stem_of(const std::string& source) {
   std::string stem = source.substr(source.find_last_of('/') + 1);
   if (const std::size_t dot = stem.rfind('.'); dot != std::string::npos && dot > 0) {
@@ -76,7 +76,7 @@ MotionTable::MotionTable(const TaskFile& file, const Task& task,
   describe();
 }
 
-// The columns, and the lists of names that say what their numbers are of.
+// Columns, and lists of names for their numbers.
 void MotionTable::describe() {
   const std::vector<std::string> nodes = node_names(task_.body);
   std::vector<std::string> dofs;
@@ -92,7 +92,7 @@ void MotionTable::describe() {
     for (const std::string& name : list) hash.add(name + "\n");
     hash.add(what);
   }
-  // bodies of one name that differ in this are no rows of one table
+  // bodies of one name that differ in this get separate tables
   table_.path = fmt::format("{}/{}-{:06x}", kMotionsGroup, stem_of(file_.character.source),
                             hash.value() & 0xFFFFFF);
   add_motion_columns(series_, table_);
@@ -180,7 +180,7 @@ void MotionTable::add_series(DatasetSeries series, const Candidate& candidate) {
   }
 }
 
-// `turns`: how nodes are turned in their parents; else where they are.
+// `turns`: local rotations of nodes; else their positions.
 void MotionTable::add_nodes(const Candidate& candidate, bool turns) {
   const std::span<const BodyNode> nodes = task_.body.nodes();
   const Clip& clip = candidate.motion.clip;
@@ -214,7 +214,7 @@ void MotionTable::add_pressure(const Candidate& candidate) {
     for (std::size_t k = 0; k < 2 * kDataFrames; ++k) into.push(kNoNumber);
     return;
   }
-  // with the loads in its hands, and on the feet that stand
+  // with the loads in its hands, on its planted feet
   const Result<PreparedTask> standing = PreparedTask::of(task_);
   const BodyModel& body = standing ? standing->task().body : task_.body;
   for (const Vec3d& centre : centres_of_pressure(body, candidate.motion)) {

@@ -10,18 +10,18 @@
 
 namespace shigusa {
 
-// A freedom of a body as data sets have it: in the same order whichever foot the body stands on,
-// and of robots the file's joint in the file's direction.
+// A body's degree of freedom in data sets: in the same order for either standing foot; for robots
+// the file's joint in the file's direction.
 struct DataDof {
   std::string name;
   int dof = 0;        // of the body
   double sign = 1.0;  // the column has sign · q
 };
 
-// The rows of one task's motions.
+// Writer of the rows of one task's motions.
 class MotionTable {
  public:
-  // Borrows all of it.
+  // Borrows all arguments.
   MotionTable(const TaskFile& file, const Task& task, std::span<const DatasetSeries> series);
 
   void add(std::uint64_t number, std::size_t rank, const GenerateResult& generation);

@@ -27,7 +27,7 @@ struct DatasetPlan::Made {
   std::vector<DatasetSeries> series;
   KeptMotions motions = KeptMotions::reached;
   Json task;
-  Json whole;  // the file, but for where its characters are
+  Json whole;  // the file without the paths of its characters
   std::vector<std::string> files;
   std::string text;
   std::string digest;
@@ -36,7 +36,7 @@ struct DatasetPlan::Made {
 
 namespace {
 
-// Random numbers of a task beside its draws have names that are no places of values.
+// Names of a task's further random streams, which differ from all places of values.
 std::uint64_t stream_of(std::string_view name, std::uint64_t task) {
   Fnv1a hash;
   hash.add(name);
@@ -44,7 +44,7 @@ std::uint64_t stream_of(std::string_view name, std::uint64_t task) {
   return hash.value();
 }
 
-// A task with one goal, or none, of a character as drawn.
+// A task of a drawn character with at most one goal.
 Result<Task> task_of(Cast& cast, const Json& character, const Json& goal) {
   Json json = Json::object();
   if (!character.is_null()) json["character"] = character;
@@ -60,8 +60,7 @@ Result<Json> drawn_of(const Json& task, Cast& cast, const DrawSource& source) {
   });
 }
 
-// The ends of all draws: each task that has all of them low, or high, with one alternative of each
-// choice.
+// Tasks at the ends of all draws: all low, or all high, with one alternative of each choice.
 Result<std::vector<TaskFile>> ends_of(const Json& task, Cast& cast, const std::string& place) {
   std::vector<TaskFile> ends;
   const std::size_t alternatives = most_alternatives(task);
@@ -75,7 +74,7 @@ Result<std::vector<TaskFile>> ends_of(const Json& task, Cast& cast, const std::s
   return ends;
 }
 
-// The characters' files among the ends, each once.
+// Files of the characters among these, each once.
 std::vector<std::string> files_of(const std::vector<TaskFile>& ends) {
   std::vector<std::string> sources;
   for (const TaskFile& end : ends) {
@@ -86,7 +85,7 @@ std::vector<std::string> files_of(const std::vector<TaskFile>& ends) {
   return sources;
 }
 
-// The most memory (bytes) that the motions of one of these tasks take.
+// Largest memory (bytes) of the motions of one of these tasks.
 Result<std::uint64_t> task_bytes(const std::vector<TaskFile>& ends, Cast& cast,
                                  std::span<const DatasetSeries> series, const std::string& place) {
   std::uint64_t most = 0;
@@ -100,8 +99,8 @@ Result<std::uint64_t> task_bytes(const std::vector<TaskFile>& ends, Cast& cast,
   return most;
 }
 
-// The tasks of a shard: as many as the plan says or, where it says nothing, a round number that
-// memory allows.
+// Number of tasks of a shard: the plan's, or, if it gives none, a round number within the memory
+// limit.
 Result<std::uint64_t> shard_tasks_of(std::uint64_t asked, std::uint64_t bytes,
                                      const std::string& name) {
   const std::uint64_t most =
@@ -137,7 +136,7 @@ Result<void> read_series(JsonReader& reader, std::vector<DatasetSeries>& series)
       series.push_back(*known);
     }
   }
-  // one order whatever the file's
+  // a fixed order, independent of the file's
   std::sort(series.begin(), series.end());
   return {};
 }
@@ -185,7 +184,7 @@ Result<DatasetPlan> DatasetPlan::parse(std::string_view text, std::string_view n
                             shards, made->shard_tasks, kDatasetMaxShards),
                 place + ": tasks");
   }
-  // what a data set is called and how far it goes changes none of its tasks
+  // title and number of tasks of a data set do not change its tasks
   Json same{{"version", kDatasetVersion},
             {"seed", made->seed},
             {"people", made->people},
@@ -254,7 +253,7 @@ Result<DrawnTask> DatasetPlan::task(std::uint64_t index) const {
   SHG_TRY_ASSIGN(Json json, drawn_of(made_->task, made_->cast,
                                      {.seed = seed(), .task = index, .person = task.person}));
   if (!json.contains("seed")) {
-    // 53 bits, which every reader of JSON keeps
+    // 53 bits, which every reader of JSON preserves
     json["seed"] = Random(seed(), stream_of("seed", index)).next() >> 11;
   }
   SHG_TRY_ASSIGN(task.file, parse_task(json.dump(), fmt::format("task {}", index)));

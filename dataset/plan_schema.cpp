@@ -26,7 +26,7 @@ Json draw_schema() {
   return {{"description", "A draw in a value's place."}, {"anyOf", kinds}};
 }
 
-// The schema with a draw allowed wherever a value is.
+// Schema with draws permitted in place of values.
 Json with_draws(const Json& schema) {
   if (!schema.is_object()) return schema;
   Json result = schema;
@@ -42,7 +42,7 @@ Json with_draws(const Json& schema) {
   if (schema.contains("anyOf")) {
     for (Json& one : result["anyOf"]) one = with_draws(one);
   }
-  // objects are drawn by their members; all else as a whole too
+  // objects are drawn member by member; other values also as a whole
   if (schema.contains("properties")) return result;
   Json description;
   if (result.contains("description")) {

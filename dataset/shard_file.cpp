@@ -24,7 +24,7 @@ using hdf5::Handle;
 constexpr std::string_view kTitle = "shigusa data set, shard";
 constexpr std::size_t kDigits = 64;  // of a SHA-256
 
-// All of a head but its sum.
+// Head without its checksum.
 std::string head_text(const ShardHead& head) {
   return fmt::format("{} version {}\nplan {}\nshard {}\ntasks {} {}\n", kTitle, kDatasetVersion,
                      head.plan, head.shard, head.tasks.first, head.tasks.last);
@@ -47,7 +47,7 @@ Result<void> write_table(const Handle& file, const Table& table) {
   return {};
 }
 
-// A line "KEY A B" of a head.
+// Parses a line "KEY A B" of a head.
 bool take_line(std::istringstream& lines, std::string_view key, std::string& value) {
   std::string line;
   if (!std::getline(lines, line) || !line.starts_with(key) || line.size() <= key.size()) {

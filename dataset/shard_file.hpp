@@ -17,9 +17,8 @@
 
 namespace shigusa {
 
-// The place of a shard in its data set. It stands in plain text in the first bytes of the file,
-// before what HDF5 has, with the SHA-256 of all that follows: a change of any byte can be found,
-// and no reader of HDF5 minds.
+// Position of a shard in its data set. It is plain text at the beginning of the file, before the
+// HDF5 data, with the SHA-256 of all following bytes; HDF5 readers skip it as a user block.
 struct ShardHead {
   std::string plan;  // its digest
   std::uint64_t shard = 0;
@@ -32,48 +31,47 @@ struct ShardHead {
   }
 };
 
-// The bytes that the head has at the beginning of a file: the least that HDF5 lets a user have.
+// Size of the head: the least user block of HDF5.
 inline constexpr std::size_t kHeadSize = 512;
-// A larger file is no shard.
+// Largest size of a shard.
 inline constexpr std::size_t kShardFileMaxBytes = std::size_t{256} << 20;
 
-// The bytes of a shard's file.
+// Bytes of a shard's file.
 [[nodiscard]] Result<std::string> format_shard(const ShardHead& head, const std::string& plan_text,
                                                const std::vector<Table>& tables);
 
-// The bytes that a file begins with, at most kHeadSize.
+// First bytes of a file, at most kHeadSize.
 [[nodiscard]] std::string first_bytes(const Descriptor& file);
 
-// Parses a head; none where that is no shard's.
+// Parses a head; empty if it is no shard's.
 [[nodiscard]] std::optional<ShardHead> parse_head(std::string_view bytes);
-// The head of a shard's file; nothing where there is no such file, and an error where it is no
-// shard.
+// Head of a shard's file; empty if there is no such file, and an error if it is no shard.
 [[nodiscard]] Result<std::optional<ShardHead>> read_head(const std::filesystem::path& path);
 
-// The bytes of a shard's file by what HDF5 has of it.
+// Bytes of a shard's file from its HDF5 part.
 [[nodiscard]] std::string with_head(const ShardHead& head, std::string image);
 
 using hdf5::RowRange;
 
-// A shard that is open for reading, which a stranger may have made: what it holds are the tables
-// that this program writes, of numbers that may stand there.
+// An untrusted shard opened for reading: its tables have the form that this program writes, with
+// values in range.
 class ShardReader {
  public:
-  // Fails on a file whose bytes are not those that its head tells, and on tables of another form.
+  // Fails on a file whose checksum differs, and on tables of another form.
   [[nodiscard]] static Result<ShardReader> open(const std::filesystem::path& path);
   ShardReader(ShardReader&&) noexcept;
   ShardReader& operator=(ShardReader&&) noexcept;
   ~ShardReader();
 
   [[nodiscard]] const ShardHead& head() const { return head_; }
-  // The sentence about the shard's axes.
+  // Sentence about the shard's axes.
   [[nodiscard]] Result<std::string> axes() const;
-  // The plan's text, as DatasetPlan::text.
+  // Text of the plan, as DatasetPlan::text.
   [[nodiscard]] Result<std::string> plan_text() const;
-  // The paths of the motions' tables, sorted.
+  // Sorted paths of the motions' tables.
   [[nodiscard]] Result<std::vector<std::string>> motion_tables() const;
-  // A table with these of its columns, or all; and of these only rows first to last. Fails on
-  // numbers that cannot stand there.
+  // A table with some or all of its columns, and only the rows first to last. Fails on values out
+  // of range.
   [[nodiscard]] Result<Table> table(const std::string& path,
                                     const std::vector<std::string>& columns = {},
                                     const RowRange& rows = {}) const;

@@ -16,7 +16,7 @@
 namespace shigusa {
 namespace {
 
-// The range of a column; of all others any number that is finite, or none.
+// Range of a column; other columns accept any finite number, or NaN.
 struct Allowed {
   std::string_view column;
   double low;
@@ -63,8 +63,8 @@ bool are_texts(const std::vector<std::string>& texts) {
   return std::all_of(texts.begin(), texts.end(), is_text);
 }
 
-// The fault of a column's numbers; empty where there is none. `refused`: the rows of which nothing
-// is known.
+// Error in a column's numbers; empty if there is none. `refused`: rows of refused tasks, which have
+// no values.
 std::string wrong_numbers(const Column& column, const std::vector<bool>& refused) {
   Allowed allowed = allowed_of(column);
   const std::size_t parts = column.rows() == 0 ? 1 : column.row_size() / size_of(column.type);
@@ -85,7 +85,7 @@ std::string wrong_numbers(const Column& column, const std::vector<bool>& refused
   return {};
 }
 
-// Turns of nodes are quaternions of no length but 1.
+// Checks that rotations of nodes are unit quaternions.
 bool has_turns(const Column& column) {
   constexpr double kOff = 0.1;
   for (std::size_t row = 0; row < column.rows(); ++row) {
@@ -100,7 +100,7 @@ bool has_turns(const Column& column) {
   return true;
 }
 
-// The tasks that were refused, of a table of tasks.
+// Refused tasks in a table of tasks.
 std::vector<bool> refused_rows(const Table& table) {
   std::vector<bool> refused;
   const Column* const status = table.find("status");
@@ -120,7 +120,7 @@ std::string wrong_values(const Column& column, const std::vector<bool>& refused)
   return wrong;
 }
 
-// The columns that a table of motions has at least, with those of the series that it has.
+// Required columns of a motion table, including those of its series.
 Result<Table> motion_form(const Table& table) {
   Table form{.path = table.path, .names = table.names};
   for (const char* list : kMotionLists) {
@@ -136,7 +136,7 @@ Result<Table> motion_form(const Table& table) {
   return form;
 }
 
-// Whether each node's parent, where it has one, comes before it.
+// Whether each node's parent precedes it.
 Result<void> check_nodes(const Table& table) {
   const std::vector<std::string>& names = *table.names_of("nodes");
   const std::vector<std::string>& parents = *table.names_of("node_parents");

@@ -5,22 +5,22 @@
 
 #include "table.hpp"
 
-// The form of a shard's tables. A shard may be a stranger's, and its sum a stranger's too: whoever
-// reads its tables relies on these alone.
+// Form of a shard's tables. A shard may be untrusted, and so is its checksum; readers of its tables
+// rely on these checks alone.
 namespace shigusa {
 
-// Whether two columns are of one form, whatever their rows and what they say.
+// Whether two columns have the same form, apart from rows and descriptions.
 [[nodiscard]] bool same_column(const Column& a, const Column& b);
 
-// Fails where a table, by its path, is without a column or a list of names that this program
-// writes, or has it in another form: of another width, another type, other words.
+// Fails if a table, by its path, lacks a column or list of names that this program writes, or has
+// one of another width, type or words.
 [[nodiscard]] Result<void> check_form(const Table& empty);
 
-// Fails where columns have unlike rows, or numbers and texts that this program does not write:
-// infinities, numbers without a word, durations of no time, texts that are no text.
+// Fails if columns differ in their number of rows, or have values that this program does not write:
+// infinities, numbers without a word, zero durations, malformed texts.
 [[nodiscard]] Result<void> check_values(const Table& table);
 
-// Goals of one task at most, and motions and obstacles.
+// Largest number of goals of a task, and of motions and obstacles.
 inline constexpr std::size_t kMostOfTask = 1000;
 
 }  // namespace shigusa

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kBegin = "shard-";
 constexpr std::string_view kEnd = ".h5";
 
-// The number in a shard's name; none of other names.
+// Number in a shard's name; empty for other names.
 std::optional<std::uint64_t> number_in(const std::string& name) {
   if (!name.starts_with(kBegin) || !name.ends_with(kEnd)) return std::nullopt;
   std::uint64_t number = 0;

@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-// The shards of a plan in a folder, by their names.
+// Shards of a plan in a folder, by their names.
 struct ShardList {
   std::vector<std::uint64_t> there;    // numbers, in their order
   std::vector<std::uint64_t> missing;  // the same
@@ -19,24 +19,24 @@ struct ShardList {
 };
 [[nodiscard]] ShardList list_shards(const DatasetPlan& plan, const std::filesystem::path& folder);
 
-// A shard of a plan that is open for reading. Fails on a file whose bytes are not those that it was
-// written with, and on a shard of another plan or another place.
+// A shard of a plan opened for reading. Fails on a file with another checksum, and on a shard of
+// another plan or position.
 [[nodiscard]] Result<ShardReader> open_shard(const DatasetPlan& plan,
                                              const std::filesystem::path& folder,
                                              std::uint64_t shard);
 
-// Columns of a table, all of the same number of rows.
+// Columns of a table, all with the same number of rows.
 [[nodiscard]] Result<Table> read_columns(const ShardReader& shard, const std::string& path,
                                          const std::vector<std::string>& columns);
 
-// Fails where a table of tasks has not one row for each task of the shard, in their order.
+// Fails unless a table of tasks has one row per task of the shard, in order.
 [[nodiscard]] Result<void> check_tasks(const Table& tasks, const ShardHead& head,
                                        const std::string& place);
 
-// Whether two tables, whatever their rows, have the same columns and lists of names.
+// Whether two tables have the same columns and lists of names, whatever their rows.
 [[nodiscard]] bool same_columns(const Table& a, const Table& b);
 
-// The paths of all tables of a shard: of the tasks and of what belongs to them, then of motions.
+// Paths of all tables of a shard: of tasks and their parts, then of motions.
 [[nodiscard]] Result<std::vector<std::string>> paths_of(const ShardReader& shard);
 
 }  // namespace shigusa

@@ -10,11 +10,11 @@
 
 namespace shigusa {
 
-// Adds the numbers of a shard to those of its data set, and its tasks' rows to a table of splits.
+// Adds a shard to the statistics of its data set, and its tasks' rows to a table of splits.
 [[nodiscard]] Result<void> add_shard_numbers(const ShardReader& shard, const DatasetPlan& plan,
                                              DatasetStatistics& statistics, Table& splits);
 
-// The text of the file of a data set's statistics.
+// Text of a data set's statistics file.
 [[nodiscard]] std::string format_statistics(const DatasetPlan& plan, const ShardList& shards,
                                             const DatasetStatistics& statistics);
 

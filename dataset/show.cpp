@@ -89,7 +89,7 @@ std::string share(std::uint64_t part, std::uint64_t all) {
   return fmt::format("{:.{}f} %", percent, percent > 99.0 && part < all ? 1 : 0);
 }
 
-// "12 min", "3.2 h".
+// Words for a duration, "12 min", "3.2 h".
 std::string time_words(double seconds) {
   if (seconds < 120.0) return fmt::format("{:.0f} s", seconds);
   if (seconds < 7200.0) return fmt::format("{:.0f} min", seconds / 60.0);

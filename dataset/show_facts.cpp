@@ -9,9 +9,9 @@
 namespace shigusa {
 namespace {
 
-// Marks of a plot: more would only cover each other.
+// Largest number of marks in a plot: more would only overlap.
 constexpr std::size_t kMarks = 1200;
-// Streams of the seed's numbers that tickets are of.
+// Random streams of the tickets.
 constexpr std::uint64_t kGoalTickets = 0x676F616C;
 constexpr std::uint64_t kMotionTickets = 0x6D6F7665;
 
@@ -19,7 +19,7 @@ std::uint64_t ticket(std::uint64_t seed, std::uint64_t stream, std::uint64_t num
   return Random(seed ^ stream, number).next();
 }
 
-// The facts of the tasks of a shard.
+// Data of a shard's tasks.
 void add_tasks(const DataFolder& data, const ShardRows& rows, ShowFacts& facts) {
   const Table& goals = *std::next(rows.tables.begin());
   std::map<std::uint64_t, Outcome> outcomes;
@@ -53,7 +53,7 @@ void add_tasks(const DataFolder& data, const ShardRows& rows, ShowFacts& facts) 
   }
 }
 
-// The style of a task's best motion goes to the cell of its first goal.
+// Counts the style of a task's best motion in the cell of its first goal.
 void add_style(const DataMotion& motion, ShowFacts& facts) {
   const auto outcome = static_cast<Outcome>(motion.task.whole("status"));
   if (motion.goals.empty() || outcome > Outcome::unsteady) return;
@@ -119,7 +119,7 @@ Result<ShowFacts> gather_facts(const DataFolder& data, const ShowSettings& setti
 std::vector<ChosenMotion> spread(const ShowFacts& facts, std::size_t most) {
   std::vector<std::vector<ChosenMotion>> ends;
   for (const auto& [words, lottery] : facts.ends) ends.push_back(lottery.drawn());
-  // one of each end, then a second of each, until there are enough
+  // one of each outcome, then a second of each, until there are enough
   std::vector<std::size_t> taken(ends.size(), 0);
   std::size_t count = 0;
   for (bool more = true; more && count < most;) {

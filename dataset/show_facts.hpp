@@ -16,7 +16,7 @@
 
 namespace shigusa {
 
-// Keeps a few of many by lot: those with the lowest tickets, whatever their order.
+// Random sample of a stream: the items with the lowest tickets, in any order of arrival.
 template <class T>
 class Lottery {
  public:
@@ -33,7 +33,7 @@ class Lottery {
     std::push_heap(kept_.begin(), kept_.end(), earlier);
   }
   [[nodiscard]] std::uint64_t seen() const { return seen_; }
-  // Those that are kept, by their tickets.
+  // The kept items, by ticket.
   [[nodiscard]] std::vector<T> drawn() const {
     std::vector<std::pair<std::uint64_t, T>> sorted = kept_;
     std::sort(sorted.begin(), sorted.end(), earlier);
@@ -51,7 +51,7 @@ class Lottery {
   std::vector<std::pair<std::uint64_t, T>> kept_;  // a heap, the highest ticket first
 };
 
-// The end that a task came to, in the order of the column `status`.
+// Outcome of a task, in the order of the column `status`.
 enum class Outcome { reached, unsteady, unreachable, refused };
 inline constexpr std::size_t kOutcomes = 4;
 inline constexpr std::size_t kVerdicts = 3;
@@ -72,7 +72,7 @@ struct ChosenMotion {
   std::uint64_t rank = 0;
 };
 
-// The motions of each score, by verdict.
+// Numbers of motions by score and verdict.
 struct ScoreCounts {
   static constexpr double kStep = 0.01;
   static constexpr std::size_t kBins = 2000;  // the last one has all that is more
@@ -82,28 +82,28 @@ struct ScoreCounts {
   void add(double score, std::size_t verdict);
 };
 
-// The styles of the best motions to goals in one cell of height and distance.
+// Styles of the best motions to goals in one cell of height and distance.
 inline constexpr double kCellHeight = 0.25;  // m
 inline constexpr double kCellAway = 0.1;     // m
 using StyleCells = std::map<std::pair<int, int>, std::map<PostureWord, std::uint64_t>>;
 
-// Bodies that differ are counted up to this.
+// Limit up to which distinct bodies are counted.
 inline constexpr std::size_t kDifferentMost = 100'000;
 
-// All that the page tells, without the motions that it draws.
+// Data of the page, except for the drawn motions.
 struct ShowFacts {
   std::array<std::uint64_t, kOutcomes> tasks{};    // by outcome
   std::array<std::uint64_t, kVerdicts> motions{};  // by verdict
   double seconds = 0.0;                            // of all motions
   std::uint64_t bytes = 0;                         // of the shards
   std::map<std::string, std::uint64_t> characters{};
-  // hashes of bodies that differ, kDifferentMost at most
+  // hashes of distinct bodies, at most kDifferentMost
   std::set<std::uint64_t> bodies{};
   Lottery<GoalMark> goals;
   Lottery<PersonMark> people;
   ScoreCounts scores{};
   StyleCells styles{};
-  // by the words of how they end
+  // by the words of their ends
   std::map<std::string, Lottery<ChosenMotion>> ends{};
 
   [[nodiscard]] std::uint64_t task_count() const;
@@ -113,7 +113,7 @@ struct ShowFacts {
 // Reads all shards, one after the other.
 [[nodiscard]] Result<ShowFacts> gather_facts(const DataFolder& data, const ShowSettings& settings);
 
-// So many motions, spread over the ends: by style, then by task.
+// A number of motions, spread over the ends: by style, then by task.
 [[nodiscard]] std::vector<ChosenMotion> spread(const ShowFacts& facts, std::size_t most);
 
 }  // namespace shigusa

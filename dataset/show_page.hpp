@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// A box in the way: its middle (m, world), its sides along its own axes (m) and how it is turned.
+// An obstacle box: its centre (m, world), its sides along its own axes (m) and its rotation.
 struct ShownBox {
   Vec3d middle;
   Vec3d size;
@@ -35,17 +35,17 @@ struct SheetMotion {
 [[nodiscard]] Result<std::vector<SheetMotion>> read_sheet(const DataFolder& data,
                                                           const std::vector<ChosenMotion>& chosen);
 
-// The contact sheet, as a part of a page.
+// The contact sheet as a part of a page.
 [[nodiscard]] std::string sheet_html(const std::vector<SheetMotion>& motions);
 
-// The plots. `person`: a motion whose first frame stands for the body, where there is one.
+// The plots. `person`: a motion whose first frame represents the body, if there is one.
 [[nodiscard]] std::string reach_html(const ShowFacts& facts, const SheetMotion* person);
 [[nodiscard]] std::string scores_html(const ShowFacts& facts);
 [[nodiscard]] std::string styles_html(const ShowFacts& facts);
 [[nodiscard]] std::string people_html(const ShowFacts& facts);
 
-// The lines of a body in a frame, seen along an axis: from where `right` (unit, horizontal) points
-// to the right; in centimetres, y down.
+// Lines of a body in a frame, projected so that `right` (unit, horizontal) points to the right; in
+// centimetres, y down.
 struct FigureView {
   Vec3d right{1, 0, 0};
   Vec3d up{0, 1, 0};
@@ -53,7 +53,7 @@ struct FigureView {
   [[nodiscard]] double x(const Vec3d& p) const { return 100.0 * dot(p, right); }
   [[nodiscard]] double y(const Vec3d& p) const { return -100.0 * dot(p, up); }
 };
-// `style` is the class of all of it.
+// `style`: class of the whole figure.
 [[nodiscard]] std::string figure_svg(const NodePlaces& places, std::size_t frame,
                                      const FigureView& view, std::string_view style);
 

@@ -8,21 +8,21 @@
 
 namespace shigusa {
 
-// 1234567 as "1,234,567".
+// Number with separators, 1234567 as "1,234,567".
 [[nodiscard]] std::string grouped(std::uint64_t number);
 
-// The numbers on an axis, of a round step: at most `most` of them within low..high.
+// Axis ticks at a round step: at most `most` of them within low..high.
 struct Ticks {
   double step = 1.0;
   std::vector<double> at;
 };
 [[nodiscard]] Ticks ticks(double low, double high, int most);
 
-// A tick's label with as many digits as its step has.
+// Label of a tick, with the digits of its step.
 [[nodiscard]] std::string tick_label(double value, double step);
 
-// The frame of a plot: a range of numbers on each axis, and where they are drawn. Lengths in the
-// picture's own unit, a pixel of a narrow screen.
+// Frame of a plot: a range of numbers on each axis, and the drawing area. Lengths in the picture's
+// own unit, a pixel of a narrow screen.
 struct PlotFrame {
   double left = 44.0;
   double top = 10.0;
@@ -42,15 +42,15 @@ struct PlotFrame {
     return top + height * (down ? share : 1.0 - share);
   }
 };
-// The width of all plots' pictures.
+// Width of all plots.
 inline constexpr double kPlotWidth = 360.0;
 
-// Grid lines, ticks and the axes' names.
+// Grid lines, ticks and the names of the axes.
 [[nodiscard]] std::string axes(const PlotFrame& frame, std::string_view x_name,
                                std::string_view y_name);
 
-// A picture with a title and a sentence below it, as a part of a page. `says` is read to those who
-// do not see it.
+// A picture with a title and a sentence below it, as a part of a page. `says`: text for screen
+// readers.
 struct Picture {
   std::string title;
   std::string caption;  // HTML
@@ -67,7 +67,7 @@ class Marks {
   explicit Marks(MarkShape shape) : shape_(shape) {}
   void add(double x, double y);
   [[nodiscard]] bool empty() const { return path_.empty(); }
-  // The path, of a class of the style sheet.
+  // The path, with a class of the style sheet.
   [[nodiscard]] std::string svg(std::string_view style) const;
 
  private:

@@ -47,7 +47,7 @@ struct Range {
   }
 };
 
-// A frame with the same scale on both axes.
+// Frame with the same scale on both axes.
 PlotFrame even_frame(Range across, Range up, bool down) {
   constexpr double kWidth = 300.0;
   constexpr double kHeight = 330.0;
@@ -103,7 +103,7 @@ std::string reach_view(const ReachView& view, const std::vector<GoalMark>& goals
                  .body = body});
 }
 
-// The score below which `share` of the motions are.
+// Quantile of the scores.
 double quantile(const std::vector<std::uint64_t>& bins, double share) {
   const auto all = static_cast<double>(std::accumulate(bins.begin(), bins.end(), std::uint64_t{0}));
   double below = 0.0;
@@ -114,7 +114,7 @@ double quantile(const std::vector<std::uint64_t>& bins, double share) {
   return ScoreCounts::kStep * static_cast<double>(bins.size());
 }
 
-// A few dozen bars of the fine counts: how wide one is, and where the last one ends.
+// A few dozen bars from the fine counts: width of a bar, and end of the last one.
 struct Bars {
   std::size_t bins = 1;  // fine ones in each
   std::size_t first = 0;
@@ -138,7 +138,7 @@ Bars bars_of(const ScoreCounts& scores) {
   return bars;
 }
 
-// One verdict's bars, on a scale of their own.
+// Bars of one verdict, with their own scale.
 std::string score_row(const std::vector<std::uint64_t>& bins, const Bars& bars, double top,
                       std::size_t verdict) {
   constexpr double kHeight = 62.0;
@@ -185,7 +185,7 @@ std::string score_row(const std::vector<std::uint64_t>& bins, const Bars& bars, 
   return svg;
 }
 
-// The grid of styles, with cells as large as make a picture of few.
+// Grid of styles, with coarser cells if motions are few.
 struct StyleGrid {
   int rows_each = 1;     // of the fine cells in one
   int columns_each = 1;  // the same
@@ -222,7 +222,7 @@ StyleGrid grid_of(const StyleCells& fine) {
   return grid;
 }
 
-// A style's class: those that are known have their own.
+// CSS class of a style; known styles have their own.
 std::string_view style_class(PostureWord style) {
   if (style == PostureWord::upright) return "s1";
   if (style == PostureWord::half_squat) return "s2";
@@ -230,7 +230,7 @@ std::string_view style_class(PostureWord style) {
   return style == PostureWord::stoop ? "s4" : "s5";
 }
 
-// A cell: its most frequent style with its count, and a bar of all styles' shares.
+// A cell: its most frequent style with its count, and a bar of the shares of all styles.
 std::string style_cell(const std::map<PostureWord, std::uint64_t>& styles, double x, double y,
                        double width, double height) {
   std::uint64_t all = 0;

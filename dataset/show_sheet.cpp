@@ -12,19 +12,19 @@
 namespace shigusa {
 namespace {
 
-// The viewer stands on the side of the hand that moves, a little ahead of the body.
+// View from the side of the moving hand, slightly ahead of the body.
 constexpr double kAzimuth = radians(62.0);  // from straight ahead
 constexpr double kMargin = 12.0;            // cm, about all figures
 constexpr double kFloorRoom = 8.0;          // cm, below the floor
 constexpr std::size_t kPathStep = 2;        // frames between the points of a path that is drawn
 
-// The node that an effector is a point of.
+// Node of an effector.
 int node_of(const NodePlaces& places, const std::string& effector) {
   const int grip = places.find(effector + "_grip");
   return grip >= 0 ? grip : places.find(effector);
 }
 
-// "trunk", "arm" or "leg" of a bone by the name of the node at its far end.
+// Class of a bone by the node at its distal end: "trunk", "arm" or "leg".
 std::string_view part_of(std::string_view node) {
   constexpr std::array<std::string_view, 3> kParts{"trunk", "arm", "leg"};
   return kParts[static_cast<std::size_t>(parse_joint_name(node).limb)];
@@ -37,7 +37,7 @@ void add_line(const FigureView& view, const Vec3d& from, const Vec3d& to, std::s
                       view.y(to));
 }
 
-// The bones from an effector to the joint where its limb begins.
+// Bones from an effector to the beginning of its limb.
 std::string limb_path(const NodePlaces& places, std::size_t frame, const FigureView& view,
                       const std::string& effector) {
   std::string path;
@@ -58,8 +58,8 @@ FigureView view_of(const SheetMotion& motion) {
   return {.right = {turn.cos, 0.0, left ? -turn.sin : turn.sin}};
 }
 
-// The room (cm) that a motion takes in its picture. All pictures of the sheet have the size of the
-// largest, so that they have one scale.
+// Bounds (cm) of a motion in its picture. All pictures of the sheet have the size of the largest,
+// and thus one scale.
 struct Span {
   double left = 1e9;
   double right = -1e9;
@@ -96,7 +96,7 @@ PictureSize size_of(const std::vector<SheetMotion>& motions) {
   return size;
 }
 
-// The edges of the boxes.
+// Edges of the boxes.
 std::string obstacles_svg(const SheetMotion& motion, const FigureView& view) {
   std::string path;
   for (const ShownBox& box : motion.obstacles) {
@@ -115,7 +115,7 @@ std::string obstacles_svg(const SheetMotion& motion, const FigureView& view) {
   return path.empty() ? "" : fmt::format(R"(<path class="obstacle" d="{}"/>)", path);
 }
 
-// The path of an effector, and a ringed cross where it is to go.
+// Path of an effector, and a ringed cross at its goal.
 std::string path_svg(const SheetMotion& motion, const FigureView& view) {
   std::string svg;
   for (std::size_t g = 0; g < motion.goals.size(); ++g) {

@@ -16,7 +16,7 @@
 namespace shigusa {
 namespace {
 
-// Heights begin this many cells below the floor.
+// Number of cells below the floor.
 constexpr int kCellsBelow = 16;
 constexpr int kCells = 64;  // of heights, and of distances
 constexpr int kDirections = static_cast<int>(360.0 / kRegionTurnDeg);
@@ -25,7 +25,7 @@ int cell_of(double length) {
   return static_cast<int>(clamp(std::floor(length / kRegionSize), -1.0 * kCells, 1.0 * kCells));
 }
 
-// The part that a number drawn for `key` falls into.
+// Part by a number drawn for `key`.
 Split split_of(std::string_view name, std::uint64_t key) {
   Fnv1a stream;
   stream.add(name);
@@ -38,7 +38,7 @@ Split split_of(std::string_view name, std::uint64_t key) {
   return Split::test;
 }
 
-// A whole number of the nearest unit, so that no last bit makes two people of one.
+// Rounded to a whole number of units, so that the last bit cannot split one person in two.
 std::uint64_t rounded(double value) {
   return static_cast<std::uint64_t>(clamp(nearest_integer(value), 0.0, 1e9));
 }
@@ -94,7 +94,7 @@ void add_splits(const Table& tasks, const Table& goals, bool numbered, Table& sp
   const auto places = goals.find("position_m")->as<double>();
   std::map<std::uint64_t, std::uint16_t> regions;
   for (std::size_t k = 0; k < goal_tasks.size(); ++k) {
-    // only the first goal of a task goes in
+    // only the first goal of a task counts
     regions.emplace(goal_tasks[k],
                     region_of({places[3 * k], places[3 * k + 1], places[3 * k + 2]}));
   }

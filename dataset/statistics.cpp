@@ -11,12 +11,12 @@
 namespace shigusa {
 namespace {
 
-// Numbers that are read at once: their memory is that of a few of these blocks.
+// Numbers read at once: memory is that of a few of these blocks.
 constexpr std::size_t kBlockBytes = std::size_t{4} << 20;
 constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
 constexpr int kDroppedBits = 40;  // of the 52 of a fraction
 
-// Bits whose order as whole numbers is that of the numbers.
+// Bit pattern whose integer order is that of the numbers.
 std::uint64_t ordered_bits(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & kSignBit) != 0 ? ~bits : bits | kSignBit;
@@ -30,7 +30,7 @@ void take_extremes(double value, double& least, double& most) {
   if (!(value <= most)) most = value;
 }
 
-// Numbers of either precision.
+// Numbers in either precision.
 std::vector<double> numbers_of(const Column& column) {
   if (column.type == ElementType::f64) return column.as<double>();
   if (column.type != ElementType::f32) return {};
@@ -42,7 +42,7 @@ void count_texts(const Column& column, Counts& counts) {
   for (const std::string& text : column.texts()) ++counts[text];
 }
 
-// Counts the words that a column of bytes stands for; all words are there, if by 0.
+// Counts the words of a column of bytes; absent words get 0.
 void count_words(const Column& column, Counts& counts) {
   for (const std::string& word : column.words) counts.try_emplace(word, 0);
   for (const std::uint8_t value : column.as<std::uint8_t>()) {
@@ -56,7 +56,7 @@ void add_numbers(std::span<const double> numbers, Moments& moments) {
   moments = one.front();
 }
 
-// The series of a table, block after block.
+// Series of a table, block after block.
 Result<void> add_series(const ShardReader& shard, const std::string& path, std::size_t rows,
                         JointStatistics& series) {
   const std::vector<std::string> name{series.series};
@@ -125,7 +125,7 @@ double Quantiles::at(double share) const {
   for (const auto& [bits, count] : counts_) {
     before += static_cast<double>(count);
     if (before <= rank) continue;
-    // the middle of the numbers that were counted as one
+    // midpoint of the numbers that share a count
     const std::uint64_t middle = (bits << kDroppedBits) | (std::uint64_t{1} << (kDroppedBits - 1));
     const double value = from_ordered_bits(middle);
     return share <= 0.0 ? least_ : share >= 1.0 ? most_ : clamp(value, least_, most_);
@@ -174,7 +174,7 @@ void DatasetStatistics::add_tasks(const Table& table, const Table& splits) {
       ++counts->tasks;
       counts->motions += kept[k];
     }
-    // a task that was refused may have no body
+    // a refused task may have no body
     if (static_cast<Split>(parts_by_person[k]) == Split::none) {
       ++refused;
       continue;
@@ -201,7 +201,7 @@ void DatasetStatistics::add_goals(const Table& goals) {
 }
 
 void DatasetStatistics::add_missed(const Table& table) {
-  // a task has a row for each of its goals, one after the other
+  // a task's goals are consecutive rows
   std::vector<std::uint64_t> numbers = table.find("task")->as<std::uint64_t>();
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   missed += numbers.size();
@@ -218,7 +218,7 @@ Column text_column(std::string name, std::string says) {
           .text_size = kTextSize};
 }
 
-// A table of words and how many there are of each.
+// Table of words and their counts.
 Table counts_table(std::string path, const std::string& says, const Counts& counts) {
   Table table{std::move(path),
               {text_column("word", says), {.name = "count", .type = ElementType::u64}}};
@@ -229,7 +229,7 @@ Table counts_table(std::string path, const std::string& says, const Counts& coun
   return table;
 }
 
-// The columns NAME_mean, NAME_deviation, … and their numbers.
+// Columns NAME_mean, NAME_deviation, … with their numbers.
 void add_moments_columns(const std::string& name, const std::string& unit,
                          std::span<const Moments> rows, Table& table) {
   const auto add = [&](const char* what, auto number_of) {
@@ -301,7 +301,7 @@ Json json_of(const Moments& moments) {
           {"most", number_or_null(moments.most)}};
 }
 
-// An object of lists, one number a joint.
+// An object of lists, one number per joint.
 Json json_of(const JointStatistics& series) {
   Json lists{{"unit", series.unit}};
   for (const Moments& joint : series.joints) {

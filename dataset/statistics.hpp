@@ -16,8 +16,8 @@
 
 namespace shigusa {
 
-// Mean and spread of many numbers, of which none is kept. Blocks of numbers are added one after the
-// other: their order and their sizes alone decide the last bits.
+// Running mean and variance. Blocks of numbers are added one after the other; their order and sizes
+// determine the last bits.
 struct Moments {
   std::uint64_t count = 0;
   double mean = 0.0;
@@ -29,16 +29,15 @@ struct Moments {
   [[nodiscard]] double deviation() const;  // standard deviation, of all there are
 };
 
-// The moments of each of `columns` numbers that stand side by side, row after row; NaN and
-// infinities are left out.
+// Moments of `columns` numbers per row; NaN and infinities are left out.
 void add_moments(std::span<const double> rows, std::vector<Moments>& columns);
 
-// Quantiles of many numbers, of which only counts are kept: of numbers that share sign, exponent
-// and the first 12 bits of their fraction. A quantile is right to a part in 4000.
+// Approximate quantiles from counts: numbers with the same sign, exponent and first 12 bits of the
+// fraction share a count. The relative error is at most 1/4000.
 class Quantiles {
  public:
   void add(double value);  // NaN is left out
-  // The number that `share` (0 to 1) of all do not exceed; NaN of none.
+  // Quantile at `share` (0 to 1); NaN if there are no numbers.
   [[nodiscard]] double at(double share) const;
 
  private:
@@ -47,20 +46,20 @@ class Quantiles {
   double least_ = kNoNumber;
   double most_ = kNoNumber;
 };
-// The shares that quantiles are told of.
+// Shares for which quantiles are reported.
 inline constexpr std::array kQuantileShares{0.0, 0.05, 0.25, 0.5, 0.75, 0.95, 1.0};
 
-// How many there are of each word.
+// Counts per word.
 using Counts = std::map<std::string, std::uint64_t>;
 
-// A series of numbers of which each joint has one a frame.
+// A series with one number per joint and frame.
 struct JointStatistics {
   std::string series;  // "angles"
   std::string unit;
   std::vector<Moments> joints;
 };
 
-// The statistics of the motions of bodies that are alike.
+// Statistics of the motions of similar bodies.
 struct MotionStatistics {
   std::uint64_t motions = 0;
   std::vector<std::string> joints;
@@ -70,18 +69,18 @@ struct MotionStatistics {
   Counts postures;
 };
 
-// The counts of a split.
+// Counts of a split.
 struct SplitCounts {
   std::uint64_t tasks = 0;
   std::uint64_t motions = 0;
 };
 using SplitShares = std::array<SplitCounts, kEnumWords<Split>.size()>;
 
-// The numbers of a data set. Shards are added in their order; what is kept does not grow with them.
+// Statistics of a data set. Shards are added in order; memory does not grow with them.
 struct DatasetStatistics {
   std::uint64_t tasks = 0;
   std::uint64_t motions = 0;
-  std::uint64_t refused = 0;  // tasks of which no motion can be asked for
+  std::uint64_t refused = 0;  // tasks without possible motions
   std::uint64_t missed = 0;   // tasks whose goals are not met
   std::uint64_t evaluations = 0;
   // of tasks
@@ -98,9 +97,9 @@ struct DatasetStatistics {
   SplitShares by_region{};
   std::map<std::string, MotionStatistics> tables;  // by their path
 
-  // Adds a shard's motions of one table. Fails where it cannot be read.
+  // Adds a shard's motions of one table. Fails if it cannot be read.
   [[nodiscard]] Result<void> add_motions(const ShardReader& shard, const std::string& path);
-  // Adds a shard's rows of the tables of these names, which have the columns of kTaskColumns, …
+  // Adds a shard's rows of the named tables, which have the columns of kTaskColumns, …
   void add_tasks(const Table& tasks, const Table& splits);
   void add_goals(const Table& goals);
   void add_missed(const Table& missed);
@@ -111,9 +110,9 @@ inline constexpr std::array kTaskColumns{"task",   "person",     "status",    "m
 inline constexpr std::array kGoalColumns{"task", "effector", "position_m", "load_kg"};
 inline constexpr std::array kMissedColumns{"task"};
 
-// The numbers as tables of an HDF5 file, below /statistics.
+// Statistics as tables of an HDF5 file, below /statistics.
 [[nodiscard]] std::vector<Table> tables_of(const DatasetStatistics& statistics);
-// The same as an object of JSON.
+// The same as a JSON object.
 [[nodiscard]] Json json_of(const DatasetStatistics& statistics);
 
 }  // namespace shigusa

@@ -29,7 +29,7 @@ Result<StoredTable> stored_table(const hdf5::Reader& reader, const std::string& 
   return stored;
 }
 
-// Paths of the tables of a shard: those of tasks and what belongs to them, then of motions.
+// Paths of a shard's tables: those of tasks and their parts, then of motions.
 Result<std::vector<std::string>> paths_in(const hdf5::Reader& reader) {
   std::vector<std::string> paths{kTasksTable, kGoalsTable, kObstaclesTable, kMissedTable};
   SHG_TRY_ASSIGN(const hdf5::Object root, reader.object("/"));
@@ -53,7 +53,7 @@ Result<StoredTables> stored_tables(const hdf5::Reader& reader) {
   std::uint64_t bytes = 0;
   for (const std::string& path : paths) {
     SHG_TRY_ASSIGN(StoredTable table, told_of(path, stored_table(reader, path)));
-    // a file may say that the same bytes are of many columns
+    // a file may declare the same bytes for many columns
     for (const hdf5::StoredColumn& one : table.columns) {
       bytes += one.rows * one.column.row_size();
       if (bytes <= reader.most_bytes() && bytes <= kShardFileMaxBytes * 4) continue;

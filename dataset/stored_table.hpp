@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-// The same, but an error is of this place.
+// Adds a place to an error.
 template <class Value>
 Result<Value> told_of(const std::string& place, Result<Value> result) {
   if (result) return result;
@@ -35,8 +35,8 @@ struct StoredTable {
 
 using StoredTables = std::map<std::string, StoredTable>;  // by their paths
 
-// The tables of a shard's file, all of the form that this program writes. Fails where they say that
-// they have more bytes than a shard can.
+// Tables of a shard's file, all in the form that this program writes. Fails if their declared size
+// exceeds a shard's.
 [[nodiscard]] Result<StoredTables> stored_tables(const hdf5::Reader& reader);
 
 }  // namespace shigusa

@@ -14,13 +14,13 @@
 
 namespace shigusa {
 
-// The value that stands where there is no number.
+// Value of a missing number.
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-// The numbers that a column is made of.
+// Number type of a column.
 enum class ElementType { u8, u16, u32, u64, f32, f64, text };
 
-// Bytes of one number; of a text see Column::text_size.
+// Bytes of one number; for texts see Column::text_size.
 [[nodiscard]] constexpr std::size_t size_of(ElementType type) {
   constexpr std::size_t kSizes[] = {1, 2, 4, 8, 4, 8, 1};
   return kSizes[static_cast<std::size_t>(type)];
@@ -32,7 +32,7 @@ struct Column {
   ElementType type = ElementType::f64;
   std::vector<std::size_t> shape{};  // of one row; none: a single number
   std::string unit{};                // "m"
-  std::string says{};                // what it is
+  std::string says{};                // description
   std::vector<std::string> words{};  // of numbers that stand for words: word k is that of k
   std::size_t text_size = 0;         // bytes of a text, the rest of which are 0
   std::string bytes{};               // of all rows, as the machine has them
@@ -43,13 +43,13 @@ struct Column {
     for (const std::size_t side : shape) size *= side;
     return size;
   }
-  // None of a column whose rows hold nothing.
+  // Number of rows; 0 for a column of width 0.
   [[nodiscard]] std::size_t rows() const { return row_size() == 0 ? 0 : bytes.size() / row_size(); }
 
   void push_bytes(const void* from, std::size_t size) {
     bytes.append(static_cast<const char*>(from), size);
   }
-  // Adds a number, of the column's type.
+  // Adds a number, converted to the column's type.
   void push(double value) {
     switch (type) {
       case ElementType::u8:
@@ -76,17 +76,17 @@ struct Column {
   void push_as(T value) {
     push_bytes(&value, sizeof value);
   }
-  // Adds a text, cut to the column's size within a character.
+  // Adds a text, cut to the column's size at a character boundary.
   void push(std::string_view text);
 
-  // The numbers of some rows as the given type, which must be the column's.
+  // Numbers of some rows as the given type, which must be the column's.
   template <class T>
   [[nodiscard]] std::vector<T> as() const {
     std::vector<T> values(bytes.size() / sizeof(T));
     if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
     return values;
   }
-  // The texts of a column of texts.
+  // Texts of a column.
   [[nodiscard]] std::vector<std::string> texts() const;
 };
 
@@ -94,17 +94,17 @@ struct Column {
 struct Table {
   std::string path;  // "/motions/human-1f2e3d"
   std::vector<Column> columns{};
-  // lists of names: of the angles' joints, of nodes
+  // lists of names: of joints, of nodes
   std::vector<std::pair<std::string, std::vector<std::string>>> names{};
 
-  // The column of that name, which it must have.
+  // Column of that name, which must exist.
   [[nodiscard]] Column& operator[](std::string_view name);
   [[nodiscard]] const Column* find(std::string_view name) const;
   [[nodiscard]] std::size_t rows() const { return columns.empty() ? 0 : columns.front().rows(); }
   [[nodiscard]] const std::vector<std::string>* names_of(std::string_view what) const;
 };
 
-// Adds the rows of tables to those of the same path, and the tables whose path is new.
+// Appends the rows of tables to those of the same path, and adds tables with new paths.
 void append(std::vector<Table>&& more, std::vector<Table>& tables);
 
 }  // namespace shigusa

@@ -128,7 +128,7 @@ void add_missed(const MadeTask& made, const GenerateResult& generation, Table& m
   }
 }
 
-// The facts in a task's row beside what was drawn.
+// Fields of a task's row beyond its drawn values.
 struct TaskOutcome {
   const Task* task = nullptr;
   const GenerateResult* generation = nullptr;
@@ -163,7 +163,7 @@ bool is_kept(const Candidate& candidate, const GenerateResult& generation, KeptM
   return kept == KeptMotions::reached || candidate.judgement.verdict != Verdict::impossible;
 }
 
-// Makes the motions of a task and puts them into its tables.
+// Makes the motions of a task and adds them to its tables.
 void generate_rows(const DatasetPlan& plan, SimdSet simd, MadeTask& made) {
   TaskOutcome outcome;
   const auto refuse = [&](const Error& error) {

@@ -11,18 +11,18 @@
 
 namespace shigusa {
 
-// The tables of a data set's tasks, one row a task, and of what belongs to a task.
+// Tables of a data set's tasks and their parts, one row per task.
 inline constexpr const char* kTasksTable = "/tasks";
 inline constexpr const char* kGoalsTable = "/goals";
 inline constexpr const char* kObstaclesTable = "/obstacles";
 inline constexpr const char* kMissedTable = "/missed";
-// The motions of bodies that are alike: of the same joints, nodes and parameters.
+// Motions of similar bodies: with the same joints, nodes and parameters.
 inline constexpr const char* kMotionsGroup = "/motions";
 
-// The word of a task of which no motions can be asked for.
+// Status of a task for which no motions can be requested.
 inline constexpr std::string_view kRefused = "refused";
 
-// A task with what came of it, or why nothing can.
+// A task with its result, or the reason why it has none.
 struct MadeTask {
   std::uint64_t number = 0;
   Result<DrawnTask> drawn;
@@ -32,10 +32,10 @@ struct MadeTask {
   double seconds = 0.0;  // in all
 };
 
-// Draws a task of a plan, makes its motions and puts all of it into rows.
+// Draws a task of a plan, makes its motions and converts them to rows.
 [[nodiscard]] MadeTask make_task_rows(const DatasetPlan& plan, std::uint64_t number, SimdSet simd);
 
-// The tables of a data set without motions, with no rows.
+// Tables of a data set except those of motions, without rows.
 [[nodiscard]] std::vector<Table> empty_tables();
 
 // Memory (bytes) of the rows of one motion.

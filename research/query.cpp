@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// shigusa_query SIMD_SET ROUNDS does one default query ROUNDS times, on one thread, and prints the
-// median milliseconds of the processor and the most memory (KiB) that the process had resident.
-// shigusa_experiments runs it: a program of its own, as that one has loaded the libraries of
-// others.
+// shigusa_query SIMD_SET ROUNDS runs one default query ROUNDS times on one thread, and prints the
+// median CPU time (ms) and the peak resident memory (KiB) of the process. It is a separate program,
+// run by shigusa_experiments, which has other libraries loaded.
 #include <algorithm>
 #include <ctime>
 #include <fstream>
@@ -16,7 +15,7 @@ namespace {
 
 using namespace shigusa;
 
-// Not getrusage's: that begins with what the program had that started this one.
+// Not from getrusage, whose value starts with that of the parent process.
 long peak_kibibytes() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -49,7 +48,7 @@ int main(int argc, char** argv) {
     const std::clock_t begin = std::clock();
     const GenerateResult generation = generate(task).value();
     times.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-    // what is timed is the whole budget, and a goal that is met
+    // the full budget is timed, and the goal must be met
     if (generation.log.evaluations < kFlatEvaluations - kFlatEvaluations / 100) return 1;
     if (!generation.meets_goals()) return 1;
   }

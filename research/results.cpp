@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures what docs/results.md says and writes that page and its pictures.
+// Measures the figures of docs/results.md and writes that page with its pictures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Experiment {
   Vec3d goal;
 };
 
-// The paper gives its goals in words only (sections 4.1 and 4.2).
+// Goals of the paper, which gives them in words only (sections 4.1 and 4.2).
 const Experiment kExperiments[] = {
     {"Low front-left (section 4.1, figures 4 and 5)", "low_front_left", {0.25, 0.55, 0.50}},
     {"At the feet (section 4.2, figure 6)", "at_the_feet", {-0.05, 0.10, 0.30}},
@@ -53,7 +53,7 @@ double quantile(std::vector<double> values, double q) {
   return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-// The best score among random genomes of the paper's code.
+// Best score among random genomes of the paper's code.
 double best_of_random(const Task& task, int count, std::uint64_t seed) {
   ReachProblem problem = make_problem(task).value();
   add_detours(problem);
@@ -107,7 +107,7 @@ void candidate_table(const GenerateResult& generation, std::string& page) {
   }
 }
 
-// Writes a candidate's figure; the line of the page that shows it.
+// Writes a candidate's figure; returns the line of the page that shows it.
 std::string picture(const std::filesystem::path& docs, const Task& task, const Candidate& candidate,
                     const std::string& name, const std::string& words) {
   const std::string svg = export_candidate(task, candidate, FileFormat::svg).value();

@@ -26,14 +26,14 @@ constexpr double kMost = 1.3;     // m
 constexpr double kLowest = 0.03;  // m, of y
 constexpr double kHighest = 2.3;  // m
 constexpr int kFirstEvaluations = 4000;
-// Each goal is searched again from the best motions for its neighbours, so that a good posture that
-// one search found by chance becomes that of all goals around.
+// Rounds in which each goal is searched again from the best motions of its neighbours, so that a
+// good posture found by one search spreads to the goals around it.
 constexpr int kSweeps = 6;
 constexpr int kSweepEvaluations = 1600;
 constexpr double kSweepStep = 0.05;
 constexpr double kNeighbour = 1.8 * kSpacing;  // m: of a cube's corners all 26
 
-// A goal with the best that is known of it.
+// A goal with its best known motion.
 struct Place {
   Vec3d goal{};
   std::vector<double> point{};
@@ -57,7 +57,7 @@ std::vector<Place> places_around(const BodyModel& body) {
   return places;
 }
 
-// Searches from the points (points × genes) for something better than the place has.
+// Searches from the points (points × genes) for an improvement on the place's best.
 void search(const BodyModel& body, std::vector<double> starts, CmaEsSettings settings,
             Place& place) {
   GoalSearch searched(body, place.goal);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// shigusa-mpi PLAN.json FOLDER: makes a data set by as many processes as mpirun starts. Each one
-// that is free takes the next shard, by a counter that the first process holds; all else is what
-// `shigusa dataset` does, with the same bytes. A process that is killed ends all of them; the same
-// command then goes on, as shards are whole or not there.
+// shigusa-mpi PLAN.json FOLDER: makes a data set with the processes started by mpirun. Each idle
+// process takes the next shard from a counter held by the first process; otherwise it works as
+// `shigusa dataset`, with the same bytes. If a process is killed, all end; the same command then
+// continues, as shards are whole or absent.
 #include <mpi.h>
 
 #include <chrono>
@@ -24,7 +24,7 @@ constexpr int kDone = 0;
 constexpr int kFault = 1;
 constexpr int kWrongInput = 2;
 
-// Numbers that processes draw, each one once. The counter is in the memory of process 0.
+// Shared counter of the processes; each number is given out once. It is in the memory of process 0.
 class Counter {
  public:
   Counter() {
@@ -74,7 +74,7 @@ Result<DatasetRun> make_shards(const DatasetPlan& plan, const std::string& folde
   return all;
 }
 
-// Adds the counts of all processes up, for the first one.
+// Sums the counts of all processes, for the first one.
 std::uint64_t sum_of(std::uint64_t own) {
   std::uint64_t all = 0;
   MPI_Reduce(&own, &all, 1, MPI_UINT64_T, MPI_SUM, 0, MPI_COMM_WORLD);
@@ -105,7 +105,7 @@ int run(int argc, char** argv) {
   const auto begin = std::chrono::steady_clock::now();
   const Result<DatasetPlan> plan = DatasetPlan::read(argv[1]);
   if (!plan) {
-    // each process has read the same plan, and one complaint is enough
+    // all processes have read the same plan, so one reports the error
     if (rank == 0) complain(rank, plan.error());
     return kWrongInput;
   }

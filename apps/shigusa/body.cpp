@@ -17,7 +17,7 @@ struct BodyOptions {
   bool json = false;
 };
 
-// rounded, so that nothing is printed as -0
+// rounded, so that -0 is never printed
 double rounded_to(double parts, double x) {
   const double rounded = std::round(parts * x) / parts;
   return rounded == 0.0 ? 0.0 : rounded;

@@ -12,7 +12,7 @@
 namespace shigusa::app {
 namespace {
 
-// Fails on a length out of range, with a hint where it is in centimetres.
+// Fails on a length out of range, with a hint if it is plausible in centimetres.
 Result<void> check_length(const char* option, double metres, double low, double high) {
   if (metres >= low && metres <= high) return {};
   return fail(ErrorCode::invalid_argument,
@@ -46,7 +46,7 @@ Result<void> add_bones(const std::string& text, CharacterSpec& spec) {
   return {};
 }
 
-// Fails on options of people from files that are given of others.
+// Fails if options for people from files are given for other characters.
 Result<void> check_given(const CharacterOptions& options, const CharacterSpec& spec) {
   const bool of_file = !is_built_in(spec);
   if (options.sex && is_robot(spec)) {
@@ -84,7 +84,7 @@ Result<void> check_given(const CharacterOptions& options, const CharacterSpec& s
   return {};
 }
 
-// Options of files that no robot leaves in.
+// Options that do not apply to robots.
 Result<void> check_files_of_robot(const FileOptions& options, const CharacterSpec& spec) {
   const struct {
     const char* name;
@@ -104,7 +104,7 @@ Result<void> check_files_of_robot(const FileOptions& options, const CharacterSpe
   return {};
 }
 
-// Options of people from files, who are seldom given.
+// Rarely used options for people from files.
 void add_file_person_options(CLI::App& c, CharacterOptions& o) {
   const std::string group = heading(OptionGroup::body);
   describe(c.add_option("--extent", o.extent)->check(one_of("extent", all_words<BodyExtent>())),

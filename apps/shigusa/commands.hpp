@@ -22,10 +22,10 @@ namespace shigusa::app {
 inline constexpr int kDone = 0;
 inline constexpr int kFault = 1;        // a fault of the program
 inline constexpr int kWrongInput = 2;   // the call or a file is wrong, the standard output too
-inline constexpr int kUnreachable = 3;  // a goal is out of reach, or no motion was found that
-                                        // the body could make; what is nearest is written
+inline constexpr int kUnreachable = 3;  // a goal is out of reach, or no possible motion was found;
+                                        // the nearest one is written
 
-// The facts of a character beside its source, as they are typed.
+// A character's options beside its source, as typed.
 struct CharacterOptions {
   std::optional<std::string> extent;
   std::optional<int> frame;
@@ -38,7 +38,7 @@ struct CharacterOptions {
   std::vector<std::string> map;  // BONE=NODE, or a JSON file of them
 };
 
-// The files of a result.
+// Options for the files of a result.
 struct FileOptions {
   std::optional<std::string> formats;
   bool one_file = false;
@@ -51,16 +51,16 @@ struct FileOptions {
   bool operator==(const FileOptions&) const = default;
 };
 
-// The headings of commands in `shigusa --help`.
+// Headings of commands in `shigusa --help`.
 inline constexpr const char* kMakeMotions = "Make motions";
 inline constexpr const char* kLook = "Look";
 inline constexpr const char* kMany = "Many";
 inline constexpr const char* kMore = "Studio and more";
 
-// The heading of a group of options.
+// Heading of a group of options.
 [[nodiscard]] inline std::string heading(OptionGroup group) { return std::string(word_of(group)); }
 
-// The commands, each added to the program; a call of it sets the exit code.
+// The commands; each function adds one to the program, whose call sets the exit code.
 void add_reach(CLI::App& app, int& exit_code);
 void add_edit(CLI::App& app, int& exit_code);
 void add_mirror(CLI::App& app, int& exit_code);
@@ -71,39 +71,39 @@ void add_dataset(CLI::App& app, int& exit_code);
 void add_studio(CLI::App& app, int& exit_code);
 void add_schema(CLI::App& app);
 
-// The words of an enum as a form (see OptionHelp) of an option: "paper|flat".
+// The words of an enum as an option's form (see OptionHelp): "paper|flat".
 template <class Enum>
 [[nodiscard]] std::string choices() {
   return fmt::format("{}", fmt::join(all_words<Enum>(), "|"));
 }
 
-// "human|full_body|half_body|FILE", and the sentence about these.
+// Form "human|full_body|half_body|FILE", and the sentence that explains it.
 [[nodiscard]] std::string character_form();
 [[nodiscard]] std::string character_help();
-// Adds the options of a character beside its source.
+// Adds the options of a character other than its source.
 void add_character_options(CLI::App& command, CharacterOptions& options);
 
-// Words for the help of files' options, which depend on the command.
+// Help texts of file options that depend on the command.
 struct FileHelp {
-  std::string usual;  // formats that are written where nothing is said
+  std::string usual;  // default formats
   std::string rate;   // Hz, likewise
   bool rare = false;  // all of these options are
 };
 void add_file_options(CLI::App& command, FileOptions& options, const FileHelp& help);
-// "bvh, csv, svg and png; for characters …", what reach writes.
+// Formats that reach writes, "bvh, csv, svg and png; for characters …".
 [[nodiscard]] std::string usual_formats_help();
-// Whether a format is the character's own file with the motion in it.
+// Whether a format is the character's own file with the motion added.
 [[nodiscard]] bool needs_file(const FormatInfo& info);
 
-// Makes the folder of --out, as prepare_folder does.
+// Creates the folder of --out with prepare_folder.
 [[nodiscard]] Result<void> prepare_out(const std::filesystem::path& folder);
 
-// The SIMD set of that name; fails on one that this machine lacks.
+// SIMD set of that name; fails if this machine lacks it.
 [[nodiscard]] Result<SimdSet> simd_named(const std::string& name);
-// Their names as a form.
+// Names of the SIMD sets as a form.
 [[nodiscard]] std::string simd_choices();
 
-// Part of a clip: "FIRST:LAST", or all of it where the text is empty.
+// Range of a clip: "FIRST:LAST", or all of it for an empty text.
 struct FrameRange {
   int first = 0;
   std::optional<int> last{};
@@ -111,34 +111,34 @@ struct FrameRange {
 [[nodiscard]] Result<FrameRange> parse_frames(const std::string& text);
 inline constexpr const char* kFramesHelp = "Part of the clip, by its frames from 0";
 
-// Fails on facts that a built-in body, or a person who was measured before, cannot take.
+// Fails on options that a built-in body, or an already measured person, does not support.
 [[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,
                                                    CharacterSpec& spec);
 
-// How to write a result: as the options ask, and else as in `usual`. Fails on formats that this
-// character cannot leave in.
+// Settings for writing a result: from the options, and else from `usual`. Fails on formats to which
+// this character cannot be exported.
 [[nodiscard]] Result<ExportSettings> export_settings(const FileOptions& options,
                                                      const CharacterSpec& spec,
                                                      ExportSettings usual);
 
-// A text from a file as it may stand on a terminal: control characters become '?'.
+// Text from a file made safe for a terminal: control characters become '?'.
 [[nodiscard]] std::string printable(std::string_view text);
 
-// "1 shard", "2 shards".
+// Count with a noun: "1 shard", "2 shards".
 [[nodiscard]] inline std::string number_of(std::uint64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-// Closed standard streams are opened, so that no file gets their numbers: what is printed to stderr
-// goes nowhere, and writing to stdout fails.
+// Opens closed standard streams, so that no file gets their numbers: output to stderr is discarded,
+// and writing to stdout fails.
 void open_standard_streams();
 
 // Whether stderr is a terminal.
 [[nodiscard]] bool is_terminal();
 
-// Writes to the standard output; what fails is kept for finish_output. Never throws.
+// Writes to the standard output; a failure is kept for finish_output. Never throws.
 void write_out(std::string_view text);
-// Writes to stderr; nobody hears of a failure there.
+// Writes to stderr; failures are ignored.
 void write_err(std::string_view text);
 
 template <class... Args>
@@ -150,37 +150,37 @@ void print_err(fmt::format_string<Args...> format, Args&&... args) {
   write_err(fmt::format(format, std::forward<Args>(args)...));
 }
 
-// The exit code of a command that has printed all of its output: its own, or kWrongInput, with a
-// message, where not all of that could be written. A full disk may show only here.
+// Exit code of a command after all of its output: its own, or kWrongInput, with a message, if
+// output failed. A full disk may be reported only here.
 int finish_output(int exit_code);
 
-// The exit code of a command. Prints its error to stderr, "shigusa: place: message".
+// Exit code for an error, which is printed to stderr as "shigusa: place: message".
 int exit_code_of(const Result<int>& command);
 
 // Prints "shigusa: place: note: message" to stderr.
 void note(std::string_view place, std::string_view message);
 
-// Ctrl-C cancels terminal_progress(); a second one ends the program at once.
+// Makes Ctrl-C cancel terminal_progress(); a second one ends the program at once.
 void catch_interrupts();
 
-// True once Ctrl-C was pressed.
+// Whether Ctrl-C was pressed.
 [[nodiscard]] const std::atomic<bool>& interrupted();
 
-// Ctrl-C and kill no longer end the program, or a thread that starts later, but can be waited for.
+// Blocks Ctrl-C and kill in this thread and later ones, so that they can be waited for.
 void block_ends();
 void wait_for_end();
 
-// A function of a shared library; null where the machine lacks it.
+// A function of a shared library; null if it is not available.
 [[nodiscard]] void* find_function(const char* library, const char* name);
 
-// The program's own file; empty where that cannot be told.
+// Path of the program's own file; empty if unknown.
 [[nodiscard]] std::filesystem::path program_path();
 
-// Shows a page in the person's browser; where that cannot be done they have the address. Nobody
-// waits for the opener's end: the system clears it away with the program.
+// Opens a page in the user's browser, if possible; the address is printed in any case. The opener
+// runs in the background, and is reaped by the system.
 void open_browser(std::string address);
 
-// A progress line on stderr, only where that is a terminal.
+// Progress line on stderr, if that is a terminal.
 Progress terminal_progress();
 void end_progress_line();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scripts that shells complete calls by, made of the manual.
+// Completion scripts for shells, generated from the manual.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,14 +13,15 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// A text between single quotes of a shell of the Bourne family.
+// A text in single quotes for a shell of the Bourne family.
 std::string quoted(const std::string& text) {
   std::string inside;
   for (const char c : text) inside += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return "'" + inside + "'";
 }
 
-// "dataset merge" of "shigusa dataset merge"; of the program nothing.
+// Command name without the program's: "dataset merge" for "shigusa dataset merge"; empty for the
+// program.
 std::string below_program(const CommandManual& command) {
   const std::size_t blank = command.path.find(' ');
   return blank == std::string::npos ? "" : command.path.substr(blank + 1);
@@ -46,8 +47,8 @@ Texts command_words(const CommandManual& command) {
   return words;
 }
 
-// The names that a value "EFFECTOR=X,Y,Z" begins with, each with its sign: "right_hand=". Effectors
-// are those of the body that moves where nothing is said.
+// Prefixes of a value "EFFECTOR=X,Y,Z", each with its sign: "right_hand=". Effectors are those of
+// the default body.
 Texts begun_values(const OptionManual& option) {
   Texts begun;
   if (option.form.starts_with("EFFECTOR=")) {
@@ -63,7 +64,7 @@ Texts begun_values(const OptionManual& option) {
   return begun;
 }
 
-// All that a value may be, or begin with.
+// All values, or their prefixes.
 Texts offered(const OptionManual& option) {
   Texts words = words_of(option);
   const Texts begun = begun_values(option);
@@ -71,7 +72,7 @@ Texts offered(const OptionManual& option) {
   return words;
 }
 
-// The cases of the value after an option, or of arguments: what bash completes there.
+// Cases for the value after an option, or for arguments, in bash.
 std::string bash_value(const OptionManual& option) {
   std::string made;
   const Texts words = offered(option);
@@ -102,13 +103,13 @@ std::string bash_cases(const CommandManual& command) {
   return text;
 }
 
-// An option of zsh's _arguments: '*--goal=[line]:FORM:action'.
+// An option for zsh's _arguments: '*--goal=[line]:FORM:action'.
 std::string zsh_action(const OptionManual& option) {
   const Texts words = offered(option);
   if (words.empty())
     return takes_file(option) ? "_files" : takes_folder(option) ? "_files -/" : " ";
   const std::string all = fmt::format("{}", fmt::join(words, " "));
-  // no blank comes after "right_hand="
+  // no blank follows "right_hand="
   const std::string add = begun_values(option).empty() ? "" : "-S \"\" ";
   if (takes_file(option)) return fmt::format("{{compadd {}-- {}; _files}}", add, all);
   return add.empty() ? "(" + all + ")" : fmt::format("{{compadd {}-- {}}}", add, all);
@@ -131,7 +132,7 @@ std::string zsh_option(const OptionManual& option) {
   if (!option.form.empty()) text += ":" + zsh_text(option.form) + ":" + zsh_action(option);
   return text;
 }
-// "_shigusa_dataset_merge", the function of a command.
+// Name of a command's function, "_shigusa_dataset_merge".
 std::string zsh_name(const CommandManual& command) {
   std::string name = "_" + command.path;
   std::replace(name.begin(), name.end(), ' ', '_');

@@ -39,7 +39,7 @@ struct ShardRange {
   std::optional<std::uint64_t> last{};
 };
 
-// "FIRST:LAST", either of which may be missing, or all shards where the text is empty.
+// Parses "FIRST:LAST" with optional ends; all shards for an empty text.
 Result<ShardRange> parse_shards(const std::string& text, std::uint64_t shards) {
   ShardRange range;
   if (text.empty()) return range;
@@ -55,7 +55,7 @@ Result<ShardRange> parse_shards(const std::string& text, std::uint64_t shards) {
   return range;
 }
 
-// "K/N" with K < N.
+// Parses "K/N" with K < N.
 Result<ShardRange> parse_part(const std::string& text, std::uint64_t shards) {
   constexpr std::uint64_t kMostParts = 1'000'000;
   const std::size_t slash = std::min(text.find('/'), text.size());
@@ -72,7 +72,7 @@ Result<ShardRange> parse_part(const std::string& text, std::uint64_t shards) {
   return ShardRange{part * shards / parts, (part + 1) * shards / parts};
 }
 
-// "3 h 25 min", "12 s".
+// Words for a duration, "3 h 25 min", "12 s".
 std::string time_words(double seconds) {
   const auto whole_seconds = static_cast<std::int64_t>(seconds + 0.5);
   if (whole_seconds >= 86400) {
@@ -125,7 +125,7 @@ Result<int> one_task(const DatasetPlan& plan, const DatasetOptions& options) {
                  {.folder = options.folder, .settings = settings, .json = options.json});
 }
 
-// "shigusa dataset mrge": a word that is near a command and no file.
+// Recognises a mistyped subcommand, "shigusa dataset mrge": a word near a command that is no file.
 Result<void> check_plan_name(const CLI::App& command, const std::string& plan) {
   std::error_code ignored;
   const std::vector<std::string> names = command_names(command);
@@ -191,7 +191,7 @@ Result<int> dataset(const DatasetOptions& options) {
   return run.left > 0 ? kUnreachable : kDone;
 }
 
-// Which of the plan's tasks are made.
+// Options that select tasks of the plan.
 void add_task_choice(CLI::App& c, DatasetOptions& o) {
   const std::string group = "The tasks";
   describe(c.add_option("--shards", o.shards),
@@ -215,7 +215,7 @@ void add_task_choice(CLI::App& c, DatasetOptions& o) {
        .full = "Checks the plan, prints how many tasks and shards it has, and makes nothing."});
 }
 
-// Where the tasks go, and how they are made.
+// Options for the output and the work.
 void add_making_options(CLI::App& c, DatasetOptions& o) {
   const std::string output = heading(OptionGroup::output);
   describe(c.add_option("--out", o.folder),
@@ -250,7 +250,7 @@ void add_dataset(CLI::App& app, int& exit_code) {
       "values may be draws: see docs/data.md.");
   c->group(kMany)->footer(
       "shigusa dataset plan.json --out motions\nshigusa dataset plan.json --check-plan");
-  // with a command of its own, such as merge, there is no plan
+  // with a subcommand, such as merge, there is no plan
   describe(c->add_option("plan", o.plan),
            {.brief = "Plan (JSON): a task in which values may be draws", .form = "FILE"});
   add_task_choice(*c, o);

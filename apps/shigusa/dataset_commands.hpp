@@ -8,16 +8,16 @@
 
 namespace shigusa::app {
 
-// The heading of these commands in `shigusa dataset --help`.
+// Heading of these commands in `shigusa dataset --help`.
 inline constexpr const char* kOfDataset = "Commands of a data set that is there";
 
-// The commands of data sets beside making one, each added to `shigusa dataset`.
+// The further commands for data sets; each function adds one to `shigusa dataset`.
 void add_dataset_merge(CLI::App& dataset, int& exit_code);
 void add_dataset_check(CLI::App& dataset, int& exit_code);
 void add_dataset_show(CLI::App& dataset, int& exit_code);
 void add_dataset_export(CLI::App& dataset, int& exit_code);
 
-// "12 shards: 3, 7 to 17".
+// List of shards, "12 shards: 3, 7 to 17".
 [[nodiscard]] std::string missing_shards_text(const std::vector<std::uint64_t>& missing);
 
 }  // namespace shigusa::app

@@ -28,7 +28,7 @@ struct ExportOptions {
   std::string character;
 };
 
-// The range of tasks that is asked for; to the plan's last where no end is given.
+// Requested range of tasks; up to the plan's last if no end is given.
 Result<std::optional<TaskRange>> asked_tasks(const ExportOptions& options) {
   if (options.tasks.empty()) return std::optional<TaskRange>{};
   const std::optional<NumberRange> asked = parse_range(options.tasks);
@@ -119,7 +119,7 @@ std::string formats_help() {
   return text;
 }
 
-// Which of the motions are written.
+// Options that select motions.
 void add_choice_options(CLI::App& c, ExportOptions& o) {
   const std::string group = "The motions";
   describe(c.add_option("--split", o.split), {.group = group,

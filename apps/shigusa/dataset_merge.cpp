@@ -12,7 +12,7 @@
 namespace shigusa::app {
 namespace {
 
-// Stretches of missing shards that are told one by one.
+// Largest number of ranges of missing shards that are listed.
 constexpr std::size_t kToldStretches = 10;
 
 Result<int> dataset_merge(const std::string& folder) {

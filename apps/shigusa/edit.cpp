@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The heading of options that say which motion of a result, and its change.
+// Heading of options for a result's motion and its change.
 constexpr const char* kOfResult = "The motion";
 
 struct EditOptions {
@@ -31,7 +31,7 @@ struct EditOptions {
   bool json = false;
 };
 
-// The folder that the result is in.
+// Folder of the result.
 fs::path folder_of(const EditOptions& options) {
   const fs::path result = options.result;
   std::error_code ignored;
@@ -39,7 +39,7 @@ fs::path folder_of(const EditOptions& options) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
-// An edit never writes over what it started from.
+// Refuses to overwrite the original.
 Result<void> check_folder(const EditOptions& options) {
   std::error_code ignored;
   if (options.out.empty() || !fs::equivalent(options.out, folder_of(options), ignored)) return {};
@@ -48,8 +48,8 @@ Result<void> check_folder(const EditOptions& options) {
               "--out " + options.out);
 }
 
-// The folder that the edit goes to, made: the one that the user gives, or else a new "edit-1",
-// "edit-2", … or "mirror-1", … beside the result, which is `own` then.
+// Creates the output folder: the user's, or else a new "edit-1", "edit-2", … or "mirror-1", …
+// beside the result, for which `own` is set.
 Result<fs::path> make_folder(const EditOptions& options, std::optional<EditFolder>& own) {
   fs::path folder = options.out;
   if (options.out.empty()) {
@@ -60,8 +60,8 @@ Result<fs::path> make_folder(const EditOptions& options, std::optional<EditFolde
   return folder;
 }
 
-// Finds the file of the result's person: the user's, or else the one that the result names, which
-// may be gone. Returns its path.
+// Finds the file of the result's person: the user's, or else the one named in the result, which may
+// be missing. Returns its path.
 Result<fs::path> attach_character(const EditOptions& options, StoredResult& stored) {
   CharacterSpec& person = stored.task.character;
   if (options.character) {
@@ -85,7 +85,7 @@ Result<fs::path> attach_character(const EditOptions& options, StoredResult& stor
   return file;
 }
 
-// As the result was written, but for what cannot be without the person's file.
+// Formats of the result, except those that need the person's missing file.
 ExportSettings usual_settings(const StoredResult& stored, int candidate, const fs::path& file) {
   ExportSettings usual{.formats = {}, .rate = stored.rate, .character = file};
   const auto index = static_cast<std::size_t>(candidate) - 1;
@@ -141,7 +141,7 @@ Result<int> edit(const EditOptions& options) {
                  {.folder = folder, .settings = settings, .json = options.json});
 }
 
-// The options that edit and mirror have in common.
+// Options shared by edit and mirror.
 void add_result_options(CLI::App* c, EditOptions& o) {
   const std::string output = heading(OptionGroup::output);
   describe(c->add_option("result", o.result)->required(),

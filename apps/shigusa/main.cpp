@@ -10,7 +10,7 @@ namespace {
 
 using namespace shigusa::app;
 
-// `shigusa --help` lists the commands in this order, under the headings that they have.
+// The commands in their order in `shigusa --help`, with their headings.
 void add_commands(CLI::App& app, int& exit_code) {
   add_reach(app, exit_code);
   add_edit(app, exit_code);
@@ -26,7 +26,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_manual(app, exit_code);  // of those before it
 }
 
-// Help and the version come as errors too; they are of the command that was chosen last.
+// CLI11 reports help and version as errors too; they refer to the last chosen command.
 int answer(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() != 0) return report_usage(app, error);
   const std::string kind = error.get_name();

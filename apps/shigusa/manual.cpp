@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kHelpHeading = "Help";
 
-// The form of a list of words ends so: "bvh|csv,…".
+// Ending of a form with several choices: "bvh|csv,…".
 constexpr std::string_view kListMark = ",…";
 
 std::vector<std::string> split_at(std::string_view text, char sign) {
@@ -45,7 +45,7 @@ OptionManual read_option(const CLI::Option& option) {
   return manual;
 }
 
-// The options that each command has of CLI11.
+// Options that CLI11 adds to each command.
 OptionGroupManual help_options(const CLI::App& app) {
   OptionGroupManual group{kHelpHeading, {}};
   const auto add = [&group](const char* name, const char* brief) {

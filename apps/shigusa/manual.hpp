@@ -10,12 +10,12 @@
 
 namespace shigusa::app {
 
-// One option or argument as help, manual and completion tell of it.
+// One option or argument in help, manual and completion.
 struct OptionManual {
   std::string name{};   // "--goal"; of an argument "TASK"
   std::string form{};   // of its value, as OptionHelp has it; empty of a flag
   std::string brief{};  // its line
-  std::string full{};   // all that is to be said; the line where that says all
+  std::string full{};   // full description; the line if that is complete
   bool argument = false;
   bool required = false;
   bool repeatable = false;
@@ -28,12 +28,12 @@ struct OptionGroupManual {
   std::vector<OptionManual> options;
 };
 
-// Whether these are the options that each command has, for help itself.
+// Whether these are the help options common to all commands.
 [[nodiscard]] inline bool is_of_help(const OptionGroupManual& group) {
   return group.heading == "Help";
 }
 
-// A command, or the whole program, with all commands below it.
+// A command, or the whole program, with its subcommands.
 struct CommandManual {
   std::string path;   // "shigusa dataset merge"
   std::string group;  // the heading that it stands under: "Many"
@@ -43,16 +43,16 @@ struct CommandManual {
   std::vector<OptionGroupManual> groups;
   std::vector<CommandManual> commands;
 
-  // Its last word: "merge".
+  // Last word of its name: "merge".
   [[nodiscard]] std::string name() const { return path.substr(path.rfind(' ') + 1); }
 };
 
-// A word and a sentence about it.
+// A word with its explanation.
 struct Term {
   std::string_view name;
   std::string_view says;
 };
-// The exit codes of the program.
+// Exit codes of the program.
 inline constexpr std::array kExitCodes{
     Term{"0", "All is done."},
     Term{"1", "A fault of the program."},
@@ -65,7 +65,7 @@ inline constexpr std::array kExitCodes{
          "written. Of dataset and dataset export: stopped by Ctrl-C, what is written is whole."},
     Term{"130", "Ended by a second Ctrl-C; the first one asks for the best so far."},
 };
-// The environment variables that the program reads.
+// Environment variables that the program reads.
 inline constexpr std::array kEnvironment{
     Term{
         "SHIGUSA_CACHE",
@@ -76,50 +76,51 @@ inline constexpr std::array kEnvironment{
     Term{"HOME", "See SHIGUSA_CACHE."},
 };
 
-// Reads the program's commands and options, which describe() has told the facts of.
+// Reads the program's commands and options, as described by describe().
 [[nodiscard]] CommandManual read_manual(const CLI::App& app);
-// The command of these words below another one: {"dataset", "merge"}; null where there is none.
+// Subcommand by its words: {"dataset", "merge"}; null if there is none.
 [[nodiscard]] const CommandManual* find_command(const CommandManual& from,
                                                 const std::vector<std::string>& words);
-// A command and all below it, each before its own.
+// A command and all its descendants, each before its own subcommands.
 [[nodiscard]] std::vector<const CommandManual*> all_commands(const CommandManual& from);
 
 [[nodiscard]] inline bool is_program(const CommandManual& command) {
   return command.path.find(' ') == std::string::npos;
 }
 
-// "--goal EFFECTOR=X,Y,Z …", where "…" tells that it may be given again.
+// Usage of an option, "--goal EFFECTOR=X,Y,Z …"; "…" means that it is repeatable.
 [[nodiscard]] std::string label_of(const OptionManual& option);
-// "shigusa dataset export FOLDER --to csv|npz --out FOLDER [OPTION]…".
+// Synopsis, "shigusa dataset export FOLDER --to csv|npz --out FOLDER [OPTION]…".
 [[nodiscard]] std::string usage_of(const CommandManual& command);
-// The words that its value is chosen from; none where it is something else.
+// Choices for its value; empty if it is not a choice.
 [[nodiscard]] std::vector<std::string> words_of(const OptionManual& option);
 // Whether its value may be a file, or a folder.
 [[nodiscard]] bool takes_file(const OptionManual& option);
 [[nodiscard]] bool takes_folder(const OptionManual& option);
 
-// Breaks a text into lines of up to `width` characters, each after `indent` blanks.
+// Breaks a text into lines of up to `width` characters, indented by `indent` blanks.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent, std::size_t width);
-// The characters of a UTF-8 text.
+// Number of characters of a UTF-8 text.
 [[nodiscard]] std::size_t width_of(std::string_view text);
 
-// --help: common options with a line each.
+// --help: common options in a line each.
 [[nodiscard]] std::string short_help(const CommandManual& command);
-// --help-all: every option with all that is to be said.
+// --help-all: every option in full.
 [[nodiscard]] std::string long_help(const CommandManual& command);
-// The manual of a command as text: its long help, exit codes and environment.
+// Manual of a command as text: its long help, exit codes and environment.
 [[nodiscard]] std::string manual_text(const CommandManual& command);
-// As a man page, with the commands below it as sections; of the whole program without them.
+// Manual as a man page, with subcommands as sections; that of the whole program has none.
 [[nodiscard]] std::string manual_page(const CommandManual& command);
-// As Markdown: all commands below it on one page.
+// Manual as Markdown, with all subcommands on one page.
 [[nodiscard]] std::string manual_markdown(const CommandManual& command);
 
-// The scripts that shells source to complete commands, options, words and paths.
+// Shell scripts that complete commands, options, words and paths.
 [[nodiscard]] std::string bash_completion(const CommandManual& program);
 [[nodiscard]] std::string zsh_completion(const CommandManual& program);
 [[nodiscard]] std::string fish_completion(const CommandManual& program);
 
-// Adds `shigusa manual` and `shigusa completion`, which tell of the program as it is when called.
+// Adds `shigusa manual` and `shigusa completion`, which describe the program at the time of the
+// call.
 void add_manual(CLI::App& app, int& exit_code);
 void add_completion(CLI::App& app, int& exit_code);
 

@@ -13,7 +13,7 @@
 namespace shigusa {
 namespace app {
 
-// The forms of the manual, and the shells whose completion is known.
+// Formats of the manual, and the shells with completion.
 enum class ManualForm { text, man, markdown };
 enum class Shell { bash, zsh, fish };
 
@@ -41,7 +41,7 @@ struct ManualOptions {
   std::string out;  // folder for all man pages, or empty
 };
 
-// Writes the page of the program and of each of its commands: "shigusa.1", "shigusa-reach.1", ….
+// Writes the pages of the program and of each of its commands: "shigusa.1", "shigusa-reach.1", ….
 Result<int> write_pages(const CommandManual& program, const std::string& folder) {
   SHG_TRY(prepare_out(folder));
   const std::filesystem::path into = folder;

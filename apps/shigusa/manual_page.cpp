@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The manual as a man page, in the macros of man(7), and as Markdown.
+// The manual as a man page, with the macros of man(7), and as Markdown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kPageWidth = 100;  // characters of a line of Markdown
 
-// The code point that a UTF-8 text begins with, and its bytes.
+// First code point of a UTF-8 text, and its length in bytes.
 std::pair<std::uint32_t, std::size_t> first_point(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text.front());
   const std::size_t bytes = lead < 0x80 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
@@ -23,7 +23,7 @@ std::pair<std::uint32_t, std::size_t> first_point(std::string_view text) {
   return {point, bytes};
 }
 
-// A text as roff has it: in ASCII, with nothing that it would take for a request or an escape.
+// A text for roff: ASCII, with requests and escapes neutralised.
 std::string roff(std::string_view text) {
   std::string escaped;
   if (text.starts_with('.') || text.starts_with('\'')) escaped = "\\&";
@@ -34,7 +34,7 @@ std::string roff(std::string_view text) {
     } else if (point == '\\') {
       escaped += "\\e";
     } else if (point == '-' || point == '\'' || point == '`' || point == '^' || point == '~') {
-      // the signs as they are typed, and not a hyphen or a typographer's quote
+      // literal ASCII signs rather than hyphens and typographic quotes
       escaped += point == '-'    ? "\\-"
                  : point == '\'' ? "\\(aq"
                  : point == '`'  ? "\\(ga"
@@ -76,14 +76,14 @@ std::string roff_terms(const char* heading, const auto& table) {
   return text;
 }
 
-// "shigusa\-reach" of "shigusa reach".
+// Page name with escapes, "shigusa\-reach" for "shigusa reach".
 std::string page_name(const CommandManual& command) {
   std::string name = command.path;
   std::replace(name.begin(), name.end(), ' ', '-');
   return name;
 }
 
-// The commands of the program, with their pages; of a command those below it, with their options.
+// Commands of the program with their pages; for a command its subcommands with their options.
 std::string roff_commands(const CommandManual& command, bool of_program) {
   std::string text;
   std::string heading;
@@ -137,7 +137,7 @@ std::string sentence(std::string line) {
   return line + ".";
 }
 
-// A command is a section, and a command below it one below that.
+// Writes a command as a section, and its subcommands as subsections.
 std::string markdown_section(const CommandManual& command) {
   const auto words = std::count(command.path.begin(), command.path.end(), ' ');
   std::string text = fmt::format(

@@ -12,7 +12,7 @@ constexpr std::size_t kTextWidth = 100;  // characters of a line
 constexpr std::size_t kColumn = 38;      // where options' lines begin
 constexpr std::size_t kDeep = 6;         // where their sentences do
 
-// A label and its line, beside each other where there is room.
+// A label and its line, side by side if there is room.
 std::string entry(const std::string& label, const std::string& line) {
   std::string text = "  " + label;
   if (width_of(text) + 1 >= kColumn) {
@@ -20,7 +20,7 @@ std::string entry(const std::string& label, const std::string& line) {
   } else {
     text += std::string(kColumn - width_of(text), ' ');
   }
-  // what goes on does so below the line's beginning
+  // continuation lines are aligned with the first
   return text + wrapped(line, kColumn, kTextWidth).substr(kColumn);
 }
 
@@ -31,7 +31,7 @@ std::string examples_of(const CommandManual& command) {
   return text;
 }
 
-// The commands below one, by their headings, each with its first example.
+// Subcommands by their headings, each with its first example.
 std::string commands_of(const CommandManual& command) {
   std::string text;
   std::string heading;
@@ -69,7 +69,7 @@ std::string terms(const char* heading, const auto& table) {
   return text;
 }
 
-// Of the program: the last lines of help.
+// Last lines of the program's help.
 std::string further_reading(const CommandManual& program) {
   return fmt::format(
       "\n`{0} COMMAND --help` has a command's options, `{0} manual COMMAND` all about it.\n"
@@ -78,7 +78,7 @@ std::string further_reading(const CommandManual& program) {
       program.path);
 }
 
-// Of a command: what this help has not said, and what its signs mean.
+// Last lines of a command's help: omissions, and the meaning of its signs.
 std::string left_out(const CommandManual& command) {
   std::size_t rare = 0;
   bool is_all_said = true;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of a folder with more files, no name is looked for.
+// Largest number of files in a folder that is searched for names.
 constexpr std::size_t kNamesMax = 1000;
 
 std::vector<std::string> names_in(const fs::path& folder) {
@@ -30,7 +30,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-// Of a file that is not there: those in its folder that end alike, "; this folder has hero.vrm".
+// Hint for a missing file: those in its folder with the same ending, "; this folder has hero.vrm".
 std::string files_alike(const fs::path& path, const fs::path& folder,
                         const std::vector<std::string>& names) {
   constexpr std::size_t kToldMost = 5;
@@ -46,7 +46,7 @@ std::string files_alike(const fs::path& path, const fs::path& folder,
   return fmt::format("; {} has {}", where, fmt::join(alike, ", "));
 }
 
-// Of a path that is not there: the nearest one that is.
+// Hint for a missing path: the nearest existing one.
 std::string nearest_path(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code ignored;

@@ -7,16 +7,16 @@
 
 namespace shigusa::app {
 
-// A range of whole numbers from 0, either end of which may be left out.
+// A range of non-negative whole numbers; either end is optional.
 struct NumberRange {
   std::optional<std::uint64_t> first{};
   std::optional<std::uint64_t> last{};
 };
 
-// The whole number that a text is; none where it is something else.
+// Whole number of a text; empty if malformed.
 [[nodiscard]] std::optional<std::uint64_t> parse_whole(std::string_view text);
 
-// "FIRST:LAST", "FIRST:", ":LAST" or ":"; none where it is something else.
+// Parses "FIRST:LAST", "FIRST:", ":LAST" or ":"; empty if malformed.
 [[nodiscard]] std::optional<NumberRange> parse_range(std::string_view text);
 
 }  // namespace shigusa::app

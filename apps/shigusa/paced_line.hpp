@@ -9,11 +9,10 @@
 
 namespace shigusa::app {
 
-// A line that tells how far work has come, on stderr: drawn anew on a terminal, and a line a minute
-// elsewhere, as in a job's log.
+// Progress line on stderr: redrawn on a terminal, and once a minute elsewhere, as in a job's log.
 class PacedLine {
  public:
-  // Whether it is time for the line, whose text may take some making.
+  // Whether the next line is due, to avoid formatting it otherwise.
   [[nodiscard]] bool is_due() {
     if (Clock::now() - last_ < pause_) return false;
     last_ = Clock::now();

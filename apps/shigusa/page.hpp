@@ -13,15 +13,15 @@ struct PageFile {
   std::string bytes;
 };
 
-// By the path that is asked for, "/assets/main.js".
+// By requested path, "/assets/main.js".
 using Page = std::map<std::string, PageFile, std::less<>>;
 
 inline constexpr std::size_t kPageMostBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kPageMostEntries = 1000;
 
-// All files of a folder and of those in it, read once: what becomes of the folder later is no
-// longer served. Links are left out, as they may lead elsewhere. Fails without an index.html, and
-// on more files or bytes than a built page has.
+// Reads all files of a folder and its subfolders once; later changes of the folder are not served.
+// Links are left out, as they may lead elsewhere. Fails without an index.html, and on more files or
+// bytes than a built page has.
 [[nodiscard]] Result<Page> read_page(const std::filesystem::path& folder);
 
 }  // namespace shigusa::app

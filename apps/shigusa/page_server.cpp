@@ -15,13 +15,13 @@
 namespace shigusa::app {
 namespace {
 
-// A browser's requests have some hundred bytes, and it opens some ten connections.
+// Limits: a browser's request has some hundred bytes, and it opens some ten connections.
 constexpr std::size_t kMemoryOfConnection = 16384;
 constexpr unsigned kMostConnections = 128;
 constexpr unsigned kTimeToAsk = 5;    // s
 constexpr unsigned kTimeToTake = 60;  // s without a byte taken: behind a tunnel
 
-// All that the page needs is beside it; 'wasm-unsafe-eval' lets the engine be compiled.
+// Content policy: all resources are local; 'wasm-unsafe-eval' permits compiling the engine.
 constexpr std::pair<const char*, const char*> kHeaders[] = {
     {"Content-Security-Policy",
      "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src "
@@ -42,7 +42,7 @@ struct Reply {
   const char* cache = "no-cache";
 };
 
-// These files have what they hold in their names, so a browser need not ask for one again.
+// Names of these files contain a hash of their contents, so browsers may cache them.
 constexpr std::string_view kLasting = "/assets/";
 
 struct Hosts {
@@ -59,21 +59,22 @@ MHD_Result note_host(void* hosts, MHD_ValueKind, const char* key, const char* va
   return MHD_YES;
 }
 
-// A page of the network that gives its own name this address gets nothing.
+// Refuses other host names, so that a foreign page whose name resolves to this address gets
+// nothing.
 bool is_ours(MHD_Connection* connection) {
   Hosts hosts;
   MHD_get_connection_values(connection, MHD_HEADER_KIND, &note_host, &hosts);
   MHD_Daemon* const daemon =
       MHD_get_connection_info(connection, MHD_CONNECTION_INFO_DAEMON)->daemon;
   const int number = MHD_get_daemon_info(daemon, MHD_DAEMON_INFO_BIND_PORT)->port;
-  // browsers leave out the port that is HTTP's own
+  // browsers leave out the default port of HTTP
   const std::string port = number == 80 ? "" : fmt::format(":{}", number);
   return hosts.count == 1 && (hosts.last == "127.0.0.1" + port || hosts.last == "localhost" + port);
 }
 
 }  // namespace
 
-// Functions that libmicrohttpd calls, on the server's thread.
+// Callbacks of libmicrohttpd, on the server's thread.
 struct PageServer::Callbacks {
   static MHD_Result answer(void* server, MHD_Connection* connection, const char* path,
                            const char* method, const char*, const char*, std::size_t*, void**) {
@@ -102,7 +103,7 @@ Result<void> PageServer::start(int port) {
   daemon_.reset(MHD_start_daemon(
       MHD_USE_AUTO_INTERNAL_THREAD, 0, nullptr, nullptr, &Callbacks::answer, this,
       MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_NOTIFY_CONNECTION, &Callbacks::notify, this,
-      // more than are kept, so that it always takes who comes
+      // more than are kept, so that new connections are always accepted
       MHD_OPTION_CONNECTION_LIMIT, 2 * kMostConnections, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
       kMemoryOfConnection, MHD_OPTION_CONNECTION_TIMEOUT, kTimeToAsk, MHD_OPTION_END));
   if (!daemon_) {
@@ -116,7 +117,7 @@ int PageServer::port() const {
   return MHD_get_daemon_info(daemon_.get(), MHD_DAEMON_INFO_BIND_PORT)->port;
 }
 
-// A new visit takes the place of the oldest that is not being answered, or else of the oldest.
+// Replaces the oldest idle connection, or else the oldest one, by a new one.
 void PageServer::come(MHD_Connection* connection) {
   if (visits_.size() == kMostConnections) {
     const auto idle = std::find_if(visits_.begin(), visits_.end(),

@@ -13,14 +13,14 @@ struct MHD_Daemon;
 
 namespace shigusa::app {
 
-// Serves a page's files to the browsers of this machine, by libmicrohttpd. Whoever connects takes a
-// few kB of memory and keeps nobody waiting, whatever they send or leave unsent.
+// HTTP server of a page's files for browsers on this machine, with libmicrohttpd. A connection
+// takes a few kB of memory and never blocks others, whatever it sends.
 class PageServer {
  public:
   explicit PageServer(Page page) : page_(std::move(page)) {}
 
-  // Listens on a port of 127.0.0.1, or on any that is free for 0, and answers on a thread of its
-  // own until the server ends. Fails where the port is taken.
+  // Listens on a port of 127.0.0.1, or on any free port for 0, and answers on a separate thread
+  // until the server is destroyed. Fails if the port is taken.
   [[nodiscard]] Result<void> start(int port);
   [[nodiscard]] int port() const;  // once started
 

@@ -34,8 +34,8 @@ Result<FileFormat> picture_format(const std::filesystem::path& path) {
 #ifdef SHIGUSA_HAS_LIBRSVG
 namespace {
 
-// A function of librsvg, cairo or glib. They are loaded with the first picture: linked, they would
-// cost each start of the program 5 ms and 6 MiB.
+// Function of librsvg, cairo or glib, loaded with the first picture: linking them would cost each
+// start of the program 5 ms and 6 MiB.
 #define SHG_RSVG(function) \
   reinterpret_cast<decltype(&(function))>(find_function("librsvg-2.so.2", #function))
 
@@ -48,7 +48,7 @@ struct Release {
   void operator()(cairo_t* context) const { SHG_RSVG(cairo_destroy)(context); }
 };
 
-// Called from C: no exception may leave.
+// Called from C: exceptions must not escape.
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
   try {
     static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
@@ -66,7 +66,7 @@ cairo_surface_t* png_surface(const RsvgRectangle& page) {
 cairo_surface_t* pdf_surface(const RsvgRectangle& page, std::string* bytes) {
   cairo_surface_t* pdf =
       SHG_RSVG(cairo_pdf_surface_create_for_stream)(append, bytes, page.width, page.height);
-  // a date of the day would make each run's file another one
+  // the current date would make each file different
   SHG_RSVG(cairo_pdf_surface_set_metadata)
   (pdf, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   return pdf;
@@ -88,7 +88,7 @@ Result<std::string> picture_from(const std::string& svg, FileFormat format) {
   const std::unique_ptr<cairo_surface_t, Release> surface(is_png ? png_surface(page)
                                                                  : pdf_surface(page, &bytes));
   const std::unique_ptr<cairo_t, Release> context(SHG_RSVG(cairo_create)(surface.get()));
-  // the figure's own white covers a part of the last pixels alone
+  // the figure's white background covers the last pixels only partly
   SHG_RSVG(cairo_set_source_rgb)(context.get(), 1.0, 1.0, 1.0);
   SHG_RSVG(cairo_paint)(context.get());
   bool drawn =

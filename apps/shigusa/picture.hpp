@@ -8,11 +8,11 @@
 
 namespace shigusa::app {
 
-// The format that a picture's file has by its ending.
+// Picture format by a file name's ending.
 [[nodiscard]] Result<FileFormat> picture_format(const std::filesystem::path& path);
 
-// A strip figure's SVG in one of its formats: as it is, or PNG and PDF by librsvg. Fails with
-// ErrorCode::unsupported on these where there is no librsvg.
+// Converts a strip figure's SVG: unchanged, or to PNG and PDF by librsvg. Fails with
+// ErrorCode::unsupported if librsvg is not available.
 [[nodiscard]] Result<std::string> picture_from(const std::string& svg, FileFormat format);
 
 }  // namespace shigusa::app

@@ -30,7 +30,7 @@ struct ReachOptions {
   bool json = false;
 };
 
-// How the search is computed; changes no result.
+// Options for the computation that do not change results.
 Result<BatchSettings> batch_settings(const ReachOptions& options) {
   BatchSettings batch;
   batch.threads = options.threads;
@@ -56,7 +56,7 @@ Result<void> apply_options(const ReachOptions& options, TaskFile& file) {
       "--layer-reading");
 }
 
-// Where the goals stand in the task file, an error about them names it.
+// Places of goals in the task file, for errors about them.
 Error in_task(const Error& error, const ReachOptions& options) {
   if (options.task.empty() && error.message.key == "no_goal") {
     return {error.code,
@@ -68,7 +68,7 @@ Error in_task(const Error& error, const ReachOptions& options) {
   return {error.code, error.to_string(), std::filesystem::path(options.task).filename().string()};
 }
 
-// Adds to the error of a task file that was meant as a goal or a character.
+// Adds a hint to an error about a task file that was meant as a goal or a character.
 Error about_task(const Error& error, const std::string& task) {
   std::error_code ignored;
   const std::string& text = error.message.text;
@@ -98,10 +98,10 @@ Result<TaskFile> file_of(const ReachOptions& options) {
   return file;
 }
 
-// Nobody reaches so far: the numbers are of another unit.
+// Distance (m) beyond any reach: the numbers are in another unit.
 constexpr double kFarAway = 5.0;  // m
 
-// Tells what a goal that is far away would be in metres if it is in centimetres or millimetres.
+// Hint for a goal that is far away, converted from centimetres or millimetres.
 void note_other_units(const TaskFile& file) {
   for (const Goal& goal : file.goals) {
     const Vec3d& at = goal.position;
@@ -116,14 +116,13 @@ void note_other_units(const TaskFile& file) {
   }
 }
 
-// Whether somebody of that height might get at a place that is no oversight.
+// Whether a person of that height could reach a place, so that it is plausible.
 bool looks_near(const Vec3d& place, double stature) {
   return place.y >= 0.0 && place.y <= 1.3 * stature &&
          norm(Vec3d{place.x, 0.0, place.z}) <= 0.75 * stature;
 }
 
-// Tells what a goal that nobody gets at would be if its axes are those of robots: x ahead, y to the
-// left, z up.
+// Hint for an unreachable goal, converted from the axes of robots: x ahead, y to the left, z up.
 void note_other_axes(const Task& task) {
   for (const Goal& goal : task.goals) {
     const Vec3d& at = goal.position;
@@ -142,7 +141,7 @@ Result<int> reach(const ReachOptions& options) {
   SHG_TRY_ASSIGN(TaskFile file, file_of(options));
   SHG_TRY(apply_options(options, file));
   note_other_units(file);
-  // a character named on the command line is looked for from where the command is given
+  // a character on the command line is relative to the working directory
   const auto folder = options.character || options.task.empty()
                           ? std::filesystem::path{}
                           : std::filesystem::path(options.task).parent_path();
@@ -213,7 +212,7 @@ Result<SimdSet> simd_named(const std::string& name) {
 }
 
 std::string simd_choices() {
-  // of all machines: what is told of the program shall not depend on where it is told
+  // all SIMD sets, so that the help text is the same on every machine
   std::vector<std::string_view> names;
   for (const SimdSet set : {SimdSet::scalar, SimdSet::lanes_4, SimdSet::avx2, SimdSet::avx512}) {
     names.push_back(simd_name(set));

@@ -25,7 +25,7 @@ struct RenderOptions {
   std::optional<double> stature;  // m
 };
 
-// The advice where a file is no BVH.
+// Advice for a file that is no BVH.
 std::string clip_hint(const std::filesystem::path& clip) {
   std::error_code ignored;
   if (std::filesystem::is_directory(clip, ignored)) {

@@ -27,7 +27,7 @@ struct ShowOptions {
   std::vector<std::string> pictures;
 };
 
-// A result with its motions, made again from its file.
+// A result with its motions, recomputed from its file.
 struct PlayedResult {
   Task task;
   GenerateResult generation;
@@ -43,7 +43,7 @@ Result<PlayedResult> played(const std::string& path) {
   return PlayedResult{std::move(task), std::move(*generation)};
 }
 
-// Refuses a call that would fail in the end, before the motions are made.
+// Refuses a call that would fail later, before the motions are computed.
 Result<void> check_call(const ShowOptions& options) {
   for (const std::string& picture : options.pictures) {
     SHG_TRY(picture_format(picture));

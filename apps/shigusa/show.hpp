@@ -5,7 +5,7 @@
 
 namespace shigusa::app {
 
-// The command that shows results as one page, and their first candidates as one picture.
+// Command that shows results as one page, and their first candidates as one picture.
 void add_show(CLI::App& app, int& exit_code);
 
 }  // namespace shigusa::app

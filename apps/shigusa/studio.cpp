@@ -18,11 +18,11 @@ namespace fs = std::filesystem;
 struct StudioOptions {
   int port = 0;        // any that is free
   bool open = true;    // in the person's browser
-  std::string folder;  // of the built page; empty: where it is installed, or in the source tree
+  std::string folder;  // of the built page; empty: the installed one, or the source tree's
 };
 
-// The folder of the page's built files: the user's, the one installed beside the program, or the
-// source tree's.
+// Folder of the page's built files: the user's, the one installed with the program, or the source
+// tree's.
 Result<fs::path> page_folder(const std::string& given) {
   if (!given.empty()) return given;
   std::error_code ignored;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program's own calls of the operating system: streams, signals, programs and libraries.
+// Calls of the operating system: streams, signals, programs and libraries.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -17,7 +17,7 @@ namespace {
 std::atomic<bool> interrupt_flag{false};
 
 void on_interrupt(int) {
-  // the second time, nobody wants to wait for the best so far
+  // a second Ctrl-C gives up waiting for the best motion so far
   if (interrupt_flag.exchange(true)) _exit(130);
 }
 
@@ -35,7 +35,7 @@ sigset_t ends() {
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0) continue;
-    // the lowest number that is free is this one; of what cannot be written, writing fails
+    // this takes the lowest free number; writing to a read-only descriptor fails
     (void)!open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
   }
 }
@@ -75,7 +75,7 @@ void* find_function(const char* library, const char* name) {
 void open_browser(std::string address) {
   std::string opener = "xdg-open";
   char* const arguments[] = {opener.data(), address.data(), nullptr};
-  // it shall hear the signals that are blocked here
+  // the child must receive the signals that are blocked here
   posix_spawnattr_t attributes;
   sigset_t none;
   sigemptyset(&none);

@@ -68,7 +68,7 @@ double arm_depth(const Candidate& candidate) {
   return kMillimetres * std::max(candidate.arm_collision->depth, 0.0);
 }
 
-// A row for each candidate: verdict, score, how it ends, and what it asks of the body.
+// A row per candidate: verdict, score, final posture and effort.
 TextTable candidate_rows(const BodyModel& body, const Candidates& candidates) {
   TextTable table;
   std::vector<std::string> ranks;
@@ -104,8 +104,8 @@ TextTable candidate_rows(const BodyModel& body, const Candidates& candidates) {
   return table;
 }
 
-// One criterion in a row, one motion in a column: their scores' terms, which are of the same
-// criteria. The heads are those of the motions.
+// Terms of scores with the same criteria: a row per criterion, a column per motion. The heads are
+// those of the motions.
 class PenaltyTable {
  public:
   explicit PenaltyTable(const std::vector<ScoreTerm>& terms) {
@@ -153,7 +153,7 @@ class PenaltyTable {
     double weight = 0.0;
     std::vector<double> penalties;
   };
-  // As it is printed.
+  // Value as printed.
   [[nodiscard]] static bool is_zero(const Row& row) {
     constexpr double kPrinted = 5e-5;
     return std::all_of(row.penalties.begin(), row.penalties.end(),
@@ -164,7 +164,7 @@ class PenaltyTable {
   std::vector<Row> rows_;
 };
 
-// The names of what is 0 in all rows, in one sentence; empty where nothing is.
+// Names of the columns that are 0 in all rows, in one sentence; empty if there are none.
 std::string zero_line(std::vector<std::string> names, const std::vector<std::string>& more) {
   names.insert(names.end(), more.begin(), more.end());
   if (names.empty()) return {};
@@ -173,7 +173,7 @@ std::string zero_line(std::vector<std::string> names, const std::vector<std::str
   return "\n" + hanging(names);
 }
 
-// Why a motion is not possible; empty where it is.
+// Reason why a motion is not possible; empty if it is.
 std::string verdict_lines(const Judgement& judgement, const std::string& of) {
   if (judgement.verdict == Verdict::possible) return {};
   constexpr std::size_t kShown = 3;
@@ -190,16 +190,15 @@ std::string verdict_lines(const Judgement& judgement, const std::string& of) {
   return hanging(text);
 }
 
-// The verdict on the start of a run that found nothing possible, where the start is at fault.
+// Verdict on the start posture of a run without possible motions, if the start is the cause.
 Judgement fault_of_start(const FinishedRun& run) {
   const Judgement start =
       run.generation.status == ReachStatus::unsteady ? judge_start(run.task.body) : Judgement{};
   return start.verdict == Verdict::impossible ? start : Judgement{};
 }
 
-// The candidates as tables for a person: verdicts, scores, how they end and what they ask of the
-// body; then each criterion's penalty; below them why what is not possible is not, once where it is
-// the start's fault.
+// The candidates as text tables: verdicts, scores, final postures and efforts; then each
+// criterion's penalty; then reasons for impossible ones, once if the start posture is the cause.
 std::string candidate_table(const BodyModel& body, const Candidates& candidates,
                             const Judgement& start) {
   const TextTable rows = candidate_rows(body, candidates);
@@ -217,7 +216,7 @@ std::string candidate_table(const BodyModel& body, const Candidates& candidates,
   return text + (verdicts.empty() ? "" : "\n") + verdicts + "\n";
 }
 
-// A run in a few lines: status, body and goals, then counts and time.
+// Summary of a run in a few lines: status, body and goals, then counts and time.
 std::string headline(const FinishedRun& run) {
   const auto& [file, task, generation, info] = run;
   std::string text = hanging(printable(
@@ -237,7 +236,7 @@ std::string headline(const FinishedRun& run) {
   return text + hanging(found);
 }
 
-// Words on a goal that no possible motion meets; the rate was measured for the preset flat.
+// Remark on a goal that no possible motion meets; the rate was measured for the preset flat.
 std::string_view unsteady_words(const FinishedRun& run) {
   if (run.generation.log.evaluations == 0) return "not by a motion that this body could make";
   if (run.task.preset != Preset::flat) return "no motion was found that this body could make";
@@ -246,7 +245,7 @@ std::string_view unsteady_words(const FinishedRun& run) {
          "in twenty)";
 }
 
-// Tells of hands that might rest and do so in no candidate.
+// Remark on hands that were allowed to rest and do not in any candidate.
 void note_supports(const FinishedRun& run) {
   for (const Support& support : run.task.supports) {
     const auto rests = [&support](const Candidate& candidate) {
@@ -263,7 +262,7 @@ void note_supports(const FinishedRun& run) {
   }
 }
 
-// Tells the user on stderr how the result differs from what is asked for.
+// Reports on stderr where the result differs from the request.
 void note_run(const FinishedRun& run, const Judgement& start) {
   const auto& [file, task, generation, info] = run;
   for (const Message& doubt : task.body.doubts()) note(task.body.name(), doubt.text);
@@ -301,7 +300,7 @@ void note_run(const FinishedRun& run, const Judgement& start) {
   }
 }
 
-// The ending of the candidates' pictures, the easiest one to open; empty where none are written.
+// Ending of the candidates' pictures, the most widely readable one; empty if none are written.
 std::string_view picture_ending(const std::vector<FileFormat>& formats) {
   for (const FileFormat picture : {FileFormat::png, FileFormat::svg, FileFormat::pdf}) {
     if (std::find(formats.begin(), formats.end(), picture) != formats.end()) {

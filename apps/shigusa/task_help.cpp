@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of a task, as the command line adds and describes them.
+// Help texts and registration of the options of a task.
 #include <fmt/format.h>
 
 #include <shigusa/error.hpp>
@@ -10,7 +10,7 @@
 namespace shigusa::app {
 namespace {
 
-// The words of an enum, or of the mixtures of criteria; of other values the form of their text.
+// Words of an enum, or of the mixtures of criteria; for other values the form of their text.
 template <class Value>
 std::string words_or(const char* form) {
   if constexpr (std::is_enum_v<Value>) {
@@ -30,13 +30,13 @@ std::string form_of(const Field<Holder, std::optional<Value>>& field) {
   return words_or<Value>(field.traits.form);
 }
 
-// " Example: `--palm right_hand=up`.", where the option has one.
+// Example, " Example: `--palm right_hand=up`.", if the option has one.
 std::string example_of(const char* option) {
   const std::string_view example = option_example(option);
   return example.empty() ? "" : fmt::format(" Example: `{} {}`.", option, example);
 }
 
-// The facts of a field's option, which stand in the field's row.
+// Description of a field's option, from the field's row.
 OptionHelp help_of_field(const auto& field, const char* more) {
   const auto& traits = field.traits;
   return {.group = heading(traits.group),
@@ -46,7 +46,7 @@ OptionHelp help_of_field(const auto& field, const char* more) {
           .rare = traits.rare};
 }
 
-// Adds the option of each field, with its bounds of whole numbers.
+// Adds the option of each field, with the bounds of whole numbers.
 template <class Holder>
 void add_field_options(CLI::App& c, FieldOptions<Holder>& o) {
   for_each_option<Holder>(o, [&c](const auto& field, auto& typed) {

@@ -17,13 +17,13 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// "NAME=1,2.5,-3": a name and numbers.
+// Parses "NAME=1,2.5,-3": a name and numbers.
 struct Named {
   std::string name;
   std::vector<double> numbers;
 };
 
-// "NAME=REST"
+// Splits "NAME=REST".
 std::optional<std::pair<std::string, std::string>> split(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == text.npos || equals == 0) return std::nullopt;
@@ -40,7 +40,7 @@ Texts split_at_commas(const std::string& text) {
   return parts;
 }
 
-// Infinite ones are refused where their ranges are known.
+// Infinite ones are refused by the range checks.
 std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
   for (const std::string& part : split_at_commas(text)) {
@@ -60,7 +60,7 @@ std::optional<Named> parse_named(const std::string& text, std::size_t count) {
   return Named{parts->first, std::move(*numbers)};
 }
 
-// An optional value's type, or the value's own.
+// Type of a value, or of an optional's value.
 template <class Value>
 struct PlainOf {
   using type = Value;
@@ -70,7 +70,7 @@ struct PlainOf<std::optional<Value>> : PlainOf<Value> {};
 template <class Value>
 using Plain = typename PlainOf<Value>::type;
 
-// "; 2 numbers are given", "; decimals have a point: 0.2": what is wrong with a value's numbers.
+// Error about a value's numbers: "; 2 numbers are given", "; decimals have a point: 0.2".
 std::string numbers_hint(const std::string& text, std::size_t wanted, bool is_named) {
   const std::size_t equals = text.find('=');
   if (is_named && equals == text.npos) return "; no '=' is in it";
@@ -99,7 +99,7 @@ tl::unexpected<Error> misread(const Field<Holder, Value>& field, const std::stri
                  numbers_hint(text, wanted, is_named));
 }
 
-// The effector's goal, wherever that was given.
+// Goal of an effector from any option.
 Result<Goal*> goal_of(const char* option, const std::string& effector, Request& request) {
   for (Goal& goal : request.goals) {
     if (goal.effector == effector) return &goal;
@@ -117,7 +117,7 @@ double from_numbers(const std::vector<double>& n, double) { return n[0]; }
 template <class Value>
 Result<void> apply_to_goals(const Field<Goal, Value>& field, const Texts& texts, Request& request) {
   for (const std::string& text : texts) {
-    // numbers, points and rotations are made of doubles alone
+    // numbers, points and rotations consist of doubles only
     const std::size_t wanted = sizeof(Plain<Value>) / sizeof(double);
     const auto named = parse_named(text, wanted);
     if (!named) return misread(field, text, wanted);
@@ -127,7 +127,8 @@ Result<void> apply_to_goals(const Field<Goal, Value>& field, const Texts& texts,
   return {};
 }
 
-// Points an axis of a hand, a word or three numbers: the second one of a hand makes it a rotation.
+// Sets the direction of a hand's axis, by a word or three numbers: a second axis of a hand makes it
+// a rotation.
 Result<void> point(const char* option, const char* axis_word, const std::string& text,
                    Request& request) {
   const auto parts = split(text);
@@ -158,7 +159,7 @@ Result<void> point(const char* option, const char* axis_word, const std::string&
   return {};
 }
 
-// The palms, thumbs and fingers of hands.
+// Palm, thumb and finger options of hands.
 struct HandOption {
   const char* option;
   const char* word;
@@ -170,7 +171,7 @@ std::array<HandOption, 3> hand_options(const TaskOptions& options) {
            {"--fingers", "fingers", options.fingers}}};
 }
 
-// Turns on the command line take the place of those in a task file.
+// Replaces rotations of a task file by those of the command line.
 void forget_turns(const Texts& texts, Request& request) {
   for (const std::string& text : texts) {
     for (Goal& goal : request.goals) {
@@ -199,14 +200,14 @@ Result<void> apply_goal_fields(const TaskOptions& options, Request& request) {
   return applied;
 }
 
-// "layer reading" of "--layer-reading", for messages.
+// Name for messages, "layer reading" of "--layer-reading".
 std::string kind_of(std::string_view option) {
   std::string kind(option.substr(2));
   std::replace(kind.begin(), kind.end(), '-', ' ');
   return kind;
 }
 
-// The value of an option's text; of a list's option, of one item.
+// Parses an option's text; of a list option, one item.
 template <class Value, class AnyField>
 Result<Value> parse(const AnyField& field, const std::string& text) {
   if constexpr (std::is_enum_v<Value>) {
@@ -239,7 +240,7 @@ Result<Value> parse(const AnyField& field, const std::string& text) {
   }
 }
 
-// Adds to the list; goals take the place of those there.
+// Appends to a list; goals replace those of the same effector.
 template <class Item>
 Result<void> apply_field(const Field<Request, std::vector<Item>>& field, const Texts& texts,
                          Request& request) {

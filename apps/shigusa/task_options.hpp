@@ -16,8 +16,8 @@ class App;
 
 namespace shigusa::app {
 
-// The type that the command line keeps of a field's option until it is applied: numbers and flags
-// as they are, all else as it is typed. Options of a goal name their effector and are repeatable.
+// Type in which an option of a field is stored until it is applied: numbers and flags directly,
+// others as text. Options of a goal name their effector and are repeatable.
 template <class Holder, class Value>
 struct TypedOf {
   using Text = std::optional<std::string>;
@@ -43,7 +43,7 @@ struct TypedOf<Goal, std::optional<Value>> {
   using type = std::vector<std::string>;
 };
 
-// The options of a struct's fields, in the order of its table.
+// Options of a struct's fields, in the order of its table.
 template <class... Fields>
 struct FieldOptionsOf;
 template <class Holder, class... Values>
@@ -53,7 +53,7 @@ struct FieldOptionsOf<std::tuple<Field<Holder, Values>...>> {
 template <class Holder>
 using FieldOptions = FieldOptionsOf<std::remove_const_t<decltype(kFields<Holder>.fields)>>;
 
-// Calls visit(field, typed) for each field that has an option.
+// Calls visit(field, typed) for each field with an option.
 template <class Holder, class Options, class Visit>
 void for_each_option(Options& options, Visit&& visit) {
   const auto visit_one = [&](const auto& field, auto& typed) {
@@ -77,11 +77,11 @@ template <class Typed>
   }
 }
 
-// A text that an option takes, "right_hand=-0.2,1.1,0.4", for help and messages; of most options
-// none.
+// Example of an option's value, "right_hand=-0.2,1.1,0.4", for help and messages; empty for most
+// options.
 [[nodiscard]] std::string_view option_example(std::string_view option);
 
-// The options of a task, as they are typed.
+// Options of a task, as typed.
 struct TaskOptions {
   FieldOptions<Request> request;
   FieldOptions<Goal> goal;
@@ -96,13 +96,13 @@ struct TaskOptions {
 // Adds the options of a task to a command, with their help.
 void add_task_options(CLI::App& command, TaskOptions& options);
 
-// The mixture of criteria of that name; fails on others.
+// Mixture of criteria by name; fails on unknown names.
 [[nodiscard]] Result<CriteriaSettings> mixture_named(const std::string& name);
-// The names of all mixtures as an option's form: "paper|default|pareto".
+// Names of all mixtures as an option's form: "paper|default|pareto".
 [[nodiscard]] std::string mixture_choices();
 
-// Puts what is given into the request; goals take the place of those there. Fails on what cannot be
-// read, on unknown words and on what is of an effector without a goal.
+// Applies the given options to the request; goals replace the existing ones. Fails on malformed
+// values, unknown words, and options for an effector without a goal.
 [[nodiscard]] Result<void> apply_task_options(const TaskOptions& options, Request& request);
 
 }  // namespace shigusa::app

@@ -8,7 +8,7 @@
 namespace shigusa::app {
 
 void write_out(std::string_view text) {
-  // the stream itself remembers that writing failed
+  // the stream keeps its error state
   (void)std::fwrite(text.data(), 1, text.size(), stdout);
 }
 

@@ -16,7 +16,7 @@ constexpr std::string_view kGap = "  ";
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-// The text, or its beginning with an ellipsis where it is longer than a cell may be.
+// Text of a cell, cut with an ellipsis if it is too long.
 std::string cut(std::string text) {
   if (width_of(text) <= kCellMost) return text;
   std::size_t end = 0;

@@ -8,30 +8,30 @@
 
 namespace shigusa::app {
 
-// The width that tables keep to, in characters.
+// Width of tables in characters.
 inline constexpr std::size_t kTableWidth = 100;
 
-// The text in lines of at most kTableWidth, broken at blanks, but not between a number
-// and its unit; those after the first are indented. Ends with the end of a line.
+// Wraps a text to kTableWidth at blanks, but not between a number and its unit; continuation lines
+// are indented. Ends with a line feed.
 [[nodiscard]] std::string hanging(std::string_view text);
-// The same of words that hold together, with blanks of their own.
+// Wraps words that are kept whole and may contain blanks.
 [[nodiscard]] std::string hanging(const std::vector<std::string>& words);
 
-// A table for a person. Columns that are 0 in all rows are left out, and told beside; where the
-// others are too wide together, the table goes on below with the first column again.
+// A text table. Columns that are 0 in all rows are left out and listed separately; if the others
+// are too wide, the table continues below with the first column repeated.
 class TextTable {
  public:
   enum class Align { left, right };
 
-  // Adds a column; its texts are one for each row. A text that is too long is cut.
+  // Adds a column of one text per row; long texts are cut.
   void add(std::string head, Align align, std::vector<std::string> texts);
-  // Adds a column of numbers; where all of them print as 0, it is left out.
+  // Adds a column of numbers; it is left out if all of them print as 0.
   void add_numbers(std::string head, const std::vector<double>& values, int digits);
 
-  // Adds a column in which "-" is nothing; where it has nothing else, it is left out.
+  // Adds a column in which "-" means nothing; it is left out if it has nothing else.
   void add_known(std::string head, Align align, std::vector<std::string> texts);
 
-  // The heads of the columns that were left out.
+  // Heads of the columns that were left out.
   [[nodiscard]] const std::vector<std::string>& zeros() const { return zeros_; }
   [[nodiscard]] std::string text() const;
 

@@ -14,12 +14,12 @@
 namespace shigusa::app {
 namespace {
 
-// Of a rare option, CLI11's group ends so.
+// Suffix of CLI11's group for a rare option.
 constexpr std::string_view kRareMark = " (rare)";
 
-// The longest text that a message repeats.
+// Longest text that a message repeats.
 constexpr std::size_t kToldText = 80;
-// Where a command has more options, a message names the nearest alone.
+// Number of options up to which a message lists all of a command.
 constexpr std::size_t kToldOptions = 12;
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
@@ -34,7 +34,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-// The commands that have an option of this name, for one that is given before a command.
+// Commands that have an option of this name, for one that is given before a command.
 std::string commands_with(const CLI::App& app, const std::string& name) {
   std::vector<std::string> with;
   for (const CLI::App* command : commands_of(app)) {
@@ -46,7 +46,7 @@ std::string commands_with(const CLI::App& app, const std::string& name) {
   return fmt::format("{}", fmt::join(with, ", "));
 }
 
-// CLI11's own name of a type, "FLOAT:FLOAT in [1 - 3]", as a form; a form is itself.
+// Form for a type name of CLI11, "FLOAT:FLOAT in [1 - 3]"; a form is returned unchanged.
 std::string form_of_type(const std::string& type) {
   for (const auto& [own, form] : {std::pair{"FLOAT", "NUMBER"}, std::pair{"UINT", "N"},
                                   std::pair{"INT", "N"}, std::pair{"TEXT", "TEXT"}}) {
@@ -55,7 +55,7 @@ std::string form_of_type(const std::string& type) {
   return type;
 }
 
-// The option of which an error of CLI11 begins with the name, "--seed: …" or "clip is required".
+// Option named at the beginning of an error of CLI11, "--seed: …" or "clip is required".
 const CLI::Option* option_told(const CLI::App& command, std::string told) {
   constexpr std::string_view kNotConverted = "Could not convert: ";
   if (told.starts_with(kNotConverted)) told.erase(0, kNotConverted.size());
@@ -66,7 +66,7 @@ const CLI::Option* option_told(const CLI::App& command, std::string told) {
   return nullptr;
 }
 
-// A sentence for errors that CLI11 tells in terms of its own.
+// Sentence for errors that CLI11 words in its own terms.
 std::string value_message(const CLI::App& command, const CLI::ParseError& error) {
   const std::string told = error.what();
   const CLI::Option* option = option_told(command, told);
@@ -91,7 +91,7 @@ std::string value_message(const CLI::App& command, const CLI::ParseError& error)
   return fmt::format("{} is given {} times; allowed is once", name, option->results().size());
 }
 
-// A command of its own that an argument was meant for: "mrge" of `shigusa dataset mrge DIR`.
+// Subcommand that an argument was meant for: "mrge" of `shigusa dataset mrge DIR`.
 std::string meant_command(const CLI::App& command) {
   const std::vector<std::string> names = command_names(command);
   for (const CLI::Option* option : command.get_options()) {
@@ -104,7 +104,7 @@ std::string meant_command(const CLI::App& command) {
   return {};
 }
 
-// A guess at the meaning of an argument too many.
+// Guess at the meaning of a surplus argument.
 std::string extra_hint(const CLI::App& command, const std::string& extra) {
   const std::string option = "--" + extra;
   const auto names = option_names(command);
@@ -116,7 +116,7 @@ std::string extra_hint(const CLI::App& command, const std::string& extra) {
   return "; the numbers of one value stand together, with commas and no blanks: 0.2,1.1,0.4";
 }
 
-// Words that other tools have for options of this one.
+// Names in other tools for options of this one.
 struct OtherWord {
   std::string_view word;
   std::string_view option;
@@ -137,7 +137,7 @@ std::string_view meant_option(std::string_view name, std::span<const std::string
 }
 
 std::string unknown_option(const CLI::App& app, const CLI::App& command, const std::string& name) {
-  // "--gaol=x" is about --gaol
+  // "--gaol=x" refers to --gaol
   const std::string alone = name.substr(0, name.find('='));
   if (&command == &app) {
     const std::string with = commands_with(app, alone);
@@ -151,7 +151,7 @@ std::string unknown_option(const CLI::App& app, const CLI::App& command, const s
   return nearest.empty() ? text : fmt::format("{}; did you mean '{}'?", text, nearest);
 }
 
-// A message for errors of which CLI11 only says that something is there or missing.
+// Message for errors of CLI11 that only state that something is present or missing.
 std::string usage_message(const CLI::App& app, const CLI::App& command,
                           const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining(true);
@@ -173,7 +173,7 @@ std::string usage_message(const CLI::App& app, const CLI::App& command,
                      extra_hint(command, unknown.front()));
 }
 
-// Refuses an option in a value's place: CLI11 takes whatever follows.
+// Refuses an option in the place of a value, which CLI11 would accept.
 CLI::Validator value_there(const std::string& form) {
   const auto wrong = [form](const std::string& text) -> std::string {
     if (!text.starts_with("--")) return {};
@@ -256,7 +256,7 @@ CLI::Validator whole_number() {
 CLI::Validator number(double low, double high) {
   const auto wrong = [low, high](const std::string& text) -> std::string {
     const std::optional<double> value = parse_number(text);
-    // the library refuses what is not finite, with the range that is allowed
+    // non-finite values are refused by the library, with the permitted range
     if (value && (std::isinf(high) || (*value >= low && *value <= high))) return {};
     const std::string range =
         std::isinf(high) ? ", such as 1.5" : fmt::format(" from {} to {}", low, high);

@@ -15,12 +15,12 @@
 namespace shigusa::bench {
 namespace {
 
-// The search and the criteria of layers and of all parameters at once.
+// Searches and criteria: layers, and all parameters at once.
 struct Pairing {
   const char* name;
   SearchMethod method;
   Preset layered;
-  Preset flat;  // whose parameters are those at once
+  Preset flat;  // preset with all parameters at once
   const char* criteria_name;
   CriteriaSettings (*criteria)();
 };
@@ -35,7 +35,7 @@ constexpr Pairing kPairings[] = {
 constexpr int kShort = 300;
 constexpr int kLong = 3000;
 
-// A store that lasts as long as the program.
+// A store for the lifetime of the program.
 class MemoryStore {
  public:
   [[nodiscard]] LimbStore store() {
@@ -60,15 +60,15 @@ Task pairing_task(const Subject& subject, const Place& place, const Pairing& pai
                   Preset preset) {
   Task task = goal_task(subject.body, place.position, preset, pairing.criteria());
   task.search = pairing.method;
-  // what is compared is the search: candidates are played again at a cost of their own
+  // only the searches are compared: replay of candidates has a cost of its own
   task.candidates = 1;
-  // or a candidate that no body could make would be scored in a longer time
+  // otherwise an impossible candidate would be scored with a longer duration
   task.duration = make_problem(task).value().duration;
   return task;
 }
 
-// The best that was seen, as generate() tells it too; candidates' feedback is left out. Only
-// the candidate has the values that the layers below find after the search, of human.
+// The best score, as generate() reports it, without the candidates' feedback. For human, values
+// that lower layers find after the search exist only in the candidate.
 Run run_layers(Task task, int evaluations, const LimbStore& store, int* cells) {
   task.evaluations = evaluations;
   const Stopwatch watch;
@@ -77,7 +77,7 @@ Run run_layers(Task task, int evaluations, const LimbStore& store, int* cells) {
   const GenerateResult found = generate(task).value();
   if (cells != nullptr) *cells = found.log.cells_searched;
   const double milliseconds = watch.milliseconds();
-  // a miss scores the worst of all and more, by what it misses
+  // a miss scores more than the worst, by its error
   double score = std::min(found.best_seen_score, worst_score(task.criteria));
   if (found.meets_goals()) {
     score = std::min(score, found.candidates.front().score.total);
@@ -92,7 +92,7 @@ Run run_flat(Task task, int evaluations) {
   return {found.best_seen_score, watch.milliseconds()};
 }
 
-// Medians over the seeds, of one place.
+// Medians over the seeds, for one place.
 struct Compared {
   double layers = 0.0;
   double flat = 0.0;
@@ -104,8 +104,8 @@ struct Compared {
   double cells = 0.0;         // searched when cold
 };
 
-// At the speed of the measured run; the fixed cost of a query is taken for part of it, so these are
-// a little fewer than the time is enough for.
+// Number of motions in that time, at the speed of the measured run; it includes the fixed cost of a
+// query, and so is slightly too low.
 int motions_in(double milliseconds, int evaluations, const Run& measured) {
   return std::max(evaluations,
                   static_cast<int>(milliseconds / measured.milliseconds * evaluations));

@@ -17,7 +17,7 @@ namespace {
 constexpr int kSearched = 300;
 constexpr int kTuned = 1000;
 
-// One way to make a motion from parameters, in double.
+// A method to make a motion from parameters, in double precision.
 struct Generator {
   const char* name;
   RolledOut (*roll_out)(const ReachProblem&, const Parameters&);
@@ -57,7 +57,7 @@ Played play(const GoalSearch& searched, std::span<const double> point, const Gen
   return played;
 }
 
-// The best of a search whose motions are made by one of the generators, one after the other.
+// Best result of a search whose motions are made sequentially by one of the generators.
 std::vector<double> best_by(const GoalSearch& searched, SearchProblem problem, const Generator& by,
                             std::uint64_t seed) {
   const auto genes = static_cast<std::size_t>(problem.genes);
@@ -69,8 +69,8 @@ std::vector<double> best_by(const GoalSearch& searched, SearchProblem problem, c
   return cma_es_search(problem, {.evaluations = kSearched, .seed = seed}).best_seen.point;
 }
 
-// Three kinds of parameters: the plain pseudo-inverse; what a search by weighted IK found, played
-// by both; and what a search by each found.
+// Three sets of parameters: the plain pseudo-inverse; those found by a search with weighted IK,
+// played by both; and those found by a search with each.
 struct OfPlace {
   std::array<Played, 2> plain;
   std::array<Played, 2> tuned;

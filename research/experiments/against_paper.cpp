@@ -14,7 +14,7 @@
 namespace shigusa::bench {
 namespace {
 
-// Motions, and the ratio that the project set out for there.
+// Numbers of motions, and the project's target ratio for them.
 struct Budget {
   int motions = 0;
   double wanted = 0.0;  // 0: none
@@ -48,7 +48,7 @@ struct Series {
   int over_limit = 0;
 };
 
-// `motions`: the evaluations of a place.
+// `motions`: evaluations per place.
 Series run(int seeds, const Subject& subject, Preset preset, const CriteriaSettings& criteria,
            const std::function<int(std::size_t place)>& motions) {
   Series series;
@@ -141,7 +141,7 @@ std::string against_paper(const Plan& plan, std::span<const Subject> subjects,
              "paper, ms", "flat, ms", "paper over a limit", "flat over a limit"}),
       Table({"criteria", "body", "motions", "low front-left", "at the feet", "high right"})};
   std::string images;
-  // the paper's and the default; what is left is for fronts
+  // the paper's and the default; the others are for Pareto fronts
   for (const CriteriaPreset& criteria : criteria_presets().first(2)) {
     std::vector<PlotSeries> dots;
     for (const Subject& subject : subjects) add_lines(plan, subject, criteria, tables, dots);

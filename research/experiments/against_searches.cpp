@@ -15,11 +15,11 @@ namespace shigusa::bench {
 namespace {
 
 const std::vector<int> kBudgets{100, 300, 1000, 3000, 10000};
-// where the picture's lines have points
+// points of the plot's lines
 const std::vector<int> kPoints{60,  80,   100,  140,  200,  300,  420,  600,
                                800, 1000, 1400, 2000, 3000, 4500, 7000, 10000};
 
-// One way to search: ours on a code, or one of pagmo's.
+// A search method: ours on a code, or one of pagmo's.
 struct Searcher {
   std::string name;
   std::optional<SearchMethod> ours{};
@@ -38,7 +38,7 @@ std::vector<Searcher> searchers() {
   return all;
 }
 
-// The outcome of one search at one place.
+// Result of one search at one place.
 struct Run {
   std::vector<double> best;   // (points) the median over the seeds
   double microseconds = 0.0;  // a motion, with the search's own work; 0 of pagmo's
@@ -88,7 +88,7 @@ std::size_t point_of(int budget) {
   return static_cast<std::size_t>(at - kPoints.begin());
 }
 
-// (drawn places) what a value of each run is
+// (drawn places) `value` of each place
 template <class Value>
 std::vector<double> of_drawn_places(const Subject& subject, Value&& value) {
   std::vector<double> values;
@@ -96,8 +96,7 @@ std::vector<double> of_drawn_places(const Subject& subject, Value&& value) {
   return values;
 }
 
-// Beside cma_es after `budget` motions, by what the search comes to in cma_es' time for them; as
-// near as the points lie.
+// Comparison with cma_es after `budget` motions, at the point nearest to its time.
 std::string in_equal_time(const Subject& subject, const Runs& runs, std::size_t s, int budget) {
   if (runs[s][0].microseconds == 0.0) return "";
   const std::size_t b = point_of(budget);
@@ -141,7 +140,7 @@ std::string table_of(const Subject& subject, const std::vector<Searcher>& all, c
   return table.text();
 }
 
-// How much worse than the best that any of them comes to, on the median goal.
+// Excess over the best score of all methods, at the median goal.
 std::string picture_of(const Subject& subject, const std::vector<Searcher>& all, const Runs& runs) {
   std::vector<PlotSeries> lines;
   for (std::size_t s = 0; s < all.size(); ++s) {

@@ -16,23 +16,23 @@ struct GoalSearchSettings {
   int steps = kMotionSteps;
 };
 
-// The search of generate() for one goal of the right hand with the preset flat, laid open: the
-// problem, the space and its scores, without candidates. Its approach is the first by which one of
-// some random motions arrives: the straight path with its detour; that path with the null space
-// drawn to a posture that is there; that posture alone.
+// The search of generate() for one goal of the right hand with the preset flat, with access to its
+// problem, space and scores, without candidates. Its approach is the first by which one of some
+// random motions arrives: the straight path with its detour; that path with the null space
+// attracted to a posture at the goal; that posture alone.
 class GoalSearch {
  public:
   GoalSearch(const BodyModel& body, const Vec3d& goal, const GoalSearchSettings& settings = {});
   GoalSearch(const GoalSearch&) = delete;
   GoalSearch& operator=(const GoalSearch&) = delete;
 
-  // Scores on the thread that asks; points into this.
+  // Evaluator on the calling thread; points into this object.
   [[nodiscard]] SearchProblem problem();
 
   [[nodiscard]] const ReachProblem& reach() const { return reach_; }
   [[nodiscard]] const ParameterSpace& space() const { return *space_; }
   [[nodiscard]] const CriteriaSettings& criteria() const { return criteria_; }
-  // The score in double; where the goal is missed the worst.
+  // Score in double; the worst one if the goal is missed.
   [[nodiscard]] double replayed(std::span<const double> point) const;
 
  private:
@@ -46,16 +46,16 @@ class GoalSearch {
   std::optional<BatchRollout> batch_;
 };
 
-// The task of one goal for the right hand, on one thread.
+// Task of one goal for the right hand, on one thread.
 [[nodiscard]] Task goal_task(const BodyModel& body, const Vec3d& goal, Preset preset,
                              const CriteriaSettings& criteria);
 
-// The best score among the first b points that a search scores, for each budget b.
+// Best score among the first b evaluated points of a search, for each budget b.
 class BestAt {
  public:
   explicit BestAt(std::vector<int> budgets) : budgets_(std::move(budgets)) {}
 
-  // The problem with its scores watched; points into this and takes over `problem`.
+  // The problem with its scores recorded; points into this object and takes over `problem`.
   [[nodiscard]] SearchProblem watch(SearchProblem problem);
   void note(double score);
 

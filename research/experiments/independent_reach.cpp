@@ -10,7 +10,7 @@ namespace shigusa::bench {
 namespace {
 
 constexpr int kIterations = 150;
-// Curvature in what neither hand nor feet ask for, beside m²/rad² of limbs.
+// Curvature along directions free of hand and feet, relative to m²/rad² of limbs.
 constexpr double kLeastCurvature = 1e-4;
 
 }  // namespace
@@ -35,8 +35,8 @@ IndependentReach::IndependentReach(const BodyModel& body, std::string_view effec
   add_limits();
 }
 
-// An upper limit that grows with another angle is the lower of two planes; where that angle is
-// negative the slanting one is a little stricter than the limit.
+// An upper limit that depends on another angle is the lower of two planes; for negative angles the
+// slanting one is slightly stricter than the limit.
 void IndependentReach::add_limits() {
   const std::span<const double> start = body_.start();
   for (int d = 0; d < body_.dof_count(); ++d) {

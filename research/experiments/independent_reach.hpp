@@ -11,29 +11,29 @@
 
 namespace shigusa::bench {
 
-// Says whether a body can be where a goal is, by a way that closest_reach does not take: a variable
-// metric method over the joint limits, from many random postures, that minimises
+// Checks reachability by a method independent of closest_reach: variable-metric minimisation within
+// the joint limits, from many random postures, of
 //
-//   ½ |hand - goal|² + ½ Σ |corner of a sole - where it stands|²
+//   ½ |hand - goal|² + ½ Σ |sole corner - its position|²
 //
-// of one posture alone. Three corners of each planted foot hold its place and its tilt. A
-// goal within reach makes all of it 0. Only the placement of links is shared with what is judged.
+// for a single posture. Three corners of each planted foot fix its position and tilt. At a
+// reachable goal the minimum is 0. Only the forward kinematics is shared with the code under test.
 class IndependentReach : private SmoothFunction {
  public:
-  // m, hand and corners: what counts as there. A tenth of what a motion is allowed.
+  // m, tolerance of hand and corners: a tenth of that of motions.
   static constexpr double kThere = 1e-4;
 
-  // PreconditionError where the body has no effector of that name. The body outlives this.
+  // PreconditionError if the body has no effector of that name. The body must outlive this object.
   IndependentReach(const BodyModel& body, std::string_view effector);
 
-  // (dofs, rad) a posture within all limits that has the effector at the goal (m, world) and the
-  // feet where they stand in the start posture: the first that is found from the start posture and
-  // `starts` random ones. Nothing: none was found.
+  // (dofs, rad) a posture within the limits that has the effector at the goal (m, world) and the
+  // feet at their positions of the start posture: the first one found from the start posture and
+  // `starts` random ones. Empty if none was found.
   [[nodiscard]] std::optional<std::vector<double>> posture(const Vec3d& goal, int starts,
                                                            Random& random);
 
  private:
-  // a point of a link that is to be at a place (m, world)
+  // a point of a link with its target (m, world)
   struct Held {
     int link = 0;
     Vec3d point{};  // m, link frame
@@ -54,8 +54,8 @@ class IndependentReach : private SmoothFunction {
   VariableMetric metric_;
 };
 
-// (rad) The most that any of the angles (dofs, rad) is outside its range, by the body's own numbers
-// and not by the library's measures of them; 0: none is.
+// (rad) Largest violation of a joint limit by the angles (dofs, rad), from the body's own numbers
+// rather than the library's measures; 0 if there is none.
 [[nodiscard]] double excess_of(const BodyModel& body, std::span<const double> angles);
 
 }  // namespace shigusa::bench

@@ -18,10 +18,10 @@ constexpr int kEvaluations = 600;
 constexpr int kBlock = 128;  // goals at a time, until enough motions are delivered
 constexpr int kStarts = 8;
 constexpr int kManyStarts = 60;  // where the body did not get there
-// Rounding may pass a limit by this (rad).
+// Tolerance (rad) of limits for rounding.
 constexpr double kRounding = 1e-9;
 
-// One query's motions, measured from joint angles and placement of links alone.
+// Motions of one query, measured only from joint angles and forward kinematics.
 struct Judged {
   Vec3d goal{};
   int motions = 0;
@@ -33,7 +33,7 @@ struct Judged {
   bool reachable = false;  // by the independent method
 };
 
-// m, the farthest that a foot's middle is from where it stands at any frame
+// m, largest displacement of a foot's centre in any frame
 double slide_of(const BodyModel& body, const Clip& clip) {
   Kinematics<double> placed(body);
   std::vector<Vec3d> stands;

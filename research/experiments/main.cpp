@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shigusa_experiments measures what docs/experiments.md says and writes that page.
+// shigusa_experiments runs the experiments of docs/experiments.md and writes that page.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ std::optional<Arguments> read(const std::vector<std::string>& words) {
   return arguments.docs.empty() ? std::nullopt : std::optional(arguments);
 }
 
-// Where recorded people are, if anywhere.
+// Folder of recorded people, if any.
 std::string shared_folder() {
   const char* given = std::getenv("SHIGUSA_SHARED_DIR");
   return given != nullptr ? given : "../shared";
@@ -101,7 +101,7 @@ std::string file_text(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// The text below a title, up to the next one; nothing where the page has no such title.
+// Text below a title, up to the next one; empty if the page has no such title.
 std::string part_of(const std::string& page, const std::string& title) {
   const std::string head = "\n## " + title + "\n\n";
   const std::size_t at = page.find(head);
@@ -111,7 +111,7 @@ std::string part_of(const std::string& page, const std::string& title) {
   return page.substr(begin, end == std::string::npos ? end : end - begin);
 }
 
-// Measures, or, where one section alone is asked for, takes the others from the page there is.
+// Runs all sections, or one, in which case the others are taken from the existing page.
 int write_page(const Arguments& arguments, const std::filesystem::path& programs) {
   const Plan& plan = arguments.plan;
   const std::vector<Subject> subjects = make_subjects(plan);

@@ -25,16 +25,16 @@ constexpr std::uint64_t kLongSeed = 1001;  // apart from those of the searches t
 constexpr double kAgree = 1.05;            // of the best: scores up to it are the same result
 constexpr int kStarts = 8;                 // of the independent method
 
-// A set of goals: the search's constants were tuned on the first and not on the others.
+// A set of goals: the search's constants were tuned on the first set only.
 struct GoalSet {
   const char* name;
   std::uint64_t seed;
-  bool around;  // the whole box, with what lies behind
+  bool around;  // the whole box, including the region behind
 };
 constexpr GoalSet kSets[] = {
     {"in front, tuned on", 101, false}, {"in front, others", 102, false}, {"all around", 12, true}};
 
-// In front of the right hand and beside it, from the floor to above the head.
+// Region in front of the right hand and beside it, from the floor to above the head.
 Vec3d place_in_front(Random& random) {
   const double x = random.uniform(-0.9, 0.5);
   const double y = random.uniform(0.05, 1.9);
@@ -61,7 +61,7 @@ Task search_task(const BodyModel& body, const Vec3d& goal, int evaluations, std:
   return task;
 }
 
-// The findings of long searches for a goal.
+// Results of long searches for a goal.
 struct Best {
   double score = 0.0;    // the least of all
   bool agree = true;     // all end at nearly that score
@@ -88,7 +88,7 @@ Best best_of(const BodyModel& body, const Vec3d& goal, int evaluations) {
   return result;
 }
 
-// How far (%) searches of that many motions stay behind the best: of each goal and seed.
+// Excess (%) of searches with that many motions over the best, per goal and seed.
 std::vector<double> gaps(const Plan& plan, const BodyModel& body, std::span<const Vec3d> goals,
                          std::span<const Best> best, int evaluations) {
   std::vector<double> all(goals.size() * index(plan.few_seeds));
@@ -105,7 +105,7 @@ std::string gap(const std::vector<double>& gaps) {
   return fmt::format("{:+.1f}, {:+.1f}", median(gaps), quantile(gaps, 0.9));
 }
 
-// The best scores at the budgets of a search from the best of these points (points × genes).
+// Best scores at the budgets of a search from the best of these points (points × genes).
 std::vector<double> search_from(const BodyModel& body, const Vec3d& goal, bool table,
                                 std::uint64_t seed, const std::vector<int>& budgets) {
   GoalSearch searched(body, goal);

@@ -25,7 +25,7 @@ struct QueryCost {
   double kibibytes = 0.0;
 };
 
-// The memory of a process is that of all it ever did, so a query is one of its own.
+// A query in a separate process, as peak memory is per process.
 QueryCost ask(const std::string& program, std::string_view simd, int rounds) {
   const std::string command = fmt::format("'{}' {} {}", program, simd, rounds);
   FILE* pipe = popen(command.c_str(), "r");
@@ -36,7 +36,7 @@ QueryCost ask(const std::string& program, std::string_view simd, int rounds) {
   return cost;
 }
 
-// Milliseconds: building the right arm's whole library, and taking it from a file.
+// Milliseconds to build the right arm's whole library, and to read it from a file.
 struct LibraryCost {
   double build = 0.0;
   double load = 0.0;

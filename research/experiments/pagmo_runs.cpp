@@ -26,7 +26,8 @@ namespace {
 constexpr unsigned kGenerations = 1U << 20;  // more than any budget lasts for
 constexpr unsigned kPopulation = 20;         // pagmo's own examples take it; 7 is the least for DE
 
-// Scores one point of each of several runs in one call, as soon as all that still go on have one.
+// Scores one point of each of several runs in one call, as soon as all active runs have one
+// pending.
 class SideBySide {
  public:
   SideBySide(const SearchProblem& problem, int runs)
@@ -46,7 +47,7 @@ class SideBySide {
     return scores_[run];
   }
 
-  // The run asks for no more.
+  // Ends a run.
   void leave() {
     const std::scoped_lock lock(mutex_);
     --going_;
@@ -81,7 +82,7 @@ class SideBySide {
 
 struct BudgetUsed {};
 
-// All copies of pagmo's problem share this: one run's place in SideBySide, and what it has seen.
+// State shared by all copies of pagmo's problem: a run's index in SideBySide, and its best scores.
 struct Run {
   SideBySide* scorer = nullptr;
   std::size_t number = 0;
@@ -105,7 +106,7 @@ struct UnitCube {
     const auto genes = static_cast<std::size_t>(run->genes);
     return {pagmo::vector_double(genes, 0.0), pagmo::vector_double(genes, 1.0)};
   }
-  // pagmo keeps problems; these are never kept
+  // pagmo serialises problems; these are never serialised
   template <class Archive>
   void serialize(Archive&, unsigned) {}
 };
@@ -120,7 +121,7 @@ pagmo::algorithm algorithm_of(const std::string& name, unsigned seed) {
                                        "polynomial", "tournament", seed)};
   }
   SHG_CHECK(name == "CMA-ES", "no such search of pagmo: " + name);
-  // the cube's faces hold, as for all others
+  // points are clamped to the cube, as for all other searches
   return pagmo::algorithm{
       pagmo::cmaes(kGenerations, -1, -1, -1, -1, 0.5, 1e-6, 1e-6, false, true, seed)};
 }

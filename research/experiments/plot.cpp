@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeft = 62, kTop = 14, kBottom = 46, kWide = 470, kHigh = 330, kNames = 150;
 constexpr double kNameHeight = 13;
 
-// distinct for people with any colour vision, as far as ten can be (P. Tol, Colour schemes, 2021)
+// distinguishable with any colour vision, as far as ten can be (P. Tol, Colour schemes, 2021)
 constexpr std::array kColours{"#332288", "#CC6677", "#117733", "#DDCC77", "#88CCEE",
                               "#882255", "#44AA99", "#999933", "#AA4499", "#777777"};
 
@@ -82,7 +82,7 @@ class Plot {
 
 std::string_view colour(std::size_t index) { return kColours[index % kColours.size()]; }
 
-// Where names stand so that none covers another: in their order, as near to `wanted` as that lets.
+// Label positions without overlap, in order, as near to `wanted` as possible.
 std::vector<double> spread_out(std::vector<double> wanted) {
   std::vector<std::size_t> order(wanted.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

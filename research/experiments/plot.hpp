@@ -7,7 +7,7 @@
 // Pictures of docs/experiments.md, as SVG.
 namespace shigusa::bench {
 
-// Points with a name; y has as many values as x.
+// A named series of points; y has as many values as x.
 struct PlotSeries {
   std::string name;
   std::vector<double> x;
@@ -19,17 +19,17 @@ struct PlotAxis {
   std::vector<double> ticks;  // the first and the last are the axis' ends; two or more, all above 0
 };
 
-// A straight line of y = factor · x, with a name.
+// A named straight line y = factor · x.
 struct PlotGuide {
   std::string name;
   double factor = 1.0;
 };
 
-// Both axes are logarithmic. Lines join a series' points, and their names stand at their ends; what
-// lies beyond an axis is drawn at its end.
+// Both axes are logarithmic. Lines join a series' points, with names at their ends; values beyond
+// an axis are drawn at its end.
 [[nodiscard]] std::string line_plot(const PlotAxis& x, const PlotAxis& y,
                                     const std::vector<PlotSeries>& lines);
-// A plot with a dot for each point; names stand in a corner, those of guides at their upper ends.
+// Scatter plot; names are in a corner, those of guides at their upper ends.
 [[nodiscard]] std::string dot_plot(const PlotAxis& x, const PlotAxis& y,
                                    const std::vector<PlotSeries>& dots,
                                    const std::vector<PlotGuide>& guides);

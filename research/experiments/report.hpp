@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-// Words and numbers of docs/experiments.md.
+// Formatting of texts and numbers for docs/experiments.md.
 namespace shigusa::bench {
 
-// The value at the share q (0..1) of the sorted values, the nearest one; values not empty.
+// Quantile q (0..1) of sorted values, the nearest one; values must not be empty.
 [[nodiscard]] double quantile(std::vector<double> values, double q);
 [[nodiscard]] double median(const std::vector<double>& values);
 
-// "0.512 (0.433–0.610)": median and quartiles.
+// Median and quartiles: "0.512 (0.433–0.610)".
 [[nodiscard]] std::string spread(const std::vector<double>& values);
 
-// "12.3 %" of `count` in `all`, with that number of digits after the point unless it is 0 or 100.
+// Percentage of `count` in `all`: "12.3 %", with that number of decimals unless it is 0 or 100.
 [[nodiscard]] std::string percent(double count, double all, int digits = 1);
 
-// A table of Markdown, row by row.
+// A Markdown table, row by row.
 class Table {
  public:
   explicit Table(const std::vector<std::string>& head);
@@ -28,8 +28,7 @@ class Table {
   std::string text_;
 };
 
-// Milliseconds of the processor that its thread has had since it was made: what else the machine
-// does counts little.
+// CPU time (ms) of the current thread since construction, which is hardly affected by other load.
 class Stopwatch {
  public:
   [[nodiscard]] double milliseconds() const { return now() - begin_; }

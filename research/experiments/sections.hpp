@@ -7,10 +7,10 @@
 
 #include "subjects.hpp"
 
-// The sections of docs/experiments.md, each measured and written by a file of its own.
+// Sections of docs/experiments.md, each measured and written by a file of its own.
 namespace shigusa::bench {
 
-// A picture of the page, which is written beside it.
+// A picture, stored beside the page.
 struct Picture {
   std::string name;  // of its file, without .svg
   std::string svg;
@@ -19,7 +19,7 @@ struct Picture {
 // The preset flat against the paper's genetic algorithm.
 [[nodiscard]] std::string against_paper(const Plan& plan, std::span<const Subject> subjects,
                                         std::vector<Picture>& pictures);
-// The searches, and those of pagmo2 where it is there, on one problem.
+// All searches, and those of pagmo2 if available, on one problem.
 [[nodiscard]] std::string against_searches(const Plan& plan, std::span<const Subject> subjects,
                                            std::vector<Picture>& pictures);
 // Two layers against all parameters at once.
@@ -28,19 +28,19 @@ struct Picture {
 [[nodiscard]] std::string stoop_and_squat(const Plan& plan, std::span<const Subject> subjects);
 // Nonlinear programming in place of weighted inverse kinematics.
 [[nodiscard]] std::string against_nlp(const Plan& plan, std::span<const Subject> subjects);
-// Steps of a motion, and each parameter beside the weights left out.
+// Ablation: fewer steps of a motion, and each parameter except the weights left out.
 [[nodiscard]] std::string what_earns_its_place(const Plan& plan, std::span<const Subject> subjects);
-// Criteria, presets and parameters left out, each beside what people do; `program` is shigusa, and
-// recorded people are looked for in `shared`.
+// Ablation of criteria, presets and parameters, compared with people; `program`: shigusa; `shared`:
+// folder of recorded people.
 [[nodiscard]] std::string what_criteria_buy(const Plan& plan, const std::string& program,
                                             const std::string& shared);
-// The instructions that a motion takes with each of these; `program` is shigusa.
+// Instructions per motion in these variants; `program`: shigusa.
 [[nodiscard]] std::string what_criteria_cost(const Plan& plan, const std::string& program);
-// Limits, and goals that are met, over many random goals.
+// Limits, and goals reached, over many random goals.
 [[nodiscard]] std::string limits_and_goals(const Plan& plan);
-// The best score at the default budget against the best that is known.
+// Best score at the default budget against the best known one.
 [[nodiscard]] std::string near_the_best(const Plan& plan);
-// Time and memory of a default query; `program` is shigusa_query.
+// Time and memory of a default query; `program`: shigusa_query.
 [[nodiscard]] std::string one_query(const Plan& plan, const std::string& program);
 
 }  // namespace shigusa::bench

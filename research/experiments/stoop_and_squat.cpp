@@ -48,8 +48,8 @@ Delivered deliver(const BodyModel& body, const Vec3d& goal, const CriteriaSettin
   return delivered;
 }
 
-// Whether there is a squat: the score of the best motion with an index below kSquatBelow that
-// searches find which are made to look for one; the worst score where they find none.
+// Score of a squat: that of the best motion with an index below kSquatBelow from searches biased to
+// squats; the worst score if there is none.
 double asked_for_squat(const Plan& plan, const BodyModel& body, const Vec3d& goal,
                        const CriteriaSettings& criteria) {
   GoalSearch searched(body, goal, {.criteria = criteria});
@@ -81,7 +81,7 @@ double asked_for_squat(const Plan& plan, const BodyModel& body, const Vec3d& goa
   return best;
 }
 
-// The line of a body and a mixture.
+// Table row of a body and a mixture.
 std::vector<std::string> line_of(const Plan& plan, const Subject& subject,
                                  const CriteriaPreset& criteria, const Vec3d& goal) {
   std::vector<Delivered> all(static_cast<std::size_t>(plan.seeds));
@@ -131,7 +131,7 @@ std::string stoop_and_squat(const Plan& plan, std::span<const Subject> subjects)
                "over a limit", "lowest index", "highest index", "best squat's score",
                "best stoop's score", "best score", "a squat that is asked for"});
   const Vec3d goal = named_places()[1].position;
-  // the paper's and the default; what is left is for fronts
+  // the paper's and the default; the others are for Pareto fronts
   for (const CriteriaPreset& criteria : criteria_presets().first(2)) {
     for (const Subject& subject : subjects) {
       table.add(line_of(plan, subject, criteria, goal));

@@ -7,36 +7,35 @@
 #include <string>
 #include <vector>
 
-// The bodies and goals of the experiments, and how much of them is measured.
+// Bodies and goals of the experiments, and the amount of measurement.
 namespace shigusa::bench {
 
-// How much is measured.
+// Amount of measurement.
 struct Plan {
   bool quick = false;           // to see that all runs, not for numbers
   std::uint64_t goal_seed = 1;  // of the goals that are drawn
   int goals = 30;               // drawn for each body
-  int seeds = 32;               // of searches, where nothing else is said
-  int few_seeds = 8;            // where there are many of them
+  int seeds = 32;               // default number of seeds of searches
+  int few_seeds = 8;            // for long series
   int slow_seeds = 2;           // where a motion takes long
   int motions = 5000;           // delivered for each body, of the experiment on limits …
   int human_goals = 10000;      // goals drawn for the body human
 };
 [[nodiscard]] Plan quick_plan();
 
-// A place for the right hand.
+// A goal position for the right hand.
 struct Place {
   std::string name;
   Vec3d position{};  // m, world
 };
 
-// The goals that the project's findings are told of.
+// The goals of the project's reported findings.
 [[nodiscard]] std::vector<Place> named_places();
 
-// Uniform in a box around a standing person, whether it can be reached or not: 2.6 m wide and deep,
-// 2.3 m high.
+// Uniform in a box around a standing person, reachable or not: 2.6 m wide and deep, 2.3 m high.
 [[nodiscard]] Vec3d random_place(Random& random);
 
-// `count` of these that the independent method finds a posture for: same seed, same goals.
+// `count` of these for which the independent method finds a posture; determined by the seed.
 [[nodiscard]] std::vector<Vec3d> reachable_goals(const BodyModel& body, int count,
                                                  std::uint64_t seed);
 
@@ -50,7 +49,7 @@ struct Subject {
 // The half and the full body.
 [[nodiscard]] std::vector<Subject> make_subjects(const Plan& plan);
 
-// Values of all places of a subject, of which those of the drawn ones are summed up.
+// Values for all places of a subject; the summary is over the drawn ones.
 [[nodiscard]] std::vector<double> of_drawn(const Subject& subject,
                                            const std::vector<double>& of_places);
 

@@ -31,14 +31,14 @@ constexpr int kJoltTasks = 100;
 constexpr std::size_t kFoundMaxBytes = 1 << 20;
 constexpr const char* kClip = "cmu_02_06_60hz.bvh";
 
-// A way to choose motions, for tasks made here and for the command line.
+// A method to choose motions, for tasks made here and for the command line.
 struct Variant {
   std::string name;
   Preset preset = Preset::flat;
   std::optional<CriteriaPreset> mixture{};  // in place of the preset's own
   std::vector<std::string> left_out{};      // criteria
   std::vector<std::string> fixed{};         // "bow=0"
-  bool by_default = false;  // criteria of the preset flat, whatever the preset's are
+  bool by_default = false;                  // criteria of the preset flat for any preset
 };
 
 std::vector<std::string> default_names() {
@@ -50,7 +50,7 @@ std::vector<std::string> default_names() {
   return names;
 }
 
-// The five that came last.
+// The five latest ones.
 std::vector<std::string> newest() {
   return {"coordination", "hand_curve", "trunk_travel", "mass_ahead", "jolts"};
 }
@@ -94,8 +94,8 @@ void apply(const Variant& variant, Task& task) {
   }
 }
 
-// Options by which `shigusa reach` does the same; its preset and criteria are in a file of that
-// folder, as a preset among the options would bring its own criteria.
+// Options for `shigusa reach` with the same effect; preset and criteria are in a file of that
+// folder, as a preset option would set its own criteria.
 std::string options_of(const Variant& variant, const std::filesystem::path& folder) {
   nlohmann::json task{{"preset", std::string(word_of(variant.preset))}};
   if (variant.mixture) task["criteria"] = variant.mixture->name;
@@ -108,7 +108,7 @@ std::string options_of(const Variant& variant, const std::filesystem::path& fold
   return options;
 }
 
-// The regularities that hold, by the tests of the shared folder.
+// Regularities that hold, by the tests of the shared folder.
 struct Regularities {
   int held = 0;
   std::vector<std::pair<std::string, bool>> tests{};
@@ -124,7 +124,7 @@ std::optional<Regularities> regularities(const Plan& plan, const std::string& pr
   const std::string command = fmt::format(
       "python3 '{}' '{}' --json '{}' --seeds {} --with \"{}\" >'{}' 2>&1", tests.string(), program,
       found.string(), plan.quick ? 1 : 3, options, (folder / "regularities.txt").string());
-  // what does not hold is told by its exit status, and counted below
+  // failed regularities set the exit status, and are counted below
   if (std::system(command.c_str()) == -1) return std::nullopt;
   const Result<std::string> text = read_text_file(found, kFoundMaxBytes);
   if (!text) return std::nullopt;
@@ -139,7 +139,7 @@ std::optional<Regularities> regularities(const Plan& plan, const std::string& pr
   return result;
 }
 
-// The tests that hold otherwise than usual: "− low-paths-bow-forward, + one-waveform".
+// Tests with an unusual result: "− low-paths-bow-forward, + one-waveform".
 std::string changed(const Regularities& usual, const Regularities& other) {
   std::string text;
   for (const auto& [name, holds] : other.tests) {
@@ -150,7 +150,7 @@ std::string changed(const Regularities& usual, const Regularities& other) {
   return text.empty() ? "–" : text;
 }
 
-// The recorded man's reaches; nothing where he is not there.
+// Reaches of the recorded man; empty if the recording is missing.
 std::vector<Recorded> recorded_man_of(const std::string& shared) {
   const std::filesystem::path folder = std::filesystem::path(shared) / "reach";
   std::vector<Recorded> reaches;
@@ -166,7 +166,8 @@ double middle(std::vector<double> values) {
   return 0.5 * (quantile(values, 0.499) + quantile(values, 0.501));
 }
 
-// "11.7", "16.2": medians over the man's reaches of how far the best-scored is from him.
+// Medians over the man's reaches of the distance between the best-scored motion and his: "11.7",
+// "16.2".
 std::vector<std::string> from_him(const Variant& variant, const std::vector<Recorded>& man) {
   std::vector<double> places, angles;
   for (const Recorded& reach : man) {
@@ -183,7 +184,7 @@ std::vector<std::string> from_him(const Variant& variant, const std::vector<Reco
   return {fmt::format("{:.1f}", middle(places)), fmt::format("{:.1f}", middle(angles))};
 }
 
-// The share of first choices that jolt.
+// Share of first choices with jolts.
 std::string jolting(const Plan& plan, const Variant& variant) {
   const int tasks = plan.quick ? 5 : kJoltTasks;
   std::vector<int> jolts(static_cast<std::size_t>(tasks), -1);
@@ -202,7 +203,7 @@ std::string jolting(const Plan& plan, const Variant& variant) {
   return percent(static_cast<double>(count), static_cast<double>(met), 0);
 }
 
-// Instructions (callgrind's) that the program runs; nothing without valgrind.
+// Number of instructions (callgrind's) of the program; empty without valgrind.
 std::optional<double> instructions(const std::string& program, const std::string& options,
                                    int evaluations, const std::filesystem::path& folder) {
   const std::string command = fmt::format(
@@ -224,7 +225,8 @@ std::optional<double> instructions(const std::string& program, const std::string
   return counted;
 }
 
-// Of a motion of the body human: what more random ones take, which are the same for all criteria.
+// Additional instructions per random motion of the body human; the motions are the same for all
+// criteria.
 std::optional<double> instructions_a_motion(const std::string& program, const std::string& options,
                                             const std::filesystem::path& folder) {
   const auto few = instructions(program, options, 1000, folder);
@@ -233,7 +235,7 @@ std::optional<double> instructions_a_motion(const std::string& program, const st
   return (*more - *few) / 2000.0;
 }
 
-// A folder that is there as long as this.
+// A folder that is removed at the end of its scope.
 class Scratch {
  public:
   Scratch() { std::filesystem::create_directories(path_); }

@@ -15,7 +15,7 @@ namespace {
 constexpr int kBudget = 1000;
 constexpr int kStepCounts[] = {20, 60, 200};
 
-// The problem with some coordinates fixed at where they are in its start.
+// The problem with some coordinates fixed at their start values.
 SearchProblem without(const SearchProblem& whole, const std::vector<int>& fixed) {
   SearchProblem part;
   std::vector<std::size_t> kept;
@@ -119,8 +119,7 @@ std::string parameters_table(const Plan& plan, const Subject& subject) {
   return fmt::format("\n{}:\n\n", subject.body.name()) + table.text();
 }
 
-// The score that a search with a number of steps finds, and its worth when it is played with
-// another number.
+// Score of a search with one number of steps, and the score of its motion played with another.
 struct Stepped {
   double own = 0.0;           // the best score, at its own steps
   double fine = 0.0;          // the same parameters at the most steps

@@ -17,14 +17,14 @@ constexpr double kAnkleToShoulder = 0.03;  // m, ahead
 constexpr double kHandsApart = 0.33;       // m
 constexpr std::size_t kHeldOut = 4;        // one unit of this number
 
-// The units of one body. Goals are for the right hand of a body of kUsualStature; every second unit
-// is done by the left one.
+// Units of one body. Goals are for the right hand of a body of kUsualStature; in every second unit
+// the left hand moves.
 class Maker {
  public:
   Maker(BodyBuild build, std::string name, std::uint64_t seed, std::vector<Unit>& units)
       : body_(human_body(build)), name_(std::move(name)), random_(seed), units_(units) {}
 
-  // Begins a unit, whose goals are all moved by the same.
+  // Begins a unit, whose goals are all displaced equally.
   void begin(const std::string& what, Series series) {
     const std::size_t k = units_.size();
     units_.push_back({fmt::format("{} {}", name_, what), series, {}, k % kHeldOut == kHeldOut - 1});

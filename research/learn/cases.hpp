@@ -9,17 +9,17 @@
 
 #include "figures.hpp"
 
-// The tasks whose best motions are set beside people's.
+// Tasks whose best motions are compared with people's.
 namespace shigusa::bench {
 
-// One figure of a recorded reach, and how far people are from one another in it.
+// One figure of a recorded reach, with its spread between people.
 struct Known {
   double Figures::*figure;
   double value;
   double unit;
 };
 
-// One task. Lengths are those of a body of kUsualStature, as figures have them (m).
+// One task. Lengths are scaled to a body of kUsualStature (m), as those of figures.
 struct Case {
   Task task;
   Side side = Side::right;
@@ -36,7 +36,7 @@ struct Case {
 // The quantity that changes from case to case of a series.
 enum class Series { none, heights, near_and_far, distances, arms, sexes };
 
-// Cases that belong together, and go to the training or are held out as a whole.
+// Cases that are kept together, for training or held out as a whole.
 struct Unit {
   std::string name;
   Series series = Series::none;
@@ -44,16 +44,16 @@ struct Unit {
   bool held_out = false;
 };
 
-// Series of goals all around, for men and women, small, usual and tall. Every fourth unit is held
-// out. The same seed moves goals by the same few centimetres.
+// Series of goals all around, for men and women, small, average and tall. Every fourth unit is held
+// out. A seed displaces goals by a few centimetres.
 [[nodiscard]] std::vector<Unit> made_units(std::uint64_t seed);
 
-// The reaches of recorded persons (reaches.tsv of `people`) and of the man of `reach`, with what
-// was measured of them; nothing, and a message, where the folder is not there. One person is held
-// out, and every fourth reach of the man.
+// Reaches of recorded persons (reaches.tsv of `people`) and of the man of `reach`, with their
+// measured figures; empty, with a message, if the folder is missing. One person is held out, and
+// every fourth reach of the man.
 [[nodiscard]] std::vector<Unit> recorded_units(const std::filesystem::path& shared);
 
-// The task's facts, from its goals and the body at the start.
+// Properties of a task, from its goals and the body at the start.
 [[nodiscard]] Case case_of(Task task, Side side);
 
 }  // namespace shigusa::bench

@@ -18,7 +18,7 @@ constexpr std::size_t kSegments = 6;
 constexpr std::array kNodes{"upper_leg", "lower_leg", "foot", "upper_arm", "lower_arm", "hand"};
 enum Node { leg, knee, ankle, shoulder, elbow, wrist, kNodeCount };
 
-// Where a body's joints are in one frame (m, world).
+// Joint positions of a body in one frame (m, world).
 struct Places {
   std::array<std::array<Vec3d, kNodeCount>, 2> sides;  // left, right
   Vec3d neck{};
@@ -58,7 +58,7 @@ std::vector<Places> places_of(const BodyModel& body, const Clip& clip) {
 double between(const Vec3d& a, const Vec3d& b) {
   return degrees(acos(clamp(dot(a, b) / max(norm(a) * norm(b), 1e-12), -1.0, 1.0)));
 }
-// Degrees by which a line that points up leans forwards.
+// Forward lean (deg) of an upward line.
 double lean(const Vec3d& line) { return degrees(atan2(line.z, line.y)); }
 
 double trunk_of(const Places& p) { return lean(p.middle(shoulder) - p.middle(leg)); }
@@ -72,7 +72,7 @@ double knee_of(const Places& p) {
   return 0.5 * (bend_of(p, 0, leg, knee, ankle) + bend_of(p, 1, leg, knee, ankle));
 }
 
-// How far forwards of its straight way the wrist is where it is farthest from that, over the way.
+// Largest forward deviation of the wrist from the straight line, relative to the line's length.
 double bow_of(const std::vector<Places>& all, std::size_t side) {
   const Vec3d from = all.front().sides[side][wrist];
   const Vec3d way = all.back().sides[side][wrist] - from;
@@ -104,7 +104,7 @@ double peak_of(const std::vector<Places>& all, std::size_t side) {
 
 using Row = std::array<double, kSegments>;
 
-// The first principal component's share of the variance of rows.
+// Share of the first principal component in the variance of rows.
 double first_share(std::vector<Row> rows) {
   Row mean{};
   for (const Row& row : rows) {
@@ -145,7 +145,7 @@ double first_component(const std::vector<Places>& all, std::size_t side) {
   return first_share(std::move(rows));
 }
 
-// Degrees by which these freedoms have turned from the first frame to another, together.
+// Total change (deg) of these degrees of freedom from the first frame to another.
 double turned(const BodyModel& body, const Clip& clip, std::initializer_list<const char*> names,
               int frame) {
   double sum = 0.0;
@@ -173,7 +173,7 @@ void read_back(const BodyModel& body, const Clip& clip, Figures& figures) {
   figures.lumbar_lead = lumbar(third) / max(hip(third), 0.5) - lumbar(end) / max(hip(end), 1.0);
 }
 
-// The greatest change of a torque or of the floor's pressure from frame to frame, in jolts.
+// Greatest change of a torque or of the floor's pressure between frames, in jolts.
 double jolt_of(const BodyModel& body, const Motion& motion) {
   CriteriaSettings settings;
   settings.joint_range_weight = settings.balance_weight = settings.torque_weight = 0.0;

@@ -4,30 +4,30 @@
 #include <shigusa/body.hpp>
 #include <shigusa/motion.hpp>
 
-// Figures that people's motions are measured by, read off one motion.
+// Figures that characterise people's motions, computed from one motion.
 namespace shigusa::bench {
 
-// The stature that lengths are given for, so that figures of short and tall people compare (m).
+// Reference stature for lengths, which makes figures of short and tall people comparable (m).
 inline constexpr double kUsualStature = 1.741;
 
-// Lengths are those of a body of kUsualStature; changes are from the first frame to the last.
+// Lengths are scaled to a body of kUsualStature; changes are from the first frame to the last.
 struct Figures {
   double trunk = 0.0;         // deg, at the end: from hips to shoulders, against the vertical
   double knee = 0.0;          // deg, at the end, mean of both
   double knee_change = 0.0;   // deg
   double shank = 0.0;         // deg, forwards, at the end
-  double drop = 0.0;          // m, by how much the hips end lower
-  double back = 0.0;          // m, by how much they end further back
+  double drop = 0.0;          // m, descent of the hips from start to end
+  double back = 0.0;          // m, backward travel of the hips
   double travel = 0.0;        // m, of the hips
-  double mass = 0.0;          // of the foot's length, by how much the centre of mass goes forwards
+  double mass = 0.0;          // share of the foot's length, forward travel of the centre of mass
   double bow = 0.0;           // of the distance, forwards, where the wrist is farthest off its line
   double peak = 0.0;          // of the time, when the wrist is fastest
   double shoulder = 0.0;      // of the wrist's way forwards, the shoulder's
   double index = 0.0;         // change of the knee over those of ankle, hip and back
   double style = 0.0;         // 100 stoop, 0 squat; 50 where the shoulders stay
   double first = 0.0;         // of the variance of six segments' angles, the first component's
-  double lumbar = 0.0;        // deg, by how much the back bends
-  double hip = 0.0;           // deg, by how much the hips bend
+  double lumbar = 0.0;        // deg, change of the back's bend
+  double hip = 0.0;           // deg, change of the hips' bend
   double lumbar_share = 0.0;  // of both
   double lumbar_lead = 0.0;   // back over hips at a third of the time, less that at the end
   double head = 0.0;          // m, above the hips at the end
@@ -37,8 +37,8 @@ struct Figures {
   double hard = 0.0;  // 0 possible, 1 strains, 2 impossible, 3 not reached
 };
 
-// Of a motion of the body human that moves that side's hand. A motion without torques has no
-// centre of mass and no jolts.
+// For a motion of the body human that moves that side's hand. Without torques the centre of mass
+// and jolts are missing.
 [[nodiscard]] Figures figures_of(const BodyModel& body, const Motion& motion, Side side);
 
 }  // namespace shigusa::bench

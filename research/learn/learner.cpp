@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kOtherSeed = 1000;
 constexpr std::size_t kGeneration = 16;  // points of which the middle is taken, at most
 
-// Measures points of a search, a generation at a time.
+// Evaluates the points of a search, one generation at a time.
 class Learner {
  public:
   Learner(const std::vector<Unit>& units, const LearnSettings& settings)
@@ -33,7 +33,7 @@ class Learner {
     return problem;
   }
 
-  // The better one of two points on the training, with other random numbers.
+  // The better of two points on the training set, with other random numbers.
   [[nodiscard]] CriteriaSettings better(std::span<const double> one,
                                         std::span<const double> other) const {
     const CriteriaSettings two[] = {space_.mixture(one), space_.mixture(other)};

@@ -13,16 +13,17 @@ struct LearnSettings {
   int evaluations = 160;                        // mixtures that are measured
   double step = 0.12;   // standard deviation that the search begins with, of a gene
   bool scales = false;  // of the criteria that compare with people are searched too
-  // Queries of some thousand motions: those of fewer differ by chance more than mixtures do.
+  // Queries with some thousand motions: with fewer, chance differences exceed those between
+  // mixtures.
   MeasureSettings measure{.motions = 2000};
 };
 
 // Settings with other random numbers for the queries than the search had.
 [[nodiscard]] MeasureSettings other_seed(MeasureSettings settings);
 
-// The mixture that CMA-ES finds for the training units: the best that it saw, or the middle of its
-// last generation, which no chance has chosen, where that is better with other random numbers.
-// Prints a line for each generation, with the loss of its best on what is held out.
+// The mixture that CMA-ES finds for the training units: the best evaluated one, or the mean of its
+// last generation, which is free of selection bias, if that is better with other random numbers.
+// Prints a line per generation, with the held-out loss of its best.
 [[nodiscard]] CriteriaSettings learned(const std::vector<Unit>& units,
                                        const LearnSettings& settings);
 

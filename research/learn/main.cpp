@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shigusa_learn_criteria searches the mixture of criteria whose best motions obey most of what is
-// measured of people, and prints it.
+// shigusa_learn_criteria searches the mixture of criteria whose best motions agree best with
+// measurements of people, and prints it.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -80,7 +80,7 @@ std::string part_of_row(const RuleResult& rule) {
                      rule.loss);
 }
 
-// Each figure and order that is not as people's are.
+// Prints each figure and order that differs from people's.
 void list_terms(const std::vector<Unit>& units, const Options& options) {
   for (const Unit& unit : units) {
     const Unit* one[] = {&unit};
@@ -95,7 +95,7 @@ void list_terms(const std::vector<Unit>& units, const Options& options) {
   }
 }
 
-// For each rule the mean figure, the share of motions in the band, and the loss.
+// Prints for each rule the mean figure, the share of motions in the band, and the loss.
 void print_table(const std::vector<Unit>& units, const std::vector<CriteriaSettings>& mixtures,
                  const MeasureSettings& settings) {
   std::vector<Measured> columns;

@@ -7,10 +7,10 @@ namespace shigusa::bench {
 namespace {
 
 constexpr double kNotReached = 3.0;
-// A rule of this number of terms counts half as much as one of many: chance moves it more.
+// Number of terms at which a rule has half the weight of one with many, as chance affects it more.
 constexpr double kFewTerms = 6.0;
 
-// The figures of the best motion of a case.
+// Figures of the best motion of a case.
 Figures best_of(const Case& of, const CriteriaSettings& mixture, std::uint64_t seed,
                 std::optional<int> motions) {
   Task task = of.task;

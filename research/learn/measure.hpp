@@ -8,7 +8,7 @@
 
 namespace shigusa::bench {
 
-// How a mixture's best motions obey one rule.
+// Compliance of a mixture's best motions with one rule.
 struct RuleResult {
   int terms = 0;
   int held = 0;        // terms within the band
@@ -16,8 +16,7 @@ struct RuleResult {
   double loss = 0.0;   // mean of loss_of
 };
 
-// The results of all rules, and their mean loss: rules count alike, whether they are about some
-// tasks or about all, but for those about a few only.
+// Results of all rules, and their mean loss. Rules have equal weights, except those with few terms.
 struct Measured {
   std::vector<RuleResult> rules;  // (rule_names())
   double loss = 0.0;
@@ -27,21 +26,21 @@ struct Measured {
 struct MeasureSettings {
   int threads = 0;
   std::uint64_t seed = 0;        // of the queries
-  std::optional<int> motions{};  // that a query scores; as many as usual where not given
+  std::optional<int> motions{};  // scored per query; default if empty
 };
 
-// (mixtures × cases) The figures of the best motion of each case by each mixture.
+// (mixtures × cases) figures of the best motion.
 [[nodiscard]] std::vector<Figures> best_figures(std::span<const Unit* const> units,
                                                 std::span<const CriteriaSettings> mixtures,
                                                 const MeasureSettings& settings);
 
-// How these obey people's rules. Sums are made in order, so that the result is the
-// same for any number of threads.
+// Compliance of these with people's rules. Sums are ordered, so that the result is the same for any
+// number of threads.
 [[nodiscard]] std::vector<Measured> measure(std::span<const Unit* const> units,
                                             std::span<const CriteriaSettings> mixtures,
                                             const MeasureSettings& settings);
 
-// The units of the training, or those held out.
+// Units of the training set, or of the held-out set.
 [[nodiscard]] std::vector<const Unit*> part_of(const std::vector<Unit>& units, bool held_out);
 
 }  // namespace shigusa::bench

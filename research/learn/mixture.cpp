@@ -11,12 +11,12 @@
 namespace shigusa::bench {
 namespace {
 
-// The weights that are searched: those of the others guarantee that a motion is possible.
+// Weights that are searched; the others ensure that a motion is possible.
 constexpr std::array kWeights{
     "joint_range",  "torque",     "balance_zone", "discomfort",   "joint_acceleration",
     "work",         "low_back",   "head",         "coordination", "hand_curve",
     "trunk_travel", "mass_ahead", "jolts"};
-// Scales that a search may change by a factor of kScaleChange both ways.
+// Scales that a search may change by a factor of kScaleChange in either direction.
 constexpr std::array kScales{"hand_curve", "coordination", "mass_ahead", "trunk_travel"};
 constexpr double kScaleChange = 4.0;
 

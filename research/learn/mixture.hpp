@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-// The mixtures that are searched: weights on a logarithmic scale, each a coordinate in [0, 1].
+// Search space of mixtures: weights on a logarithmic scale, each a coordinate in [0, 1].
 namespace shigusa::bench {
 
-// Least and most of a weight that is searched; one below kDropped is 0.
+// Range of a searched weight; one below kDropped is 0.
 inline constexpr double kLeastWeight = 0.002;
 inline constexpr double kMostWeight = 4.0;
 inline constexpr double kDropped = 0.004;
@@ -19,8 +19,8 @@ inline constexpr double kDropped = 0.004;
 // How the points of a search are read as mixtures.
 class MixtureSpace {
  public:
-  // All but what guarantees that a motion is possible keeps the weights of `fixed`; with scales the
-  // scales of those that compare with people are searched too.
+  // Weights of `fixed` for the criteria that ensure a possible motion, searched weights for the
+  // others; with scales, the scales of the latter are searched too.
   MixtureSpace(CriteriaSettings fixed, bool scales);
 
   [[nodiscard]] int genes() const { return static_cast<int>(members_.size()); }
@@ -42,7 +42,7 @@ class MixtureSpace {
 // Sets "name=weight,name.scale=value,…", names as in task files.
 [[nodiscard]] Result<void> set_weights(std::string_view text, CriteriaSettings& mixture);
 
-// "joint_range=0.25,…": what set_weights reads.
+// Weights in the format of set_weights, "joint_range=0.25,…".
 [[nodiscard]] std::string weights_text(const CriteriaSettings& mixture);
 // Lines for default_criteria().
 [[nodiscard]] std::string weights_code(const CriteriaSettings& mixture);

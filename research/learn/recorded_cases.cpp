@@ -43,7 +43,7 @@ std::vector<Row> rows_of(const std::string& text) {
   return rows;
 }
 
-// The mean of a column over the rows that have it.
+// Mean of a column over the rows that have it.
 std::optional<double> mean_of(const std::vector<Row>& rows, const std::string& column) {
   double sum = 0.0;
   int count = 0;
@@ -59,8 +59,8 @@ std::optional<double> mean_of(const std::vector<Row>& rows, const std::string& c
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-// A person's reach from hanging arms, by the means of its repetitions. A person who was told to
-// squat has the path and its timing compared only.
+// A person's reach from hanging arms, averaged over repetitions. For a person instructed to squat,
+// only the path and its timing are compared.
 std::optional<Case> case_of_rows(const std::vector<Row>& rows) {
   const auto from = mean_of(rows, "h0");
   const auto to = mean_of(rows, "h1");

@@ -10,7 +10,7 @@ namespace {
 
 using MaybeBand = std::optional<Band>;
 
-// The value at x on the line through points of rising x, level beyond the first and the last.
+// Linear interpolation at x between points of ascending x, constant outside.
 double on_line(double x, std::initializer_list<std::pair<double, double>> points) {
   const auto* before = points.begin();
   if (x <= before->first) return before->second;
@@ -29,7 +29,7 @@ bool is_shelf(const Case& c) {
   return in_front(c) && c.height > 1.2 && c.height < 1.85 && c.ahead > 0.45 && c.ahead < 0.78;
 }
 
-// From people who pick up from the floor to people who stand before a table.
+// Range from people who pick up from the floor to people who stand before a table.
 MaybeBand trunk(const Case& c) {
   if (is_shelf(c)) return Band{0.0, 18.0};
   if (!is_bend(c)) return {};
@@ -92,7 +92,7 @@ MaybeBand clavicle(const Case& c) {
 MaybeBand jolt(const Case&) { return Band{0.0, 1.0}; }
 MaybeBand hard(const Case&) { return Band{0.0, 1.0}; }
 
-// A figure with the band that people's are in, and how far people are from one another in it.
+// A figure with people's band, and its spread between people.
 struct BandRule {
   const char* name;
   const char* source;
@@ -125,7 +125,8 @@ constexpr std::array kBands{
 
 using Line = std::span<const Figures>;
 
-// By how much a figure fails to fall by `least` from each case to the next, at worst.
+// Greatest shortfall of a figure's decrease, which should be at least `least` from each case to the
+// next.
 double fails_to_fall(Line line, double Figures::*figure, double least) {
   double worst = 0.0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -157,7 +158,7 @@ double men_round_more(Line line) {
   return max(0.1 - (ratio(line[0]) - ratio(line[1])), 0.0);
 }
 
-// An order that people's figures have from case to case of a series.
+// Order of people's figures between the cases of a series.
 struct OrderRule {
   const char* name;
   const char* source;

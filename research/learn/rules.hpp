@@ -19,22 +19,22 @@ struct Band {
 // How far one figure, or an order of figures, is from people's.
 struct Term {
   std::size_t rule;    // in rule_names()
-  double value;        // the figure, or by how much the order is broken
+  double value;        // the figure, or the violation of the order
   double off;          // units outside the band, ≥ 0
   std::size_t at = 0;  // the case; 0 of orders
 };
 
-// The names and sources of all rules, bands first, then orders, then what was recorded.
+// Names and sources of all rules: bands first, then orders, then recorded reaches.
 struct RuleName {
   std::string name;
   std::string source;
 };
 [[nodiscard]] const std::vector<RuleName>& rule_names();
 
-// All terms of a unit whose cases' best motions have these figures.
+// All terms of a unit, from the figures of its cases' best motions.
 [[nodiscard]] std::vector<Term> terms_of(const Unit& unit, std::span<const Figures> figures);
 
-// off² / (1 + off²): who is far off is no worse for being farther.
+// Loss off² / (1 + off²), which saturates far from the band.
 [[nodiscard]] double loss_of(const Term& term);
 
 }  // namespace shigusa::bench

@@ -19,10 +19,11 @@ namespace {
 constexpr double kUsualStature = 1.741;  // m, of the goals below
 constexpr std::array kCandidates{5, 8};
 
-// Goals of this height and above are met upright, with straight knees (m of the usual stature).
+// Height (m, scaled to the usual stature) from which goals are reached upright, with straight
+// knees.
 constexpr double kTable = 0.90;
 constexpr double kAboveTheChest = 1.30;
-// For goals below it people neither stoop nor squat fully.
+// Height above which people neither stoop nor squat fully.
 constexpr double kLow = 0.50;
 constexpr double kStraightKnee = radians(25.0);
 constexpr double kFolded = radians(110.0);
@@ -31,7 +32,7 @@ constexpr double kElbowIn = radians(-60.0);
 constexpr double kPureSquat = 30.0;  // stoop-squat index
 constexpr double kPureStoop = 90.0;
 
-// A goal, on the body's right, and what the hands hold there.
+// A goal, on the body's right, with the load of the hands there.
 struct Place {
   const char* name;
   Vec3d at;
@@ -69,7 +70,7 @@ BodyModel body_of(const Build& build) {
       {.stature = build.stature, .mass = default_mass(build.stature, build.sex), .sex = build.sex});
 }
 
-// One query and what came of it.
+// One query with its results.
 struct Asked {
   const Place* place;
   bool met = false;
@@ -96,7 +97,7 @@ Asked asked(const Place& place, const BodyModel& body, int candidates) {
   return result;
 }
 
-// A thing that people do not do; of a candidate of a query, by its place among them.
+// Violation of a rule on people's behaviour; for a candidate of a query, by its index.
 struct Rule {
   const char* name;
   bool (*concerns)(const Asked&, std::size_t);
@@ -148,7 +149,7 @@ constexpr std::array kRules{
          }},
 };
 
-// How many candidates each rule is about, and how many break it.
+// Numbers of candidates that each rule applies to, and that break it.
 struct Counts {
   int candidates = 0;
   std::array<int, kRules.size()> about{};
@@ -173,7 +174,7 @@ struct Counts {
   }
 };
 
-// Whether there is a squat (0), a half squat or a stoop (2) among them.
+// Whether a squat (0), a half squat or a stoop (2) is among them.
 bool offers_style(const Asked& of, std::size_t style) {
   return std::any_of(of.candidates.begin(), of.candidates.end(), [style](const Candidate& c) {
     const auto index = c.final_posture.stoop_squat_index;
@@ -181,7 +182,7 @@ bool offers_style(const Asked& of, std::size_t style) {
   });
 }
 
-// "half squat (63, 78); stoop (10, 95)": knee and trunk of each.
+// Styles with knee and trunk angles, "half squat (63, 78); stoop (10, 95)".
 std::string listed(const Asked& of) {
   std::string text;
   for (std::size_t c = 0; c < of.candidates.size(); ++c) {

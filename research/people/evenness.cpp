@@ -25,7 +25,7 @@ constexpr double kOtherStyle = radians(40.0);
 constexpr double kUneven = radians(20.0);
 constexpr std::size_t kPairsShown = 5;
 
-// A goal of the grid and how its first choice ends.
+// A goal of the grid and the end of its first choice.
 struct Ended {
   Vec3d goal{};
   bool met = false;
@@ -61,7 +61,7 @@ std::vector<Ended> all_ended(const std::function<void(Task&)>& change) {
   return ends;
 }
 
-// Two goals beside one another.
+// Two neighbouring goals.
 struct Pair {
   const Ended* a;
   const Ended* b;

@@ -10,7 +10,7 @@ namespace shigusa::bench {
 // Pairs of neighbours of a grid of goals that are reached by first choices.
 struct Evenness {
   int pairs = 0;
-  int uneven = 0;      // whose knees end more than 20° apart
+  int uneven = 0;      // with a difference of the knees above 20° at the end
   double worst = 0.0;  // rad
 };
 // Of the default preset's tasks after that change.

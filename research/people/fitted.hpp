@@ -16,12 +16,12 @@ struct FitKind {
 
 struct FittedReach {
   int parameters = 0;  // how many
-  Clip clip;           // empty where no parameters meet the goal
+  Clip clip;           // empty if no parameters meet the goal
 };
 
-// The motion of the parameters that come nearest to the record: the rms over time of the freedoms
-// that goal and feet move, as the score in the place of the criteria. It has seen what it is
-// compared with.
+// The motion whose parameters fit the record best: the score is the rms over time of the
+// differences in the degrees of freedom that goal and feet move, in place of the criteria. It is
+// fitted to the data that it is compared with.
 [[nodiscard]] FittedReach fitted_reach(const Recorded& reach, const FitKind& kind, int evaluations);
 
 }  // namespace shigusa::bench

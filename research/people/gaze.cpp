@@ -19,7 +19,7 @@ namespace {
 constexpr int kTasks = 500;  // those of both hands are left out
 constexpr double kNear = radians(15.0);
 
-// How a first choice ends.
+// End of a first choice.
 struct Gaze {
   bool met = false;
   bool ahead = false;  // the goal is in front of the ankles
@@ -28,7 +28,7 @@ struct Gaze {
   double hips = 0.0;   // of it the pelvis
 };
 
-// The turn about the vertical of a link's axis z from ahead (rad), to the left.
+// Yaw of a link's axis z from straight ahead (rad), positive to the left.
 double turned(const Kinematics<double>& placed, int link) {
   const Vec3d faces = placed.link_rotation(link).cz;
   return std::atan2(faces.x, faces.z);
@@ -50,8 +50,8 @@ Gaze gaze_of(const Task& task) {
           turned(placed, points.pelvis_link)};
 }
 
-// Goals of the right hand all around, as far from the body's axis as an arm with bent elbow is
-// long.
+// Goals of the right hand all around, at the distance of an arm with bent elbow from the body's
+// axis.
 constexpr double kAround = 0.5;                     // m
 constexpr std::array kHeights{0.6, 1.0, 1.4, 1.7};  // m
 struct Direction {

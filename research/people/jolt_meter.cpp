@@ -35,7 +35,7 @@ struct Keeper {
   }
 };
 
-// Computes the dynamics of one posture with accelerations of any size.
+// Computes the dynamics of one posture with scaled accelerations.
 class Posture {
  public:
   Posture(const BodyModel& body, std::span<const double> angles)
@@ -62,7 +62,7 @@ class Posture {
   std::vector<double> torques_;
 };
 
-// Finds the freedom without whose change of acceleration the jolt would be least.
+// Finds the degree of freedom whose change of acceleration contributes most to the jolt.
 void find_driver(const BodyModel& body, const Motion& motion, const Keeper& kept, Jolt& jolt) {
   const auto f = static_cast<std::size_t>(jolt.frame);
   const std::span<const double> angles = motion.clip.frame(jolt.frame);
@@ -92,7 +92,7 @@ constexpr double kKink = radians(0.25);    // the same, of a step's change
 constexpr double kNearLimit = radians(8.0);
 constexpr double kAtLimit = radians(0.2);
 
-// The steps (rad a frame) of one freedom around a jolt's frame.
+// Steps (rad per frame) of one degree of freedom around a jolt's frame.
 struct Steps {
   const BodyModel* body;
   const Clip* clip;

@@ -25,8 +25,8 @@ inline constexpr std::array kJoltEvents{"frames 1–2",     "frames 59–60", "s
 struct Jolt {
   double size = 0.0;  // m of the pressure, or the share of a strength
   int frame = 0;      // the later of the two
-  int joint = -1;     // freedom whose torque it is; -1 of the pressure
-  int driver = -1;    // freedom whose change of acceleration makes most of it
+  int joint = -1;     // degree of freedom with the torque; -1 for the pressure
+  int driver = -1;    // degree of freedom whose acceleration contributes most
   JoltEvent event = JoltEvent::smooth;
 };
 struct Jolts {

@@ -19,11 +19,11 @@ namespace {
 constexpr int kTasks = 500;
 constexpr std::size_t kNamesShown = 6;
 
-// The jolts of one task's candidates; none where the goals are not met.
+// Jolts of one task's candidates; empty if the goals are not met.
 struct Measured {
   std::vector<Jolts> candidates;
   std::vector<Verdict> verdicts;   // of them
-  std::vector<std::string> names;  // (freedoms) of the body
+  std::vector<std::string> names;  // (dofs) of the body
 };
 
 Measured measured(int index) {
@@ -40,7 +40,7 @@ Measured measured(int index) {
   return result;
 }
 
-// Counts of motions.
+// Numbers of motions.
 struct Count {
   int all = 0, pressure = 0, torque = 0, both = 0;
 
@@ -57,7 +57,7 @@ struct Count {
   }
 };
 
-// Counts of first choices and of all.
+// Numbers of first choices and of all candidates.
 struct BothCounts {
   Count first, every;
 
@@ -99,7 +99,7 @@ std::string shares(const std::vector<Measured>& tasks) {
   return table.text();
 }
 
-// Words for the place of a frame among a motion's 60.
+// Words for the position of a frame among a motion's 60.
 const char* part_of(int frame) {
   if (frame <= 2) return "1–2";
   if (frame <= 20) return "3–20";
@@ -108,7 +108,7 @@ const char* part_of(int frame) {
   return frame <= 58 ? "57–58" : "59–60";
 }
 
-// "21–40 (12), 41–56 (3)": the most frequent first.
+// Frequencies, "21–40 (12), 41–56 (3)": the most frequent first.
 std::string most_frequent(const std::map<std::string, int>& counts) {
   std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -120,7 +120,7 @@ std::string most_frequent(const std::map<std::string, int>& counts) {
   return text.empty() ? "–" : text;
 }
 
-// A table of the joints, the times and the events of jolts; of all candidates.
+// Table of the joints, times and events of jolts, over all candidates.
 std::string causes(const std::vector<Measured>& tasks) {
   std::map<std::string, int> joints, frames[2], drivers[2], events[2];
   const auto take = [&](const Measured& task, const Jolt& jolt, std::size_t kind) {

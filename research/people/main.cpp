@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shigusa_people sets generated motions beside recorded people and writes docs/people.md.
+// shigusa_people compares generated motions with recorded people and writes docs/people.md.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -28,10 +28,10 @@ constexpr const char* kUsage =
     "--only measures one section anew and keeps the rest of the page; --print leaves the page "
     "alone\n";
 
-// Where what people do is read from.
+// Sources of data on people.
 struct Sources {
   std::filesystem::path shared;
-  std::filesystem::path regularities;  // what regularities.py has written; may be empty
+  std::filesystem::path regularities;  // output of regularities.py; may be empty
 };
 
 Result<Drawn> words_alone(Result<std::string> text) {
@@ -39,7 +39,7 @@ Result<Drawn> words_alone(Result<std::string> text) {
   return Drawn{std::move(*text)};
 }
 
-// A part of the page after the recorded man's: all from its title to the next one.
+// A section of the page after the recorded man's: everything from its title to the next one.
 struct Section {
   std::string_view name;  // of --only
   std::string_view title;
@@ -61,7 +61,7 @@ constexpr std::array kSections{
     Section{"jolts", "Jolts", [](const Sources&) { return words_alone(jolts_section()); }},
     Section{"gaze", "Gaze", [](const Sources&) { return words_alone(gaze_section()); }},
 };
-// The other parts: the page's beginning and the reaches are the recorded man's.
+// The other sections; the beginning of the page and the reaches are the recorded man's.
 constexpr std::string_view kMan = "man";
 constexpr std::string_view kReaches = "Reach by reach";
 constexpr std::string_view kRemarks = "remarks";
@@ -90,7 +90,7 @@ std::size_t place_of(const std::string& page, std::string_view title) {
   return page.find("\n## " + std::string(title) + "\n");
 }
 
-// The text from a title to the next one; nothing where the page has no such title.
+// Text from a title to the next one; empty if the page has no such title.
 std::string part_of(const std::string& page, std::string_view title) {
   const std::size_t at = place_of(page, title);
   if (at == std::string::npos) return {};
@@ -109,7 +109,7 @@ Result<void> write_pictures(const std::vector<NamedPicture>& pictures,
   return {};
 }
 
-// The page with all parts anew, or with one, where the others are as they stand.
+// The page with all sections regenerated, or only one of them.
 Result<void> write_page(const std::filesystem::path& docs, const Sources& sources,
                         std::string_view only) {
   const std::filesystem::path file = docs / "people.md";

@@ -23,7 +23,7 @@ double final_place(const Joints& a, const Joints& b) {
   return sum / 4.0;
 }
 
-// The right side's nine, as table 1 of the paper has them.
+// The nine of the right side, in the order of table 1 of the paper.
 std::vector<bool> nine_of(const BodyModel& body) {
   constexpr std::array kNine{
       "right_ankle.flexion",      "right_knee.flexion",      "right_hip.flexion",
@@ -89,7 +89,7 @@ double angle_difference(const Clip& recorded, const Clip& generated,
                         const std::vector<bool>& chosen) {
   std::vector<double> squares(chosen.size());
   for (int f = 0; f < recorded.frames; ++f) {
-    // between the two frames of the generated one that are nearest in time
+    // between the two generated frames nearest in time
     const double at = static_cast<double>(f) * (generated.frames - 1) / (recorded.frames - 1);
     const int k = std::min(static_cast<int>(at), generated.frames - 2);
     const double share = at - k;

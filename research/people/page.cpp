@@ -130,7 +130,7 @@ std::string looks(const std::vector<Compared>& compared) {
   return table.text();
 }
 
-// The criteria's scores of him and of the motion that they chose.
+// The criteria's scores of his motion and of the motion that they chose.
 std::string criteria(const std::vector<Compared>& compared) {
   std::vector<std::string> head{"motion", "score"};
   std::vector<std::string> his{"recorded"};

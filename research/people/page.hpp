@@ -23,7 +23,7 @@ struct Compared {
   std::vector<FittedReach> fitted{};  // of fit_kinds()
   std::vector<Apart> fitted_apart{};
   std::optional<Apart> nearest_other{};  // his own, of the reaches with the same kind of start
-  double own_duration = 0.0;             // s, what shigusa would take by itself
+  double own_duration = 0.0;             // s, default duration of shigusa
   Score recorded_score{};                // of his own motion, as `shigusa score` has it
   int candidates = 0;
 };

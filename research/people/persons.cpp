@@ -25,7 +25,7 @@ constexpr double kTrunkNear = radians(15.0);
 constexpr double kKneeNear = radians(20.0);
 constexpr double kMoves = 0.05;  // of its greatest speed: a wrist that is slower rests
 
-// A recorded reach and what was generated for it.
+// A recorded reach and its generated motions.
 struct Beside {
   bool met = false;
   std::vector<ReachFigures> candidates;  // the best-scored first
@@ -42,7 +42,7 @@ bool same_style(const ReachFigures& a, const ReachFigures& b) {
   return std::fabs(a.trunk - b.trunk) <= kTrunkNear && std::fabs(a.knee - b.knee) <= kKneeNear;
 }
 
-// When the wrist is fastest, as a share of the time in which it moves.
+// Time of the wrist's greatest speed, as a share of its movement time.
 double peak_of(const Track& track) {
   std::vector<double> speeds;
   for (std::size_t f = 1; f < track.joints.size(); ++f) {
@@ -127,8 +127,8 @@ std::string table_of(const std::vector<RecordedReach>& reaches, const std::vecto
   return table.text();
 }
 
-// The share of persons whose style the chosen candidates have; one whose reaches differ counts by
-// the share of them.
+// Share of persons whose style the chosen candidates have; a person with several styles counts by
+// their shares.
 double share_of_persons(const std::vector<RecordedReach>& reaches, const std::vector<bool>& same) {
   std::map<std::string, std::pair<int, int>> counts;  // of the same style, and all
   for (std::size_t i = 0; i < reaches.size(); ++i) {
@@ -143,7 +143,7 @@ double share_of_persons(const std::vector<RecordedReach>& reaches, const std::ve
   return sum / static_cast<double>(counts.size());
 }
 
-// Medians of how far figures are from the recorded ones, and shares of styles.
+// Medians of the differences from the recorded figures, and shares of styles.
 std::string sums(const std::vector<RecordedReach>& reaches, const std::vector<Beside>& made) {
   Table table({"median difference from the record", "trunk, °", "knee, °", "pelvis drop, cm",
                "pelvis back, cm", "bow / distance", "peak", "same style", "of persons"});

@@ -34,7 +34,7 @@ MotionStrip made_strip(const Recorded& reach, const Track& track) {
   return strip;
 }
 
-// The recorded motion and those that were made for its reach, under each other.
+// The recorded motion and the generated ones for its reach, below each other.
 Result<std::string> reach_page(const Compared& c) {
   std::vector<MotionStrip> strips{recorded_strip(c.reach)};
   const auto add = [&](const char* caption, const Track& track) {

@@ -33,7 +33,7 @@ constexpr std::array kMade{Colour{0xc8502d}, Colour{0x1f6f8b}, Colour{0x7a9a2e}}
 constexpr const char* kBoxLifters = "two-handed box from the floor, squat asked for";
 constexpr const char* kPickUp = "A: reach down one hand, pick up";
 
-// The best-scored motion to a goal, and how it looks.
+// Best-scored motion to a goal, with its picture.
 struct Made {
   SkeletonMotion motion;
   Track track;
@@ -89,8 +89,8 @@ const RecordedCurve* find_curve(const std::vector<RecordedCurve>& curves, std::s
   return found == curves.end() ? nullptr : &*found;
 }
 
-// A path laid along its straight way: how far it has gone and how far in front of the way it is,
-// over the distance.
+// A path in terms of its straight line: progress along it and forward deviation from it, relative
+// to its length.
 std::vector<GraphPoint> along_the_way(const std::vector<SidePoint>& path) {
   const double ahead = path.back().ahead - path.front().ahead;
   const double up = path.back().up - path.front().up;
@@ -111,18 +111,18 @@ std::vector<SidePoint> wrist_path(const Made& made) {
   return path;
 }
 
-// A way of a hand with the name that it has in the picture.
+// A path of a hand with its name in the picture.
 struct NamedMade {
   std::string name;
   Made made;
 };
 
-// One row of the picture of hands' paths: a figure that shows one of them, and all in a graph.
+// A row of the picture of hands' paths: a figure that shows one of them, and a graph of all.
 struct PathRow {
   const std::vector<NamedMade>& made;
-  std::size_t shown;  // the one whose figure is drawn
+  std::size_t shown;  // index of the one in the figure
   std::vector<std::pair<std::string, std::vector<GraphPoint>>> people;
-  double band[2];  // where people's paths are, where they are farthest from the straight way
+  double band[2];  // people's range of the largest deviation from the straight line
   const char* band_name;
 };
 
@@ -265,7 +265,7 @@ std::string distances(const Maker& maker) {
   return canvas.finish();
 }
 
-// Of a quantity, the share of its whole change that is done.
+// Completed share of a quantity's total change.
 std::vector<GraphPoint> shares(const std::vector<double>& time, const std::vector<double>& values) {
   std::vector<GraphPoint> points;
   const double whole = values.back() - values.front();
@@ -304,7 +304,7 @@ Result<std::string> timing(const Maker& maker, const std::vector<RecordedCurve>&
   return canvas.finish();
 }
 
-// The recorded man's reach from standing, and the best-scored one in its place.
+// The recorded man's reach from standing, and the best-scored one to the same place.
 Result<std::string> low_reach(const std::filesystem::path& folder,
                               std::vector<NamedPicture>& pictures) {
   SHG_TRY_ASSIGN(const auto segments, downward_segments(folder / "manifest.tsv"));

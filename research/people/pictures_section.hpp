@@ -7,8 +7,7 @@
 
 namespace shigusa::bench {
 
-// The text with pictures of what people do beside what is generated.
-// Recorded people are read from `shared`.
+// Text and pictures that compare recorded people, read from `shared`, with generated motions.
 [[nodiscard]] Result<Drawn> pictures_section(const std::filesystem::path& shared);
 
 }  // namespace shigusa::bench

@@ -9,7 +9,7 @@ namespace {
 using testing_support::kTaskKinds;
 using testing_support::TaskKind;
 
-// The first kinds of all random tasks are those of hands alone.
+// Number of the first kinds of random tasks, which have hand goals only.
 constexpr int kHandKinds = 5;
 static_assert(kTaskKinds[kHandKinds] == TaskKind::obstacle);
 constexpr std::array<const char*, kHandKinds> kNames{

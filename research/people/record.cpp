@@ -55,7 +55,7 @@ Track record_track(const Recorded& reach) {
   return track;
 }
 
-// The body's own skeleton as a rig that stands as the body does at the start.
+// The body's own skeleton as a rig in the body's start posture.
 Rig own_rig(const Landmarks& start, const SkeletonMotion& motion) {
   Rig rig;
   for (std::size_t i = 0; i < motion.skeleton.nodes.size(); ++i) {

@@ -9,7 +9,7 @@
 
 #include "kinematics/fit_clip.hpp"
 
-// A recorded man's reaches to the floor, and what is asked of shigusa in his place.
+// A recorded man's reaches to the floor, with the corresponding requests to shigusa.
 namespace shigusa::bench {
 
 // One line of the manifest: a reach with the right hand, its frames in the 60 Hz file.
@@ -43,7 +43,7 @@ struct Track {
   double frame_time = 0.0;     // s
   std::vector<Joints> joints;  // (frames)
   Clip angles;                 // of the body of the extent human
-  Clip paper_angles;           // of the 18 freedoms whose joints stand nearest
+  Clip paper_angles;           // of the 18 dofs with the nearest joints
   [[nodiscard]] double duration() const {
     return static_cast<double>(joints.size() - 1) * frame_time;
   }
@@ -52,18 +52,18 @@ struct Track {
 // A recorded reach.
 struct Recorded {
   Segment segment;
-  SkeletonMotion motion;  // the file, whole
+  SkeletonMotion motion;  // the whole file
   CharacterSpec person;   // measured in the first frame, extent human …
-  BodyModel body;         // … and the same with 18 freedoms
+  BodyModel body;         // the same with 18 dofs
   BodyModel paper_body;
   Track track{};
   double fit_mean = 0.0;        // m, between the body's joints and his
-  double paper_fit_mean = 0.0;  // m, with 18 freedoms
+  double paper_fit_mean = 0.0;  // m, with 18 dofs
 
   // The input of shigusa: his body, where his hand ends, and his time.
   [[nodiscard]] Task task() const;
 };
-// With `heels`, on a body whose heels lift.
+// `heels`: on a body with lifting heels.
 [[nodiscard]] Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& segment,
                                           bool heels = false);
 

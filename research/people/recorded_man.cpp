@@ -21,8 +21,8 @@ Chosen chosen(const Recorded& reach, std::string way, const Candidate& candidate
   return {std::move(way), std::move(track), off, candidate.score.terms};
 }
 
-// The best-scored candidate and the one that ends nearest to the record; `what` stands before the
-// words for them.
+// The best-scored candidate and the one that ends nearest to the record; `what`: introduction of
+// their words.
 void add_two(const Recorded& reach, const std::string& what, const GenerateResult& generation,
              std::vector<Chosen>& into) {
   const std::string of = fmt::format(" of {}", kCandidates);
@@ -90,7 +90,7 @@ void fit_all(std::vector<Compared>& all) {
   });
 }
 
-// "start-low" of "02_06_00_start-low"
+// Name of a reach, "start-low" for "02_06_00_start-low"
 std::string kind_of(const Segment& segment) {
   return segment.name.substr(segment.name.rfind('_') + 1);
 }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kTableMaxBytes = 1 << 20;
 
-// Somebody stands with arms hanging: the wrist is at about the hips' height, the trunk upright and
-// the knees nearly straight. A reach goes somewhere in front of them.
+// Criteria of standing with hanging arms: the wrist at about the height of the hips, the trunk
+// upright and the knees nearly straight. A reach goes somewhere in front of the person.
 constexpr double kHangsFrom = 0.70;  // m
 constexpr double kHangsTo = 1.05;    // m
 constexpr double kUpright = 15.0;    // degrees

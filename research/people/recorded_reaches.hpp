@@ -18,7 +18,7 @@ struct ReachFigures {
   double peak = 0.0;   // when the wrist is fastest, as a share of the time
 };
 
-// A reach of somebody who stands with arms hanging at its start.
+// A reach of a person who stands with arms hanging at its start.
 struct RecordedReach {
   std::string person;     // "boxS1"
   bool both = false;      // hands

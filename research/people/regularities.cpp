@@ -36,7 +36,7 @@ Result<Found> read_found(const std::filesystem::path& path) {
   return fail(ErrorCode::parse, "is no list of tests", path.string());
 }
 
-// The tests of which some run's options change whether they hold.
+// Tests whose result depends on the options of a run.
 std::string changed(const Found& usual, const Found& other) {
   std::string text;
   for (std::size_t i = 0; i < std::min(usual.tests.size(), other.tests.size()); ++i) {

@@ -14,7 +14,7 @@ namespace {
 constexpr strip::Colour kInk{0x222222};
 constexpr double kRim = 0.8;  // points, around each part
 
-// The bones of one frame, by name.
+// Bones of one frame, by name.
 class Bones {
  public:
   Bones(const SkeletonMotion& motion, int frame)
@@ -30,7 +30,7 @@ class Bones {
   [[nodiscard]] Vec3d at(std::string_view side, std::string_view name) const {
     return at(std::string(side) + std::string(name));
   }
-  // Halfway between the left and the right one.
+  // Midpoint of the left and the right one.
   [[nodiscard]] Vec3d middle(std::string_view name) const {
     return 0.5 * (at("left_", name) + at("right_", name));
   }

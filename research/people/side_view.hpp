@@ -22,7 +22,7 @@ struct FigureColours {
 inline constexpr FigureColours kFullColours{{0xc8502d}, {0x4a5a6a}, {0x33414e}, {0xa9b4bf}};
 inline constexpr FigureColours kPaleColours{{0xeae6e2}, {0xe4e8eb}, {0xdde2e6}, {0xeceff1}};
 
-// Draws onto a part of a canvas, whose floor below the ankles is at `origin`.
+// Draws on a part of a canvas with the floor below the ankles at `origin`.
 class SideView {
  public:
   // `scale`: points a metre. The canvas outlives the view.

@@ -36,7 +36,7 @@ class TabRow {
     const auto at = static_cast<std::size_t>(found - head_->begin());
     return at < cells_.size() ? cells_[at] : std::string_view{};
   }
-  // NaN where there is none
+  // NaN if absent
   [[nodiscard]] double number(std::string_view column) const {
     return parse_number(text(column)).value_or(std::nan(""));
   }

@@ -9,7 +9,7 @@
 namespace shigusa::bench {
 namespace {
 
-// Arms' libraries of all threads, in memory.
+// Arm libraries of all threads, in memory.
 LimbStore shared_store() {
   static std::mutex mutex;
   static std::map<std::string, std::string> files;
@@ -26,7 +26,7 @@ LimbStore shared_store() {
               }};
 }
 
-// of this thread's work
+// CPU time of this thread
 double thread_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -37,8 +37,8 @@ bool is_impossible(const Candidate& candidate) {
   return candidate.judgement.verdict == Verdict::impossible;
 }
 
-// The place of a candidate in a result, whatever it scores: what could be made first, of those (and
-// of the others) by the preset flat what passes through nothing.
+// Order of a candidate in a result apart from its score: possible motions first, and within each
+// group, for the preset flat, those without collisions.
 int rank_class(const Candidate& candidate, Preset preset) {
   const bool collides = candidate.measures.collides.depth > kCollisionDepth;
   return 2 * static_cast<int>(is_impossible(candidate)) +
@@ -65,7 +65,7 @@ void judge_ranks(const GenerateResult& generation, Preset preset, Audit& audit) 
   }
 }
 
-// The task on the feet that it stands on, without loads in the body.
+// The task's body on its standing foot, without loads.
 Result<Task> standing(Task task) {
   const std::vector<Goal> goals = task.goals;
   for (Goal& goal : task.goals) goal.load = 0.0;
@@ -85,8 +85,8 @@ std::vector<std::string> nodes_of(const Candidate& candidate) {
   return nodes;
 }
 
-// Hands that the file lacks: each goes with the link of the file that it hangs on, from where the
-// program says that it begins.
+// Hands missing from the file: each moves with the file's link that carries it, from its reported
+// start position.
 void add_made_hands(Judged& judged) {
   const BodyModel& body = judged.task.body;
   const std::vector<Vec3d> start = start_places(body);
@@ -108,7 +108,7 @@ void add_made_hands(Judged& judged) {
   }
 }
 
-// Fills what the files say; `second`: also by the character's own glTF file, or by MuJoCo.
+// Reads the files; `second`: also the character's own glTF file, or MuJoCo's placements.
 Result<void> read_files(Judged& judged, bool second) {
   const auto file = [&](FileFormat format) {
     return export_candidate(judged.character, judged.task, judged.candidate, format);

@@ -7,7 +7,7 @@
 
 namespace shigusa::bench {
 
-// Generates, judges by exported files and by other geometry, and counts.
+// Generates motions, judges them by exported files and independent geometry, and counts.
 class Auditor {
  public:
   explicit Auditor(int evaluations, Flaw flaw = Flaw::none)

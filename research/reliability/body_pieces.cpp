@@ -13,7 +13,7 @@ Vec3d unit(Axis axis) {
   return {axis == Axis::x ? 1.0 : 0.0, axis == Axis::y ? 1.0 : 0.0, axis == Axis::z ? 1.0 : 0.0};
 }
 
-// of a freedom, in its parent's frame
+// of a degree of freedom, in its parent's frame
 Vec3d axis_in_parent(const Dof& dof) {
   const Vec3d axis = unit(dof.axis) * dof.sign;
   return dof.turn ? *dof.turn * axis : axis;

@@ -14,9 +14,9 @@ class PlacedLinks {
   PlacedLinks(const BodyModel& body, const Table& table);
 
   [[nodiscard]] int frames() const { return static_cast<int>(base_.size()); }
-  // A link's frame in the world; kBaseLink is allowed.
+  // Frame of a link in the world; kBaseLink is allowed.
   [[nodiscard]] const Transformd& at(int link, int frame) const;
-  // The axis (world) of a freedom.
+  // Axis (world) of a degree of freedom.
   [[nodiscard]] Vec3d axis(int dof, int frame) const;
 
  private:
@@ -25,9 +25,9 @@ class PlacedLinks {
   std::vector<std::vector<Transformd>> links_;  // [frame][dof]
 };
 
-// The pieces of a person's motion: links, loads of the goals, what pushes the hands that rest.
-// Hinges are those that hold no foot that stands, so that what the floor gives to each foot does
-// not matter.
+// Rigid pieces of a person's motion: links, loads of the goals, forces on resting hands. Hinges are
+// those without a planted foot beyond them, so that the distribution of the floor's force is
+// irrelevant.
 [[nodiscard]] MovingBody pieces_of(const BodyModel& body, const PlacedLinks& links,
                                    const Task& task, const Candidate& candidate);
 

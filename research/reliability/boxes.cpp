@@ -10,14 +10,14 @@ namespace {
 
 constexpr double kStep = 0.01;  // m, along a bone
 
-// v turned back by a unit quaternion, by its vector form.
+// Vector rotated by the inverse of a unit quaternion.
 Vec3d turned_back(const Quatd& q, const Vec3d& v) {
   const Vec3d u{-q.x, -q.y, -q.z};
   const Vec3d t = cross(u, v) * 2.0;
   return v + t * q.w + cross(u, t);
 }
 
-// A node of the motion for one of these names: of an effector, or its own; or "".
+// Node of the motion for an effector's name, or for its own; or "".
 std::string node_for(const BodyModel& body, const OutsideMotion& motion, const std::string& name) {
   if (motion.has(name)) return name;
   const auto effector = body.find_effector(name);

@@ -7,28 +7,28 @@
 
 #include "outside.hpp"
 
-// Limbs and things in the way, by another geometry than the kernel's: the bones' lines themselves,
-// from point to point, in boxes with round edges.
+// Limbs and obstacles in a geometry independent of the kernel's: bones as lines between nodes, and
+// boxes with rounded edges.
 namespace shigusa::bench {
 
-// m, of a point from an obstacle's surface, less than 0 inside.
+// m, signed distance of a point from an obstacle's surface, negative inside.
 [[nodiscard]] double distance_from(const Obstacle& obstacle, const Vec3d& point);
 
-// Two nodes with a bone between them.
+// A bone between two nodes.
 struct Bone {
   std::string from;
   std::string to;
 };
-// The bones of arms, legs, trunk and neck that the motion has nodes for.
+// Bones of arms, legs, trunk and neck whose nodes the motion has.
 [[nodiscard]] std::vector<Bone> bones_of(const BodyModel& body, const OutsideMotion& motion);
 
 struct BoneInBox {
-  double depth = 0.0;  // m, of the bone's line, beyond what the first frame has
+  double depth = 0.0;  // m, of the bone's axis, in excess of the first frame
   Bone bone;
   std::string obstacle;
 };
-// The deepest of any frame. `resting`: of the hands that rest, in what they rest on; else of all
-// others.
+// Deepest penetration in any frame. `resting`: only of resting hands in their supports; else of
+// everything else.
 [[nodiscard]] BoneInBox deepest_bone(const Task& task, const Candidate& candidate,
                                      const OutsideMotion& motion, bool resting = false);
 

@@ -15,7 +15,7 @@ namespace {
 
 using namespace testing_support;
 
-// person_bvh's skeleton as an FBX file, in centimetres.
+// Skeleton of person_bvh as an FBX file, in centimetres.
 std::string person_fbx() {
   const SkeletonMotion person = parse_bvh(person_bvh(), "person.bvh").value();
   const std::vector<Transformd> places = world_transforms(person.skeleton, person.clip, 0);
@@ -57,13 +57,13 @@ std::vector<OwnFile> own_files() {
           {"our_maker.xml", makers_mjcf()}};
 }
 
-// Whether the person could be made so, asked by the request alone.
+// Whether the person supports the request, tested by the request alone.
 bool heels_lift(CharacterSpec character) {
   character.heels = true;
   return !is_robot(character) && build_character(character).has_value();
 }
 
-// MuJoCo reads files: ours are put into one for it.
+// MuJoCo reads files: built-in models are written to one for it.
 std::shared_ptr<const MujocoFile> by_mujoco(const CastMember& member,
                                             const std::filesystem::path& path) {
   std::error_code none;

@@ -13,7 +13,7 @@
 
 namespace shigusa::bench {
 
-// Someone from a file.
+// A character from a file.
 struct CastMember {
   std::shared_ptr<const std::string> bytes;  // of the file
   std::filesystem::path folder;
@@ -27,14 +27,14 @@ struct CastMember {
 // The person of the file measured on a seat (m).
 [[nodiscard]] CharacterSpec seated_member(const CastMember& member, double seat);
 
-// All who act in the tasks beside the built-in bodies.
+// All characters of the tasks beside the built-in bodies.
 struct Cast {
   std::vector<CastMember> people;
   std::vector<CastMember> robots;
   std::vector<std::string> absent;  // files that are refused, and why
 };
 
-// Files of our own, and those of a folder, where it is there.
+// Files of this repository, and those of a folder if it exists.
 [[nodiscard]] Cast load_cast(const std::filesystem::path& folder);
 
 }  // namespace shigusa::bench

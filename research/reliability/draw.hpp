@@ -9,7 +9,7 @@
 
 namespace shigusa::bench {
 
-// Numbers of one task.
+// Random numbers of one task.
 class Draw {
  public:
   Draw(std::uint64_t stream, std::uint64_t number) : random_(stream, number) {}

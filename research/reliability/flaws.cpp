@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions spoilt on purpose.
+// Deliberate defects of motions, to test the judges.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where things are: goals, feet, limits, boxes, flesh, seats, hands that rest.
+// Judges of positions: goals, feet, limits, boxes, flesh, seats, resting hands.
 #include <algorithm>
 #include <cmath>
 
@@ -12,14 +12,14 @@ namespace {
 
 // Height of the hip joints over a seat, as a share of the stature (kSeatedHip).
 constexpr double kHipOverSeat = 0.05;
-// The share of a motion after which every hand that rests has arrived.
+// Share of a motion after which every resting hand has arrived.
 constexpr double kArrived = 0.9;
 
 double angle_between(const Vec3d& a, const Vec3d& b) {
   return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
-// How a goal's effector is turned at the end: as it has turned since the start.
+// Rotation of a goal's effector at the end, from its rotation since the start.
 Mat3d turned_at_end(const Judged& judged, const OutsideMotion& motion, std::size_t g) {
   const GoalResult& told = judged.candidate.goals[g];
   const Mat3d since =
@@ -45,7 +45,7 @@ void judge_goal(const Judged& judged, const OutsideMotion& motion, std::size_t g
   }
 }
 
-// Whether the table moves a joint that the robot's file lacks: an ankle that was made for it.
+// Whether a joint of the table is missing from the robot's file, as an added ankle is.
 bool moves_made_joints(const Judged& judged) {
   if (judged.robot == nullptr) return false;
   const auto& joints = judged.robot->joints();
@@ -60,7 +60,7 @@ void judge_feet_of(const Judged& judged, const OutsideMotion& motion, Audit& aud
   for (const ContactResult& foot : judged.candidate.contacts) {
     if (!motion.has(foot.node)) continue;
     audit.most(Promise::slide, motion.slide(foot.node), foot.node);
-    // a thigh's turn about itself may be shared with other bones of its file
+    // a thigh's twist may be shared with other bones of its file
     const std::string knee = knee_of(foot.node);
     if (!knee.empty() && motion.has(knee)) {
       audit.most(Promise::tilt, motion.tilt(foot.node, knee), foot.node);
@@ -87,7 +87,7 @@ const Obstacle* obstacle_of(const Task& task, const std::string& name) {
   return nullptr;
 }
 
-// m: half the thickness of a hand that lies flat
+// m: half the thickness of a flat hand
 double half_hand(const BodyModel& body, const std::string& effector) {
   const int link = body.effector(body.find_effector(effector).value()).link;
   double half = 0.0;
@@ -98,7 +98,7 @@ double half_hand(const BodyModel& body, const std::string& effector) {
   return half;
 }
 
-// a place in the frame of what carries it
+// a position in the frame of its carrier
 Vec3d place_on(const Judged& judged, const RestResult& rest, std::size_t frame) {
   const Vec3d at = judged.motion.at(rest.node, frame).translation;
   if (rest.on != kThighPlace) return at;
@@ -126,7 +126,7 @@ void judge_feet(const Judged& judged, Audit& audit) {
 }
 
 void judge_limits(const Judged& judged, Audit& audit) {
-  // closed forms of layers, and the paper's own steps of IK, may pass limits, and tell it
+  // closed forms of layers, and the paper's own steps of IK, may exceed limits, and report it
   if (!judged.candidate.measures.over_limit.empty()) {
     ++audit.over_limit;
     audit.require(judged.task.preset != Preset::flat,

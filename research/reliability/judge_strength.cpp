@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Verdicts by the torques and masses of every frame: heels, torques, pressure.
+// Judges of the torques and masses of every frame: heels, torques, pressure.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,11 +16,11 @@ constexpr double kStrained = 1.0;    // of a joint's strength
 constexpr double kNobodys = 1.5;     // of a person's
 constexpr double kTipping = 0.01;    // m, outside the feet
 constexpr double kFalling = 0.05;    // m
-constexpr double kOfSwing = 0.2;     // of what changes from frame to frame, which is not sure
+constexpr double kOfSwing = 0.2;     // share of the uncertain changes between frames
 constexpr double kInJolts = 0.4;     // of a difference, in motions that jolt
 constexpr double kHeelFlat = 0.002;  // m: less is no lifted heel
 
-// The torque columns of a motion, by joint, with the strengths that the body has for them.
+// Torque columns of a motion by joint, with the body's strengths.
 struct Column {
   std::string name;
   const Dof* dof;
@@ -69,7 +69,7 @@ bool has_load(const Task& task) {
                      [](const Goal& goal) { return goal.load > 0.0; });
 }
 
-// The least and the most of a frame and of the two beside it.
+// Minimum and maximum over a frame and its two neighbours.
 std::pair<double, double> range_about(const std::vector<double>& values, std::size_t frame) {
   const auto first = values.begin() + static_cast<std::ptrdiff_t>(frame > 0 ? frame - 1 : 0);
   const auto last =
@@ -82,8 +82,8 @@ double swing_about(const std::vector<double>& values, std::size_t frame) {
   return most - least;
 }
 
-// How far a torque is from those of the frame and of the two beside it, as a share of the joint's
-// strength and twice their swing: in a jolt two ways to differentiate differ as these do.
+// Deviation of a torque from those of the frame and its neighbours, as a share of the joint's
+// strength and of twice their range: at a jolt, two methods of differentiation differ by as much.
 double torque_off(const std::vector<double>& own, std::size_t frame, double told, double strength) {
   const auto [least, most] = range_about(own, frame);
   return std::fmax(least - told, told - most) / (strength + 2.0 * (most - least));
@@ -103,8 +103,7 @@ void judge_torques(const Judged& judged, const MovingBody& moving,
     for (std::size_t f = 0; f < own.size(); ++f) {
       const double strength = std::fmin(column.dof->torque_positive, column.dof->torque_negative);
       double off = torque_off(own, f, told[f], strength);
-      // angles of a joint that whips past gimbal lock swing, and their torques, as its limb does
-      // not
+      // angles and torques of a joint that passes gimbal lock oscillate, while its limb does not
       if (jolts) off = kInJolts * std::fmin(off, torque_off(told, f, own[f], strength));
       audit.most(Promise::torque, off, column.name);
       share =
@@ -114,7 +113,7 @@ void judge_torques(const Judged& judged, const MovingBody& moving,
   require_verdict(judged, share / (1.0 + kTorqueDiffers), "by mass and motion", audit);
 }
 
-// Corners of the convex hull, counter-clockwise, of points on the floor (x, z as x, y).
+// Convex hull of points on the floor (x, z as x, y), counter-clockwise.
 std::vector<Vec3d> hull_of(std::vector<Vec3d> points) {
   std::sort(points.begin(), points.end(),
             [](const Vec3d& a, const Vec3d& b) { return a.x != b.x ? a.x < b.x : a.z < b.z; });
@@ -136,7 +135,7 @@ std::vector<Vec3d> hull_of(std::vector<Vec3d> points) {
   return hull;
 }
 
-// m, how far a point of the floor is outside the hull, less than 0 inside
+// m, signed distance of a point on the floor outside the hull, negative inside
 double outside_of(const std::vector<Vec3d>& hull, const Vec3d& point) {
   double most = -1e9;
   for (std::size_t k = 0; k < hull.size(); ++k) {
@@ -150,8 +149,8 @@ double outside_of(const std::vector<Vec3d>& hull, const Vec3d& point) {
   return most;
 }
 
-// Where the floor would have to press, by the moments of all pieces, against the soles as they
-// stand in the first frame.
+// Required centre of pressure, from the moments of all pieces, against the soles of the first
+// frame.
 void judge_pressure(const Judged& judged, const PlacedLinks& links, const MovingBody& moving,
                     const std::vector<Wrench>& wrenches, Audit& audit) {
   std::vector<Vec3d> soles;
@@ -181,15 +180,15 @@ void judge_pressure(const Judged& judged, const PlacedLinks& links, const Moving
       fmt::format("the floor presses {:.0f} mm outside the feet, told as possible", 1e3 * most));
 }
 
-// The link behind the toes' joint, and the hindmost place of the sole in its frame: the foot's own
-// link is the forefoot, to whose frame that is parallel while the heel is down.
+// Link behind the toes' joint, with the rear end of the sole in its frame: the foot's own link is
+// the forefoot, whose frame is parallel to it with the heel down.
 std::pair<int, Vec3d> heel_in_its_link(const BodyModel& body, const Foot& foot) {
   const Dof& toes = body.dof(foot.heel->toes);
   if (foot.link == kBaseLink) return {foot.heel->toes, foot.heel->back - toes.offset};
   return {toes.parent, foot.heel->back + toes.offset};
 }
 
-// Whether a heel lifts; each as high as it is told.
+// Compares lifted heels with the reported heights.
 bool judge_heels(const Judged& judged, const PlacedLinks& links, Audit& audit) {
   bool lifted = false;
   const auto& feet = judged.task.body.feet();

@@ -12,7 +12,7 @@
 
 namespace shigusa::bench {
 
-// One candidate as it is judged: what was told of it, and what its files say.
+// One candidate under judgement: its reported values, and the contents of its files.
 struct Judged {
   const CharacterSpec& character;
   const RobotTree* robot;    // of a robot
@@ -26,7 +26,7 @@ struct Judged {
   std::vector<OutsideMotion> other_files{};  // with such nodes of goals and feet
 };
 
-// A flaw that a motion is given after the search, to see that judges find it.
+// A defect introduced after the search, to verify that judges detect it.
 enum class Flaw {
   none,
   goal_off,         // by 2 mm at the end
@@ -36,21 +36,21 @@ enum class Flaw {
   foot_tilted,      // by 0.2° half-way
   limit_passed,     // by 0.2°
   box_in_limb,      // about the elbow, half-way
-  arm_in_head,      // told as free
+  arm_in_head,      // reported as free
   seat_low,         // by 2 mm
   heel_told_high,   // by 2 mm
   rest_slid,        // by 2 mm after it arrived
   rest_off,         // the box smaller by 2 mm on all sides
   torque_told_low,  // all by half
-  weakness_hidden,  // a joint beyond its strength is told as possible
-  tipping_hidden,   // the pressure far outside the feet, told as possible
+  weakness_hidden,  // a joint beyond its strength is reported as possible
+  tipping_hidden,   // the pressure far outside the feet, reported as possible
   order_wrong,      // candidates the wrong way round
 };
 
-// Spoils it, where it has what the flaw is about.
+// Introduces the defect, if it applies to the candidate.
 void spoil(Flaw flaw, Judged& judged);
 
-// Judges of one candidate; they know files and data, and no function of the kernel.
+// Judges of one candidate; they use files and data, and no function of the kernel.
 void judge_goals(const Judged& judged, Audit& audit);
 void judge_feet(const Judged& judged, Audit& audit);
 void judge_limits(const Judged& judged, Audit& audit);
@@ -62,7 +62,7 @@ void judge_verdict(const Judged& judged, Audit& audit);
 // Heels, torques and the floor's pressure, by the masses and the table's angles.
 void judge_masses(const Judged& judged, Audit& audit);
 
-// Whether the motion is told as free of collisions.
+// Whether the motion is reported as free of collisions.
 [[nodiscard]] bool told_as_free(const Judged& judged);
 
 }  // namespace shigusa::bench

@@ -12,7 +12,7 @@ namespace {
 
 using testing_support::kTaskKinds;
 
-// Within reach and beyond it, in shares of the stature.
+// Distances within and beyond reach, in shares of the stature.
 constexpr Vec3d kLow{-0.35, 0.03, -0.2};
 constexpr Vec3d kHigh{0.3, 1.1, 0.45};
 
@@ -172,7 +172,7 @@ DrawnTask by_paper(const Cast&, std::uint64_t number) {
   return task;
 }
 
-// Of a few statures, whose arms' libraries are searched once.
+// Bodies of a few statures, whose arm libraries are searched once.
 DrawnTask by_layers(const Cast&, std::uint64_t number) {
   Draw draw(2011, number);
   DrawnTask task;
@@ -245,7 +245,7 @@ DrawnTask table_ahead(const Cast&, std::uint64_t number) {
   return task;
 }
 
-// with the seed of its number
+// with its number as the seed
 template <DrawnTask (*Make)(const Cast&, std::uint64_t)>
 DrawnTask seeded(const Cast& cast, std::uint64_t number) {
   DrawnTask task = Make(cast, number);

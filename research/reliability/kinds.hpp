@@ -14,12 +14,12 @@ struct DrawnTask {
   const CastMember* who = nullptr;  // of one from a file
 };
 
-// Tasks that ask for the same.
+// Tasks with the same kind of request.
 struct Kind {
   const char* name;
-  // The task of that number among those of its kind: always the same for the same cast.
+  // A kind's task of that number, determined by the number and the cast.
   DrawnTask (*draw)(const Cast& cast, std::uint64_t number);
-  bool may_be_refused = false;  // a hand may not reach what it is to rest on
+  bool may_be_refused = false;  // a hand may not reach its support
 };
 
 // All kinds; those of built-in bodies' hands and feet first.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // shigusa_reliability FOLDER TASKS [CHARACTERS [KIND]]: generates motions for random tasks, judges
-// them from outside, writes FOLDER/reliability.md and prints what was promised and not kept.
-// CHARACTERS: a folder of other people's files. KIND: tasks of this kind alone, by its number from
-// 0. Exits with 1 where a promise was not kept.
+// them independently of the library, writes FOLDER/reliability.md and prints broken promises.
+// CHARACTERS: a folder of further character files. KIND: only tasks of this kind, by its number
+// from 0. Exits with 1 if a promise was broken.
 #include <algorithm>
 #include <atomic>
 #include <charconv>
@@ -21,8 +21,8 @@ namespace {
 
 using namespace shigusa::bench;
 
-// Motions scored for a task: a twelfth of what a person's are, and where motions end does not
-// depend on how well they score. More are possible after a longer search.
+// Motions scored per task: a twelfth of the default, as the promises do not depend on the score.
+// More motions are possible after a longer search.
 constexpr int kEvaluations = 150;
 
 struct Numbered {
@@ -36,8 +36,8 @@ Numbered task_at(std::uint64_t index, std::optional<std::uint64_t> only) {
   return {index % kinds, index / kinds};
 }
 
-// By kind; threads take one task after the other. Failures are sorted, so that nothing depends on
-// who took which.
+// By kind; threads take tasks in turn. Failures are sorted, so that the output does not depend on
+// scheduling.
 std::vector<Audit> audit_tasks(const Cast& cast, std::uint64_t tasks,
                                std::optional<std::uint64_t> only) {
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());

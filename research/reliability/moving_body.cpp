@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kWeight = 9.80665;  // m/s²
 
-// rad/s, in the middle between two frames
+// rad/s, midway between two frames
 Vec3d turning(const Mat3d& from, const Mat3d& to, double time) {
   return rotation_vector(to * transpose(from)) * (1.0 / time);
 }

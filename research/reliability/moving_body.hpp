@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-// Torques and forces that a motion takes, by Newton's and Euler's laws for rigid pieces whose
-// places are known in each frame: differences from frame to frame, no recursion along a tree.
+// Torques and forces of a motion, by the Newton-Euler equations of rigid pieces with given
+// placements in each frame: finite differences between frames, no recursion along a tree.
 namespace shigusa::bench {
 
 // A rigid piece.
@@ -18,7 +18,7 @@ struct MovingPiece {
   std::vector<Mat3d> turn;                         // (frames) from its axes to the world's
 };
 
-// A hinge, and all pieces that it alone holds.
+// A hinge, and all pieces supported by it alone.
 struct MovingHinge {
   std::string name;
   double positive = 0.0;    // N·m, strength towards larger angles
@@ -28,7 +28,7 @@ struct MovingHinge {
   std::vector<std::size_t> carries;
 };
 
-// Something pushes a piece.
+// An external force on a piece.
 struct MovingForce {
   std::size_t piece = 0;
   std::vector<Vec3d> at;     // (frames) m, world
@@ -43,7 +43,8 @@ struct MovingBody {
   std::vector<MovingForce> forces;
 };
 
-// Force (N) and moment about the world's origin (N·m) that pieces take in a frame, weight included.
+// Force (N) and moment about the world's origin (N·m) required by pieces in a frame, weight
+// included.
 struct Wrench {
   Vec3d force{};
   Vec3d moment{};
@@ -51,12 +52,12 @@ struct Wrench {
 // (frames × pieces) of a motion at rest before and after.
 [[nodiscard]] std::vector<Wrench> piece_wrenches(const MovingBody& body);
 
-// (frames) N·m, the torque that a hinge has to give.
+// (frames) N·m, required torque of a hinge.
 [[nodiscard]] std::vector<double> hinge_torque(const MovingBody& body,
                                                const std::vector<Wrench>& wrenches,
                                                const MovingHinge& hinge);
 
-// (frames) what the floor gives to all of it.
+// (frames) total force of the floor.
 [[nodiscard]] std::vector<Wrench> floor_wrenches(const MovingBody& body,
                                                  const std::vector<Wrench>& wrenches);
 

@@ -19,7 +19,7 @@ class ReadFile final : public MujocoFile {
  public:
   explicit ReadFile(std::unique_ptr<mjModel, Free> model) : model_(std::move(model)) {}
 
-  // a ball is three columns of a table, and no number of MuJoCo's
+  // a ball is three columns of a table, and a quaternion in MuJoCo
   [[nodiscard]] bool has_balls() const {
     for (int j = 0; j < model_->njnt; ++j) {
       if (model_->jnt_type[j] == mjJNT_BALL) return true;

@@ -10,14 +10,14 @@
 
 namespace shigusa::bench {
 
-// An MJCF file as MuJoCo itself reads it.
+// An MJCF file loaded by MuJoCo itself.
 class MujocoFile {
  public:
-  // Null where MuJoCo is not there, or does not read the file, as its meshes are missing.
+  // Null if MuJoCo is not available, or cannot load the file, since its meshes are missing.
   [[nodiscard]] static std::shared_ptr<const MujocoFile> read(const std::filesystem::path& path);
   virtual ~MujocoFile() = default;
 
-  // Where those of the bodies are that the file has, by a table's angles and its root's place.
+  // Placements of the bodies that the file has, from a table's angles and root.
   [[nodiscard]] virtual OutsideMotion motion(const std::string& root, const Table& table,
                                              const std::vector<std::string>& bodies) const = 0;
 };

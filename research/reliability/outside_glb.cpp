@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An exported GLB as a player shows it: tracks by their times, nodes by their parents.
+// An exported GLB as shown by a player: tracks sampled in time, nodes composed with their parents.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 
 using testing_support::ExportedGlb;
 
-// The values of one channel at their times.
+// Values of one channel with their times.
 struct Track {
   std::vector<double> times;                // s
   std::vector<std::vector<double>> values;  // as many
@@ -47,7 +47,7 @@ class GlbPlayer {
     }
   }
 
-  // s, of the keys of the track that has most of them
+  // s, key times of the track with the most keys
   [[nodiscard]] const std::vector<double>& times() const { return times_; }
 
   [[nodiscard]] Transformd place(int node, double time) const {
@@ -111,7 +111,7 @@ class GlbPlayer {
   std::vector<double> times_;
 };
 
-// The rotation in a frame that is scaled.
+// Rotation of a frame with scale.
 Mat3d unscaled(const Mat3d& m) {
   const Vec3d x = normalized(m.cx);
   const Vec3d y = normalized(m.cy - x * dot(x, m.cy));

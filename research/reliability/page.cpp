@@ -32,7 +32,7 @@ std::string row(std::string_view name, const Audit& audit) {
                      count_of(audit.verdicts, "impossible"));
 }
 
-// The worst of each promise, and how bad it may be.
+// Worst value of each promise, with its bound.
 std::string worst_table(const Audit& all) {
   std::string text = "| | worst | allowed |\n|---|---|---|\n";
   for (std::size_t k = 0; k < kPromises; ++k) {

@@ -9,7 +9,7 @@
 
 namespace shigusa::bench {
 
-// docs/reliability.md of these findings, by kind.
+// Page docs/reliability.md of these findings, by kind.
 [[nodiscard]] std::string reliability_page(const std::vector<Audit>& kinds, const Cast& cast,
                                            int evaluations);
 

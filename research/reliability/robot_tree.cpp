@@ -35,7 +35,7 @@ Mat3d about(const Vec3d& axis, double angle) {
   return to_matrix(Quatd{axis.x * s, axis.y * s, axis.z * s, std::cos(0.5 * angle)});
 }
 
-// Roll, pitch and yaw about fixed axes.
+// Rotation by roll, pitch and yaw about fixed axes.
 Transformd origin_of(const XmlElement& element) {
   const XmlElement* origin = element.child("origin");
   const Vec3d rpy = numbers(origin, "rpy");
@@ -80,7 +80,7 @@ RobotTree::Joint joint_of(const XmlElement& element) {
   return joint;
 }
 
-// x ahead, y left, z up of a robot's world: z, x, y of shigusa's.
+// Converts x ahead, y left, z up of a robot's world to z, x, y of shigusa's.
 Vec3d in_our_world(const Vec3d& p) { return {p.y, p.z, p.x}; }
 
 Transformd in_our_world(const Transformd& place) {

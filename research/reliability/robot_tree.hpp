@@ -13,11 +13,11 @@
 
 namespace shigusa::bench {
 
-// Where a table has a robot's root in a row (shigusa's world, m).
+// Root placement of a robot in a row of a table (shigusa's world, m).
 [[nodiscard]] Transformd root_place(const Table& table, std::size_t row);
 
-// A URDF file's own tree: links, joints, masses, limits, as the format's page has them. Nothing
-// here knows of bodies.
+// Tree of a URDF file: links, joints, masses, limits, following the format's specification. It is
+// independent of the library's bodies.
 class RobotTree {
  public:
   struct Joint {
@@ -41,18 +41,18 @@ class RobotTree {
     Mat3d inertia{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
   };
 
-  // Throws std::runtime_error on what is no URDF.
+  // Throws std::runtime_error on malformed URDF.
   explicit RobotTree(std::string_view urdf);
 
   [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }
   [[nodiscard]] const std::vector<Link>& links() const { return links_; }
   [[nodiscard]] bool has_link(const std::string& name) const { return link_of_.count(name) != 0; }
 
-  // [row] the links' frames (shigusa's world, m) where the table has the root and the joints.
+  // [row] frames of the links (shigusa's world, m) from the table's root and joints.
   using Places = std::map<std::string, Transformd>;
   [[nodiscard]] std::vector<Places> places(const std::string& root, const Table& table) const;
 
-  // The pieces and the hinges whose torques the table has; `feet`: links that stand.
+  // Pieces, and hinges whose torques the table has; `feet`: planted links.
   [[nodiscard]] MovingBody pieces(const std::string& root, const std::vector<Places>& places,
                                   const std::vector<std::string>& feet, double frame_time) const;
 

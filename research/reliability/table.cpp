@@ -7,7 +7,7 @@
 namespace shigusa::bench {
 namespace {
 
-// Cuts off what stands before the next separator.
+// Splits off the text before the next separator.
 std::string_view next_field(std::string_view& rest, char separator) {
   const std::size_t end = rest.find(separator);
   const std::string_view field = rest.substr(0, end);

@@ -9,11 +9,11 @@
 
 namespace shigusa::bench {
 
-// An exported CSV as anybody else reads it: columns by their names.
+// An exported CSV, read independently of the library: columns by their names.
 class Table {
  public:
   Table() = default;
-  // No name may hold a comma or a quote.
+  // Names must not contain commas or quotes.
   explicit Table(std::string_view csv);
 
   [[nodiscard]] std::size_t rows() const { return rows_; }

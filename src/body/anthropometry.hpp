@@ -17,7 +17,7 @@ struct SegmentParameters {
   double r_long;        // … about the segment's own axis
 };
 
-// One of three parts of the trunk, cut across. Same source.
+// One of three parts of the trunk, cut transversely. Same source.
 struct TrunkPart {
   double mass;          // fraction of the body's mass
   double length;        // fraction of mid-hips – C7
@@ -59,14 +59,14 @@ struct StatureFractions {
   static constexpr double kShoulderHalfBreadth = 0.129;
   static constexpr double kHipHalfBreadth = 0.050;
   static constexpr double kHeadLength = 0.1395;  // vertex – C7: 0.2429 m of 1.741 m, de Leva
-  // the joint of breastbone and clavicle, from the middle, and above the shoulder joints
+  // sternoclavicular joint: distance from the middle, and height above the shoulder joints
   static constexpr double kClavicleHalfBreadth = 0.014;
   static constexpr double kClavicleRise = 0.010;
 };
 
-// Where the joints of a spine of three stand for its 17: shares of the line from between the hips
-// to C7. L5/S1 is some 0.10 m above the hips of a man of 1.74 m (criteria/low_back.hpp), T12/L1
-// 0.18 m higher, and the third in the middle of the chest.
+// Positions of three spine joints in place of its 17, as shares of the line from mid-hip to C7.
+// L5/S1 is some 0.10 m above the hips of a man of 1.74 m (criteria/low_back.hpp), T12/L1 0.18 m
+// higher, and the third in the middle of the chest.
 inline constexpr std::size_t kSpineJoints = 3;
 inline constexpr std::array<double, kSpineJoints> kSpineShares{0.17, 0.47, 0.72};
 // The joint of neck and skull, as a share of the line from C7 to the vertex.
@@ -90,18 +90,18 @@ inline constexpr double kJawRadius = 0.5 * 0.120 / 1.756;
 inline constexpr double kNeckRadius = 0.380 / kTwoPi / 1.756;
 inline constexpr double kCalfRadius = 0.380 / kTwoPi / 1.756;
 inline constexpr double kChinBelowVertex = 1.0 - 0.870;
-// A capsule by stature is as thick all along; a shank is as thick as the calf in its upper half
-// alone.
+// Capsules by stature have a constant thickness; a shank is as thick as the calf only in its upper
+// half.
 inline constexpr double kShankRadius = 0.93 * kCalfRadius;
 
-// How far (m) the flesh of trunk and thighs yields to a hand or forearm without strain, an
+// Compression (m) of the flesh of trunk and thighs by a hand or forearm without strain, an
 // estimate.
 inline constexpr double kFleshGives = 0.008;
 
-// Share of the foot's length that lies behind the ankle joint.
+// Share of the foot's length behind the ankle joint.
 inline constexpr double kHeelShare = 0.25;
-// Where an object is held: the third knuckle, 86.2 mm of the hand's 189.9 mm from the wrist to the
-// fingertip (de Leva 1996, hand WJC–MET3 and WJC–DAC3).
+// Grip position: the third knuckle, 86.2 mm of the hand's 189.9 mm from the wrist to the fingertip
+// (de Leva 1996, hand WJC–MET3 and WJC–DAC3).
 inline constexpr double kGripFraction = 0.454;
 
 // Joint limits in radians and strengths in N·m; positive angles are flexion (dorsiflexion),
@@ -113,9 +113,8 @@ struct JointLimits {
   double torque_positive;
   double torque_negative;
 };
-// Dorsiflexion as a bent knee and the body's weight allow it: up to +40° in a recorded man's
-// reaches to the floor; 30° of the tables, with a straight knee, would keep a flat foot from any
-// squat.
+// Dorsiflexion with a bent knee under the body's weight: up to +40° in a recorded man's reaches to
+// the floor. The 30° of the tables, with a straight knee, would prevent a squat on flat feet.
 inline constexpr JointLimits kAnkleFlexion{radians(-50), radians(40), 45, 150};
 inline constexpr JointLimits kKneeFlexion{0, radians(145), 100, 230};
 inline constexpr JointLimits kHipFlexion{radians(-20), radians(115), 120, 220};
@@ -129,31 +128,31 @@ inline constexpr JointLimits kElbowFlexion{0, radians(150), 70, 55};
 inline constexpr double kHipFlexionGain = radians(50);
 inline constexpr double kHipFlexionKneeFull = radians(60);
 
-// The body `human` has a spine, so its hips are hips alone: hamstrings stop a straight leg at about
-// 85°, a bent one goes to 125° (AAOS 120°, CDC 130°).
+// Hip flexion of the body `human`, whose spine moves separately: hamstrings stop a straight leg at
+// about 85°, a bent one goes to 125° (AAOS 120°, CDC 130°).
 inline constexpr JointLimits kFreeHipFlexion{radians(-20), radians(85), 120, 220};
 inline constexpr double kFreeHipFlexionGain = radians(40);
-// Strengths on one leg that bears the weight: 2.7 % and 1.6 % of weight times stature (R.
-// Ottaviani, J. Ashton-Miller and E. Wojtys, American J. Sports Medicine 29 (2001) 219-225).
+// Strengths of a weight-bearing leg: 2.7 % and 1.6 % of weight times stature (R. Ottaviani, J.
+// Ashton-Miller and E. Wojtys, American J. Sports Medicine 29 (2001) 219-225).
 inline constexpr JointLimits kAnkleInversion{radians(-15), radians(35), 34, 20};
 // Toes of a heel that lifts: 58° in a rise onto both forefeet, 42° in gait (D. Nawoczenski, J.
 // Baumhauer and B. Umberger, J. Bone and Joint Surgery 81-A (1999) 370-376). Their flexors'
 // strength by J.-P. Goldmann and G.-P. Brüggemann, J. Anatomy 221 (2012) 187-194, a third for the
 // extensors.
 inline constexpr JointLimits kToesFlexion{0, radians(58), 4.7, 14.2};
-// Their share of the foot's mass: 0.217 of 1.467 kg in the lower limb model of S. Delp et al., IEEE
-// Trans. Biomedical Engineering 37 (1990) 757-767, as OpenSim has it.
+// Share of the toes in the foot's mass: 0.217 of 1.467 kg in the lower limb model of S. Delp et
+// al., IEEE Trans. Biomedical Engineering 37 (1990) 757-767, from OpenSim.
 inline constexpr double kToesMass = 0.15;
-// How much the toes give beside other freedoms of the same weight: feet stay flat where anything
-// else brings the hand to its goal.
+// Weight of the toes relative to other degrees of freedom: feet stay flat if anything else brings
+// the hand to its goal.
 inline constexpr double kToesGive = 1e-3;
-// All of the spine between pelvis and neck: AAOS' thoracolumbar range of motion, and strengths
-// about L5/S1. Positive: forwards, to the left, turned to the left.
+// Whole spine between pelvis and neck: AAOS' thoracolumbar range of motion, and strengths about
+// L5/S1. Positive: forwards, to the left, turned to the left.
 inline constexpr JointLimits kSpineFlexion{radians(-25), radians(80), 150, 240};
 inline constexpr JointLimits kSpineLateral{radians(-35), radians(35), 140, 140};
 inline constexpr JointLimits kSpineRotation{radians(-45), radians(45), 75, 75};
-// The shares of it that each of three joints has: the lumbar spine bends, the thoracic one turns
-// (A. White and M. Panjabi, Clinical Biomechanics of the Spine).
+// Shares of each of three joints in that range: the lumbar spine bends, the thoracic one turns (A.
+// White and M. Panjabi, Clinical Biomechanics of the Spine).
 struct SpineShares {
   double flexion;
   double lateral;
@@ -167,13 +166,13 @@ inline constexpr std::array<SpineShares, kSpineJoints> kSpineRanges{
 inline constexpr JointLimits kNeckFlexion{radians(-22.5), radians(22.5), 30, 52};
 inline constexpr JointLimits kNeckLateral{radians(-22.5), radians(22.5), 36, 36};
 inline constexpr JointLimits kNeckRotation{radians(-35), radians(35), 15, 15};
-// The clavicle lifts the shoulder and takes it forwards; what it gives, the shoulder's own joint
-// does not have.
+// Clavicle: it elevates and protracts the shoulder; its range is subtracted from the shoulder's
+// own.
 inline constexpr JointLimits kClavicleElevation{radians(-8), radians(35), 60, 60};
 inline constexpr JointLimits kClavicleProtraction{radians(-20), radians(25), 60, 60};
 inline constexpr JointLimits kFreeShoulderFlexion{radians(-60), radians(160), 80, 80};
 inline constexpr JointLimits kFreeShoulderAbduction{radians(-40), radians(145), 65, 70};
-// An arm at the side turns out by 60°, one lifted sideways by 90° (AAOS): swing and twist are
+// Lateral rotation of an arm: 60° at the side, 90° when abducted (AAOS), as swing and twist are
 // coupled.
 inline constexpr JointLimits kFreeShoulderRotation{radians(-70), radians(60), 32, 50};
 inline constexpr double kFreeShoulderRotationGain = radians(30);

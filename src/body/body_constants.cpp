@@ -12,7 +12,7 @@ Mat3<T> matrix(const Mat3d& m) {
   return {to_scalar<T>(m.cx), to_scalar<T>(m.cy), to_scalar<T>(m.cz)};
 }
 
-// A number as small as this beside its neighbours is rounding, and taken for 0.
+// Ratio to its neighbours below which a number is rounding, and set to 0.
 constexpr double kRounding = 1e-12;
 
 bool is_upright(const Vec3d& v) { return max(abs(v.x), abs(v.z)) <= kRounding * abs(v.y); }
@@ -28,7 +28,7 @@ bool is_principal(const Mat3d& inertia) {
   return off <= kRounding * (inertia.cx.x + inertia.cy.y + inertia.cz.z);
 }
 
-// True when something besides other dofs hangs on the link.
+// Whether the link has mass or children other than dofs.
 bool carries(const BodyDefinition& body, int link) {
   const auto is_there = [link](const auto& thing) { return thing.link == link; };
   return body.masses[static_cast<std::size_t>(link)].mass > 0.0 ||
@@ -38,11 +38,11 @@ bool carries(const BodyDefinition& body, int link) {
          std::any_of(body.nodes.begin(), body.nodes.end(), is_there);
 }
 
-// True when the dof only adds a freedom to its parent's joint.
+// Whether the dof shares the joint of its parent.
 bool continues_joint(const BodyDefinition& body, int dof) {
   const Dof& own = body.dofs[static_cast<std::size_t>(dof)];
   if (own.parent == kBaseLink || own.parent != dof - 1 || own.offset != Vec3d{}) return false;
-  // a slanting axis is a joint of its own
+  // a slanting axis is a separate joint
   if (own.turn || body.dofs[static_cast<std::size_t>(own.parent)].turn) return false;
   if (carries(body, own.parent)) return false;
   int children = 0;

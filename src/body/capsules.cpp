@@ -4,7 +4,7 @@
 namespace shigusa {
 namespace {
 
-// Where on the segment a0-a1 (0..1) the point p is nearest.
+// Parameter (0..1) of the point on the segment a0-a1 nearest to p.
 double nearest_share(const Vec3d& a0, const Vec3d& a1, const Vec3d& p) {
   const Vec3d a = a1 - a0;
   const double square = dot(a, a);
@@ -21,7 +21,7 @@ SegmentPair nearest_points(const Vec3d& a0, const Vec3d& a1, const Vec3d& b0, co
   const double bb = dot(b, b);
   const double ab = dot(a, b);
   const double determinant = aa * bb - ab * ab;
-  // the nearest points of the two lines, then held to the segments one after the other
+  // nearest points of the two lines, clamped to the segments one after the other
   double s = determinant > 1e-12 * aa * bb
                  ? clamp((ab * dot(b, between) - bb * dot(a, between)) / determinant, 0.0, 1.0)
                  : 0.0;

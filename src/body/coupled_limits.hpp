@@ -7,7 +7,7 @@
 
 namespace shigusa {
 
-// The angles that a body's couplings add to the upper limits of its freedoms (LimitCoupling).
+// Angles added to upper joint limits by the body's couplings (LimitCoupling).
 template <class S>
 class CoupledLimits {
  public:
@@ -19,7 +19,7 @@ class CoupledLimits {
     }
   }
 
-  // At these angles (dofs, rad).
+  // Updates them at these angles (dofs, rad).
   void update(std::span<const S> angles) {
     for (const Coupling& c : couplings_) added_[c.dof] = S(0);
     for (const Coupling& c : couplings_) {
@@ -30,7 +30,7 @@ class CoupledLimits {
 
   // (dofs) rad, at the angles of the last update.
   [[nodiscard]] std::span<const S> added() const { return added_; }
-  // The dofs whose limits are coupled.
+  // Dofs with coupled limits.
   [[nodiscard]] std::span<const std::size_t> coupled() const { return coupled_; }
 
  private:

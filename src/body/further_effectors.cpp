@@ -35,8 +35,8 @@ bool moves(const BodyDefinition& body, int dof, int link) {
   return false;
 }
 
-// The first freedom of the limb that a link is part of: shoulder or hip, or the neck; of the trunk
-// and the leg that it stands on, the base's.
+// First degree of freedom of a link's limb: shoulder or hip, or the neck; for the trunk and the
+// standing leg that of the base.
 int limb_root(const BodyDefinition& body, int link) {
   int pelvis = kBaseLink;
   for (const BodyNode& node : body.nodes) {
@@ -56,8 +56,8 @@ int limb_root(const BodyDefinition& body, int link) {
   return first;
 }
 
-// The goal's name of a node. A foot is its sole's node: where that hangs on an ankle of several
-// links, as robots' do, the node of its name is the ankle's.
+// Goal name of a node. A foot is its sole's node; if that is below an ankle of several links, as in
+// robots, the node of its name is the ankle's.
 std::string word_of_node(const BodyDefinition& body, const std::string& node) {
   const std::string side(side_of(node));
   if (!side.empty() && node.substr(side.size()) == "shoulder") return side + "clavicle";

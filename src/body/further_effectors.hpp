@@ -8,13 +8,14 @@
 
 namespace shigusa {
 
-// The effectors that goals can be given for beside a body's own: each named node on a link that can
-// move. Joints have the words that their freedoms have, "right_elbow" of the node
-// "right_lower_arm", and other nodes their own names.
+// Effectors for goals beyond a body's own: each named node on a movable link. Joints are named as
+// their degrees of freedom are, "right_elbow" for the node "right_lower_arm"; other nodes keep
+// their names.
 [[nodiscard]] std::vector<Effector> further_effectors(const BodyDefinition& body);
 
-// "right_elbow" of "right_lower_arm", "hips" of "pelvis"; what has no other word is as it was. A
-// node "right_shoulder" is the clavicle's, and has no second name, as the joint is called so.
+// Goal name of a node: "right_elbow" for "right_lower_arm", "hips" for "pelvis"; other names are
+// unchanged. A node "right_shoulder" is the clavicle's and is unchanged too, as that name is the
+// joint's.
 [[nodiscard]] std::string joint_word(std::string_view name);
 
 }  // namespace shigusa

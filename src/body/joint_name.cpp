@@ -17,12 +17,12 @@ bool has_leg_word(std::string_view joint) {
                      [joint](std::string_view word) { return joint.find(word) != joint.npos; });
 }
 
-// A name that both legs or arms share has no side: "hip" of a weight, "legs" of a contraction.
+// A name shared by both legs or arms has no side: "hip" of a weight, "legs" of a contraction.
 bool is_of_both_legs(std::string_view joint) {
   return joint == "legs" || std::find(kLegWords.begin(), kLegWords.end(), joint) != kLegWords.end();
 }
 
-// `other` where no value has the word.
+// Value of a word, or `other`.
 template <class Kind>
 Kind kind_of(std::string_view word) {
   for (const EnumWord<Kind>& known : kEnumWords<Kind>) {

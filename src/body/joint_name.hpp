@@ -7,13 +7,13 @@
 
 namespace shigusa {
 
-// "left_" or "right_".
+// Prefix of a side, "left_" or "right_".
 [[nodiscard]] std::string side_prefix(Side side);
 
-// "hip.flexion" of "left_hip.flexion"; a name without a side as it is.
+// Name without its side: "hip.flexion" for "left_hip.flexion"; others are unchanged.
 [[nodiscard]] std::string_view without_side(std::string_view name);
 
-// "right_hip.flexion" of "left_hip.flexion"; a name without a side as it is.
+// Name on the other side: "right_hip.flexion" for "left_hip.flexion"; others are unchanged.
 [[nodiscard]] std::string with_other_side(std::string_view name);
 
 }  // namespace shigusa

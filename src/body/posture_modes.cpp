@@ -11,14 +11,14 @@
 namespace shigusa {
 namespace {
 
-// A person who leans forwards puts the hips back, by the ankles, so that the centre of mass stays
-// over the feet (A. Alexandrov, A. Frolov, J. Massion, Experimental Brain Research 118 (1998)
-// 210-220: ankle, knee and hip move as one). A share of the hips' angle. Without it 3000 motions of
-// `human` end with 1.6 times the score, mean of ten goals, and 60,000 do not make up for it; 0.2 to
-// 0.5 are much the same.
+// Ankle angle in a lean, as a share of the hips': leaning people move the hips back, so that the
+// centre of mass stays over the feet (A. Alexandrov, A. Frolov, J. Massion, Experimental Brain
+// Research 118 (1998) 210-220: ankle, knee and hip move as one). Without it 3000 motions of `human`
+// end with 1.6 times the score, mean of ten goals, and 60,000 do not make up for it; 0.2 to 0.5 are
+// much the same.
 constexpr double kHipsBack = 0.3;
 
-// A sentence on each mode, for users.
+// A description of each mode, for users.
 constexpr std::string_view kSquatSentence =
     "The knees bend by the angle and the trunk stays upright: half of the angle goes to each hip "
     "and ankle, which keeps the leg's line for a thigh as long as the shank.";
@@ -31,8 +31,8 @@ constexpr std::string_view kElbowSentence = "The elbow bends: the arm's contract
 constexpr std::string_view kSwivelSentence = "The upper arm turns outwards about its axis.";
 constexpr std::string_view kWristSentence = "The hand bends to the palm's side, or back.";
 
-// How far a body squats and leans as it starts (rad): by so much it can straighten; nothing of who
-// stands as people do, or sits and has no knees to straighten.
+// Squat and lean of a body's start posture (rad), by which it can straighten; zero for a usual
+// standing posture, and for a seated person, whose knees are fixed.
 struct Bent {
   double squat = 0.0;
   double lean = 0.0;
@@ -56,7 +56,7 @@ Bent bent_at_start(const BodyModel& body) {
   return bent;
 }
 
-// By how much a mode moves a freedom of a joint, and by how much that of the left side.
+// Displacement of a degree of freedom by a mode, and that of its left counterpart.
 struct Moved {
   JointKind joint;
   FreedomKind freedom;
@@ -68,7 +68,7 @@ class ModeBuilder {
  public:
   explicit ModeBuilder(const BodyModel& body) : body_(body) {}
 
-  // a mode of the freedoms that the body has, on both sides or one; none at all, no mode
+  // a mode over the existing degrees of freedom, on both sides or one; no mode without any
   void add(PostureMode mode, const std::vector<Moved>& moved, std::optional<Side> of = {}) {
     mode.direction.resize(body_.dofs().size());
     for (const Moved& m : moved) {
@@ -90,7 +90,7 @@ class ModeBuilder {
   std::vector<PostureMode> modes_;
 };
 
-// A spine bends by its joints' shares of the range, and turns before the hips do. A robot's waist
+// A spine bends in proportion to its joints' ranges, and turns before the hips do. A robot's waist
 // is one joint.
 void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
   constexpr double kSpine = 0.6;
@@ -116,7 +116,7 @@ void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
   modes.add({"twist", kTwistSentence, {}, radians(-65.0), radians(65.0)}, twist);
 }
 
-// A hand that reaches the floor is laid flat. Without the wrist's mode a quarter of the goals 5 cm
+// Lays a hand that reaches the floor flat. Without the wrist's mode a quarter of the goals 5 cm
 // above the floor ends with the hand in it, and the mean score of seven low goals is 0.22, not
 // 0.19.
 void add_arm_modes(ModeBuilder& modes) {

@@ -6,7 +6,7 @@
 
 namespace shigusa {
 
-// Whether a foot is a thigh that lies on a seat: who sits stands on both.
+// Whether a foot is a thigh on a seat: a seated person is supported by both.
 [[nodiscard]] inline bool is_on_seat(const Foot& foot) { return foot.name.ends_with("upper_leg"); }
 
 [[nodiscard]] inline bool sits(const BodyModel& body) {

@@ -8,17 +8,17 @@
 
 namespace shigusa {
 
-// A point of the mesh that a character's skeleton moves, as it stands in one posture.
+// A vertex of a character's mesh, in one posture.
 struct SkinVertex {
   Vec3d position{};  // the world of that posture, in the skeleton's own units and axes
-  int node = -1;     // of the skeleton: the one that moves the vertex most
-  // Its mesh is not skinned but hangs on the node as one piece: a robot's part, a hat, a sword.
+  int node = -1;     // node of the skeleton with the greatest weight
+  // whether its mesh is rigidly attached to the node, as a robot's part, a hat or a sword is
   bool rigid = false;
 };
 
-// A character's mesh, as a reader of any file format gives it.
+// A character's mesh from a reader of any file format.
 struct Skin {
-  std::vector<SkinVertex> vertices;  // none where the file has no mesh, or none that is read
+  std::vector<SkinVertex> vertices;  // empty if the file has no readable mesh
   std::vector<Message> doubts;       // parts that were not read, and why
 };
 

@@ -12,8 +12,8 @@ double Sole::least_height(const Mat3d& turn) const {
 }
 
 double Sole::least_height(const Vec3d& axis, const Vec3d& direction) const {
-  // A corner's height goes as the cosine of the turn about the axis; some 1° finds the least of the
-  // worst to a tenth of a millimetre.
+  // Number of rotations tried. A corner's height is the cosine of the angle about the axis; steps
+  // of some 1° find the minimum of the maximum to a tenth of a millimetre.
   constexpr int kTurns = 360;
   const Vec3d beside = abs(axis.x) > 0.7 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
   const Vec3d u = normalized(cross(axis, beside));

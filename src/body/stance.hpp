@@ -8,17 +8,17 @@
 
 namespace shigusa {
 
-// The foot that is the body's base, which cannot move; nothing where no foot is.
+// The foot that is the body's fixed base; null if there is none.
 [[nodiscard]] const Foot* base_foot(const BodyModel& body);
 
-// The nodes of the foot that is the body's base: goals can be given for them, by a body that stands
-// on another foot. None of robots, which stand as their files have them.
+// Nodes of the base foot. Goals may be given for them, which are met by a body that stands on
+// another foot. Empty for robots, whose standing foot is fixed.
 [[nodiscard]] std::vector<const BodyNode*> base_nodes(const BodyModel& body);
-// The names of all effectors that goals can be given for, those of the base last.
+// Names of all effectors that goals may be given for, those of the base last.
 [[nodiscard]] std::vector<std::string> goal_names(const BodyModel& body);
 
-// The body with these of its feet on the floor. Others bear nothing and are free to move. Names
-// that are no feet of the body are as good as none.
+// Body with these of its feet on the floor. Other feet bear no load and move freely. Unknown names
+// are ignored.
 [[nodiscard]] BodyModel standing_on(const BodyModel& body, std::span<const std::string> feet);
 
 }  // namespace shigusa

@@ -12,10 +12,10 @@ namespace {
 const std::array<std::string, 3> kAxes{"palm", "thumb", "fingers"};
 const std::array<std::string, 8> kDirections{"up",    "down", "left", "right",
                                              "ahead", "back", "in",   "out"};
-// In and out are those of a right hand.
+// Directions of the words; in and out are those of a right hand.
 constexpr std::array<Vec3d, 8> kToward{
     {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}}};
-// Two directions are taken for one where the sine between them is less.
+// Sine of the angle below which two directions count as parallel.
 constexpr double kAlong = 0.05;
 
 // a frame with x along a, y as near to b as that allows
@@ -25,7 +25,7 @@ Mat3d frame_of(const Vec3d& a, const Vec3d& b) {
   return {x, cross(z, x), z};
 }
 
-// None of what is no hand.
+// Side of a hand's effector; empty for other effectors.
 std::optional<Side> side_of_hand(std::string_view effector) {
   const JointPlace part = parse_joint_name(effector);
   const bool hand = part.joint_kind == JointKind::hand || part.joint_kind == JointKind::wrist;

@@ -33,8 +33,7 @@ Result<void> check_range(const char* what, const std::optional<double>& value, d
               "character");
 }
 
-// The rig ties the file's nodes to the person who was measured from them and starts from a pose of
-// theirs.
+// Rig that relates the file's nodes to the measured person and their start posture.
 CharacterRig make_rig(CharacterFile&& file, const PersonStart& found, const Landmarks& start) {
   CharacterRig result = std::move(file.rig);
   const MeasuredPerson& person = found.start;
@@ -63,7 +62,7 @@ std::vector<Vec3d> joints_of(const Landmarks& person) {
   return joints;
 }
 
-// The farthest that a joint of one person stands from the other's (m).
+// Greatest distance (m) between corresponding joints of two persons.
 double apart(const Landmarks& a, const Landmarks& b) {
   const std::vector<Vec3d> ours = joints_of(a);
   const std::vector<Vec3d> theirs = joints_of(b);
@@ -73,7 +72,7 @@ double apart(const Landmarks& a, const Landmarks& b) {
   return most;
 }
 
-// Seats a person who was measured, with the rig, upright on their seat.
+// Seats a measured person and their rig upright on their seat.
 void seat_upright(CharacterSpec& spec) {
   spec.landmarks = seated(*spec.landmarks, *spec.stature, *spec.seat);
   CharacterRig rig = *spec.rig;
@@ -81,7 +80,7 @@ void seat_upright(CharacterSpec& spec) {
   spec.rig = std::make_shared<const CharacterRig>(std::move(rig));
 }
 
-// Checks the request for the person, before the file is read.
+// Checks a person's settings before the file is read.
 Result<void> check_person(const CharacterSpec& spec) {
   SHG_TRY(check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"));
   SHG_TRY(check_range("seat", spec.seat, kSeatMin, kSeatMax, "m"));
@@ -147,7 +146,7 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
     const bool in_first_frame = file.motion.frames > 0 && !spec.frame && !found.frame;
     start.doubts.push_back(say("arms_spread", in_first_frame ? say("arms_of_frame") : Message{}));
   }
-  // the rest pose is of no animation
+  // the rest pose belongs to no animation
   if (found.frame && !(found.frame == kRestPose && spec.animation)) spec.frame = found.frame;
   spec.doubts = file.doubts;
   for (const auto* more : {&found.map.doubts, &start.doubts}) {
@@ -191,9 +190,9 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
     std::optional<double> stature;
     std::optional<int> frame;
   };
-  // the stature stands in a result whether it was given or measured
+  // a result holds the stature whether it was given or measured
   std::vector<Try> tries{{std::nullopt, spec.frame}, {spec.stature, spec.frame}};
-  // older results have frame 0 for glTF's rest pose, and none for frame 0 of a motion
+  // older results have frame 0 for glTF's rest pose, and no frame for frame 0 of a motion
   if (spec.frame == 0 && !spec.animation) tries.push_back({std::nullopt, std::nullopt});
   if (!spec.frame) tries.insert(tries.end(), {{std::nullopt, 0}, {spec.stature, 0}});
   std::optional<Error> first;
@@ -208,7 +207,7 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
     const Result<void> measured = measure_character(fresh, {});
     Result<void> attached = measured ? attach_rig(spec, fresh) : measured;
     if (!attached && measured && spec.seat && frame) {
-      // in older results who sits in the frame sits upright all the same
+      // in older results a person who sits in the frame sits upright nevertheless
       seat_upright(fresh);
       attached = attach_rig(spec, fresh);
     }

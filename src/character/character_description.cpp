@@ -18,7 +18,8 @@
 namespace shigusa {
 namespace {
 
-// Where goals are in the file: p_world = unit (left, up, ahead)ᵀ (p_file - origin).
+// Coordinates of the file in the world of goals: p_world = unit (left, up, ahead)ᵀ (p_file -
+// origin).
 Json placement_to_json(const Placement& p) {
   return {{"unit_m", p.unit},
           {"origin", to_json(p.origin)},
@@ -38,7 +39,7 @@ Json nodes_to_json(const CharacterSpec& spec, const BodyModel& body) {
   return list;
 }
 
-// The capsules that nothing should pass through, in the start posture.
+// Collision capsules in the start posture.
 Json capsules_to_json(const BodyModel& body) {
   const Kinematics<double> start = start_kinematics(body);
   Json list = Json::array();
@@ -74,7 +75,7 @@ Json joints_to_json(const BodyModel& body) {
   return list;
 }
 
-// Where goals can be given for.
+// Effectors that goals may be given for.
 Json places_to_json(const BodyModel& body) {
   Json list = Json::array();
   const std::vector<Vec3d> places = start_places(body);
@@ -87,8 +88,8 @@ Json places_to_json(const BodyModel& body) {
   return list;
 }
 
-// The soles, for goals of feet: their corners from the effector in its own frame, and how high the
-// effector is where the sole lies as at the start.
+// Soles, for goals of feet: their corners relative to the effector in its own frame, and the
+// effector's height with the sole oriented as at the start.
 Json feet_to_json(const BodyModel& body) {
   const Kinematics<double> start = start_kinematics(body);
   Json list = Json::array();

@@ -30,7 +30,8 @@ void take(GltfCharacter&& file, CharacterFile& character) {
   character.rig.vrm_bones = std::move(file.vrm_bones);
 }
 
-// The animation that a spec asks for, "" the first; fails for a frame of a file that has none.
+// The animation that a spec requests, "" for the first; fails if a frame is requested of a file
+// without animations.
 Result<std::optional<std::string>> animation_of(const CharacterSpec& spec,
                                                 const std::vector<std::string>& animations) {
   if (!spec.frame) return spec.animation;
@@ -44,7 +45,7 @@ Result<std::optional<std::string>> animation_of(const CharacterSpec& spec,
   return spec.animation ? spec.animation : std::optional<std::string>("");
 }
 
-// The bytes get nodes for hands and feet that the skeleton lacks.
+// Reads a glTF character. Nodes for hands and feet that the skeleton lacks are added to the bytes.
 Result<void> parse_gltf_character(std::string& bytes, const CharacterSpec& spec,
                                   CharacterFile& character) {
   const std::string& name = spec.source;
@@ -64,15 +65,14 @@ Result<void> parse_gltf_character(std::string& bytes, const CharacterSpec& spec,
   const auto animations = gltf_animation_names(bytes, name);
   if (animations) character.rig.animations = *animations;
   const auto animation = animation_of(spec, character.rig.animations);
-  // of a file whose further chunks are wrong, and that is wanted at rest, check_animations_fit
-  // tells
+  // a file with malformed further chunks that is used at rest is reported by check_animations_fit
   if (!animation) return tl::unexpected(animations ? animation.error() : animations.error());
   if (*animation) {
     SHG_TRY_ASSIGN(GltfMotion moving,
                    parse_gltf_animation(
                        bytes, name,
                        {.animation = **animation, .posed = spec.frame.value_or(0), .gaps = true}));
-    // empty where the animation has no such frame, of which is told when the person is measured
+    // empty if the animation has no such frame, which is reported when the person is measured
     if (!moving.posed.empty()) {
       character.posed_skin = read_gltf_skin(bytes, name, file, moving.posed).vertices;
     }
@@ -140,7 +140,7 @@ Result<void> read_person<FileFormat::vrm>(std::string bytes, const CharacterSpec
   return read_person<FileFormat::glb>(std::move(bytes), spec, character);
 }
 
-// An FBX file is taken as the glTF file of its skeleton.
+// An FBX file is converted to the glTF file of its skeleton.
 template <>
 Result<void> read_person<FileFormat::fbx>(std::string bytes, const CharacterSpec& spec,
                                           CharacterFile& character) {

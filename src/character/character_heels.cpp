@@ -11,7 +11,7 @@
 namespace shigusa {
 namespace {
 
-// A toes' joint is ahead of the ankle by this, and behind the tip (m).
+// Least distance (m) of a toes' joint ahead of the ankle, and behind the tip.
 constexpr double kShortestPart = 0.02;
 
 }  // namespace

@@ -9,12 +9,12 @@
 
 namespace shigusa {
 
-// Fails where heels are asked of a body that cannot lift them: seated, or of this extent.
+// Fails if lifting heels is requested for a body that cannot: a seated one, or one of this extent.
 [[nodiscard]] Result<void> check_heels(const CharacterSpec& spec, BodyExtent extent);
 
-// Where the toes of a file's person bend: at rest at the file's nodes (`world`, of nodes), at the
-// start where the feet have taken them. Toes of which the file has no more than the joint get a tip
-// by average proportions, with a doubt. Fails where the file has no toes, or not ahead of the
+// Finds the toes' joints of a file's person: at rest from the file's nodes (`world`, nodes), at the
+// start moved along with the feet. Toes with only a joint in the file get a tip by average
+// proportions, with a doubt. Fails if the file has no toes, or toes that are not ahead of the
 // ankle.
 [[nodiscard]] Result<void> find_toes(const std::vector<Transformd>& world, const HumanoidMap& map,
                                      const MeasuredPerson& person, const std::string& file,

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSame = 1e-6;          // m
 constexpr double kPlaceRange = 100.0;   // m
-constexpr std::size_t kPlacesMax = 64;  // more than any body has nodes
+constexpr std::size_t kPlacesMax = 64;  // more than the nodes of any body
 
 }  // namespace
 
@@ -29,7 +29,7 @@ std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig) {
   std::vector<Vec3d> places;
   for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
     const RigNode& node = rig.nodes[i];
-    // a scale goes along, so it is no rigid transform
+    // with scales, so it is not a rigid transform
     const Transformd local{scaled_columns(to_matrix(motion.local[i].rotation), node.scale),
                            motion.local[i].translation};
     placed.push_back(node.parent < 0 ? local : placed[index(node.parent)] * local);

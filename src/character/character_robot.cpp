@@ -50,13 +50,13 @@ Result<ReadRobot> read_robot(Robot robot, const CharacterSpec& spec) {
   return ReadRobot{with_ankles(std::move(robot), *map), std::move(*map)};
 }
 
-// A robot's file, as it was read and as the URDF in which results keep it.
+// A robot read from a file, and the URDF that results keep of it.
 struct RobotFile {
   Robot robot;
   std::string urdf;
 };
 
-// The key frame that a spec asks for, by its name or its index; null where it asks for none.
+// The key frame that a spec requests, by name or index; null if it requests none.
 Result<const Robot::Keyframe*> keyframe_of(const Robot& robot, const CharacterSpec& spec) {
   if (!spec.animation) return nullptr;
   std::vector<std::string> names;
@@ -78,7 +78,7 @@ Result<const Robot::Keyframe*> keyframe_of(const Robot& robot, const CharacterSp
               name);
 }
 
-// Puts a robot's joints where the key frame that a spec asks for has them.
+// Sets a robot's joints to the requested key frame.
 Result<void> take_keyframe(Robot& robot, const CharacterSpec& spec) {
   SHG_TRY_ASSIGN(const Robot::Keyframe* frame, keyframe_of(robot, spec));
   if (frame == nullptr) return {};
@@ -90,7 +90,7 @@ Result<void> take_keyframe(Robot& robot, const CharacterSpec& spec) {
   return {};
 }
 
-// Errors name the lines of the file, and not of what is kept of it.
+// Reads a URDF file. Errors refer to the lines of the original, not of the reduced URDF.
 Result<RobotFile> read_urdf_file(std::string_view bytes, const std::string& name) {
   SHG_TRY_ASSIGN(const XmlElement reduced, reduced_urdf(bytes, name));
   SHG_TRY_ASSIGN(Robot robot, robot_of_urdf(reduced, name));
@@ -102,7 +102,7 @@ Result<RobotFile> read_mjcf_file(std::string_view bytes, CharacterSpec& spec,
   SHG_TRY_ASSIGN(Robot robot,
                  parse_mjcf(bytes, spec.source, folder ? included_from(*folder) : MjcfInclude{}));
   spec.doubts = std::move(robot.doubts);
-  // results keep the key frame that is asked for
+  // results keep only the requested key frame
   SHG_TRY_ASSIGN(const Robot::Keyframe* asked, keyframe_of(robot, spec));
   std::vector<Robot::Keyframe> kept_frame;
   if (asked != nullptr) {
@@ -115,7 +115,7 @@ Result<RobotFile> read_mjcf_file(std::string_view bytes, CharacterSpec& spec,
   return RobotFile{std::move(kept), std::move(urdf)};
 }
 
-// Tells of files that a model lacks before what follows from that.
+// Reports absent files of a model before the errors that follow from them.
 auto told_absent(const CharacterSpec& spec) {
   return [&spec](Error error) { return after_absent(spec.doubts, std::move(error)); };
 }
@@ -135,7 +135,7 @@ Result<void> check_robot_options(const CharacterSpec& spec) {
   return {};
 }
 
-// Whether the masses are what the spec has: a robot's own, or those that it gives.
+// Checks that masses come from one source: the robot's links, or the spec.
 static Result<void> check_masses(const Robot& robot, const CharacterSpec& spec) {
   const auto weighs = [](const Robot::Link& link) { return link.mass > 0.0; };
   const bool own = std::any_of(robot.links.begin(), robot.links.end(), weighs);

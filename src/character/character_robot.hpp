@@ -9,18 +9,18 @@
 
 namespace shigusa {
 
-// Fails on what is of a person alone.
+// Fails on options that apply to persons only.
 [[nodiscard]] Result<void> check_robot_options(const CharacterSpec& spec);
 
-// Reads the robot of a URDF or MJCF file: fills urdf, humanoid and of MJCF doubts. Files that an
-// MJCF file includes are looked for in `folder`; nowhere without one.
+// Reads the robot of a URDF or MJCF file: sets urdf, humanoid and, for MJCF, doubts. Files that an
+// MJCF file includes are read from `folder`; without a folder they are not found.
 [[nodiscard]] Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
                                       const std::optional<std::filesystem::path>& folder);
 
-// The body of a robot that was read, on settled feet.
+// Body of a robot that was read, standing on settled feet.
 [[nodiscard]] Result<BodyModel> build_robot_character(const CharacterSpec& spec);
 
-// Tells the mapped bones by the names of their nodes, which name_of(index) gives.
+// Lists the mapped bones with their node names, given by name_of(index).
 inline void list_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {
   for (const HumanoidBone bone : kHumanoidBones) {
     if (map[bone] < 0) continue;

@@ -20,7 +20,7 @@
 namespace shigusa {
 namespace {
 
-// Moves the person up or down until the lower sole of somebody of that stature is on the floor.
+// Moves the person vertically until the lower sole of a person of that stature is on the floor.
 void stand_on_floor(MeasuredPerson& measured, double stature) {
   Landmarks& person = measured.landmarks;
   double floor = 1e9;
@@ -33,8 +33,8 @@ void stand_on_floor(MeasuredPerson& measured, double stature) {
   measured.placement.origin += measured.placement.up * (floor / measured.placement.unit);
 }
 
-// The person in a frame of an animation, in the unit and with the stature of the rest pose:
-// what is measured along the bones of a bent trunk is another one.
+// The person in a frame of an animation, with the unit and stature of the rest pose, since
+// measuring along the bones of a bent trunk gives a different person.
 Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonClip& clip, int frame,
                                      std::span<const SkinVertex> skin, const PersonStart& found) {
   const MeasuredPerson& rest = found.person;
@@ -46,7 +46,7 @@ Result<MeasuredPerson> measure_posed(const Skeleton& skeleton, const SkeletonCli
   SHG_TRY_ASSIGN(MeasuredPerson posed,
                  measured(rest.stature * rest.placement.unit / bent.placement.unit));
   stand_on_floor(posed, rest.stature);
-  // limbs are straight at rest, and their mesh as it was made
+  // limb shapes are measured at rest, with straight limbs and the undeformed mesh
   posed.landmarks.parts = rest.landmarks.parts;
   posed.landmarks.trunk_lean = rest.landmarks.trunk_lean;
   return posed;
@@ -57,7 +57,7 @@ FilePose pose_at(const CharacterFile& file, int frame) {
   return {{local, local + file.skeleton.nodes.size()}, file.posed};
 }
 
-// Fits the shapes of hands that have one anew, with the fingers laid in a relaxed grip.
+// Fits the shapes of hands that have one again, with the fingers in a relaxed grip.
 void fit_hands(const CharacterFile& file, const std::vector<Transformd>& world,
                const HumanoidMap& map, std::span<const SkinVertex> skin, MeasuredPerson& person) {
   const std::vector<FingerBone> fingers =
@@ -71,7 +71,7 @@ void fit_hands(const CharacterFile& file, const std::vector<Transformd>& world,
   }
 }
 
-// Finds the bones of a file in one pose, whose mesh is `skin`, and measures the person.
+// Finds the bones of a file in one pose with the mesh `skin`, and measures the person.
 Result<PersonStart> measure_in(const CharacterFile& file, const CharacterSpec& spec,
                                const FilePose& pose, std::span<const SkinVertex> skin,
                                bool at_rest) {
@@ -96,8 +96,8 @@ bool rests(const PersonStart& person) {
   return stands_at_rest(person.person.landmarks, person.person.stature);
 }
 
-// glTF is measured at rest, where no animation hides what its bones are: in the nodes' own pose, or
-// where that is the middle of a motion in the one that the mesh was bound in.
+// Measures glTF at rest, where no animation obscures the bones: in the nodes' own pose, or, if that
+// is a pose amid a motion, in the mesh's bind pose.
 Result<PersonStart> measure_at_rest(const CharacterFile& file, const CharacterSpec& spec) {
   Result<PersonStart> person = measure_in(file, spec, file.rest, file.skin, true);
   if (!file.bound || (person && rests(*person))) return person;
@@ -107,10 +107,10 @@ Result<PersonStart> measure_at_rest(const CharacterFile& file, const CharacterSp
   return bound;
 }
 
-// The first of a file's animations that begins with the person standing, or "".
+// First animation of a file that begins with a standing person, or "".
 std::string standing_animation(const CharacterFile& file, const PersonStart& found) {
   constexpr std::size_t kTried = 6;
-  constexpr double kSlowly = 1.0;  // Hz: the first frame alone is looked at
+  constexpr double kSlowly = 1.0;  // Hz: only the first frame is examined
   const std::vector<std::string>& names = file.rig.animations;
   for (std::size_t i = 0; i < std::min(names.size(), kTried); ++i) {
     const Result<GltfMotion> moving = parse_gltf_animation(
@@ -123,7 +123,7 @@ std::string standing_animation(const CharacterFile& file, const PersonStart& fou
   return {};
 }
 
-// The person of a glTF file in a frame of its animation, which `file` has in the pose asked for.
+// The person of a glTF file in a frame of its animation; `file` has the requested frame's pose.
 Result<PersonStart> in_animation(const CharacterFile& file, const CharacterSpec& spec,
                                  const PersonStart& rest, int frame) {
   FilePose pose = pose_at(file, frame);
@@ -145,8 +145,8 @@ Result<PersonStart> in_animation(const CharacterFile& file, const CharacterSpec&
   return found;
 }
 
-// In the pose that the file shows where that is its own: another than the one that the mesh was
-// bound in, of one who stands still on both feet, arms not spread as people are modelled.
+// The person in the file's own pose, if that differs from the mesh's bind pose and shows a person
+// who stands still on both feet without the spread arms of a modelling pose.
 std::optional<PersonStart> in_own_pose(const CharacterFile& file, const CharacterSpec& spec) {
   if (!file.bound || spec.frame || spec.seat) return std::nullopt;
   Result<PersonStart> found = measure_in(file, spec, *file.bound, file.bound_skin, true);
@@ -163,7 +163,7 @@ std::optional<PersonStart> in_own_pose(const CharacterFile& file, const Characte
   return std::move(*found);
 }
 
-// Frames in which a bone of the person, or what it hangs on, is not known.
+// Frames in which a bone of the person, or an ancestor of it, is unknown.
 std::vector<int> unknown_frames(const CharacterFile& file, const HumanoidMap& map) {
   std::vector<bool> carries(file.skeleton.nodes.size(), false);
   for (const HumanoidBone bone : kHumanoidBones) {
@@ -227,7 +227,7 @@ Result<PersonStart> find_in_bvh(const CharacterFile& file, const CharacterSpec& 
     known->eased = true;
     return known;
   }
-  // of a person who lies sideways nothing tells where ahead is
+  // the facing direction of a person lying sideways is undetermined
   if (!known && !spec.frame) {
     const Result<PersonStart> rest = at_rest();
     if (rest) known = rest;

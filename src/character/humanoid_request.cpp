@@ -23,7 +23,7 @@ std::vector<std::string> bone_names() {
   return names;
 }
 
-// The node that a person names: by its name, or by "#17" its place in the file, from 0.
+// Node given by its name, or by its 0-based index in the file, as "#17".
 int named_node(const std::string& name, const std::vector<std::string>& nodes,
                const std::vector<int>& indices) {
   const auto node = std::find(nodes.begin(), nodes.end(), name);
@@ -38,7 +38,7 @@ int named_node(const std::string& name, const std::vector<std::string>& nodes,
   return place == indices.end() ? -1 : static_cast<int>(place - indices.begin());
 }
 
-// The first names of a file's nodes, for a message.
+// First names of a file's nodes, for a message.
 std::string some_of(const std::vector<std::string>& nodes) {
   constexpr std::size_t kNamesMost = 12;
   constexpr std::size_t kLongestName = 40;
@@ -54,8 +54,8 @@ std::string some_of(const std::vector<std::string>& nodes) {
   return names + fmt::format("{}{} more", told == 0 ? "" : " and ", nodes.size() - told);
 }
 
-// The lines that `shigusa body` prints of a character's bones. Those of places that goals are for
-// have the same names and wider columns.
+// Bone assignments in the format that `shigusa body` prints. Its lines of goal places have the same
+// names and wider columns.
 BoneRequest bones_of_text(std::string_view text) {
   BoneRequest request;
   const std::vector<std::string> bones = bone_names();

@@ -13,7 +13,7 @@ namespace shigusa {
 
 namespace {
 
-// The legs and the names that their soles have.
+// Legs with the names of their soles.
 template <class Person>
 auto legs_of(Person& person) {
   using Leg = decltype((person.left_leg));
@@ -54,7 +54,7 @@ namespace {
 constexpr double kLengthRange = 100.0;  // m, of landmarks
 constexpr double kThinnest = 1e-4;      // m, of parts
 
-// Coinciding joints would leave a body without lengths.
+// Refuses coinciding joints, which would give segments without length.
 void check_segments(JsonReader& reader, const Landmarks& p) {
   constexpr double kShortest = 1e-3;  // m
   for (const Side side : kBothSides) {
@@ -68,7 +68,7 @@ void check_segments(JsonReader& reader, const Landmarks& p) {
   }
 }
 
-// A sole is a rectangle seen from above, more or less, counter-clockwise.
+// Reads a sole: roughly a rectangle seen from above, counter-clockwise.
 void read_sole(JsonReader& landmarks, const char* name, std::optional<SoleOutline>& sole) {
   if (!landmarks.has(name)) return;
   constexpr double kShortest = 1e-3;  // m

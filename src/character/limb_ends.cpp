@@ -18,13 +18,13 @@ namespace {
 
 using F = StatureFractions;
 
-// Of what lies beyond an elbow the forearm, and of what lies beyond a knee the shank.
+// Share of the forearm in the length beyond an elbow, and of the shank in that beyond a knee.
 constexpr double kForearm = F::kForearm / (F::kForearm + F::kHand);
 constexpr double kShank = F::kShank / (F::kShank + F::kAnkleHeight);
-// Fewer vertices tell no end.
+// Fewest vertices that determine an end.
 constexpr int kFewest = 12;
 
-// (nodes) where the mesh of a joint that nothing follows ends; nothing for all others.
+// (nodes) end of the mesh of a joint without children; empty for all others.
 std::vector<std::optional<Vec3d>> mesh_ends(const Skeleton& skeleton,
                                             const std::vector<Transformd>& world,
                                             std::span<const SkinVertex> skin) {
@@ -55,7 +55,7 @@ std::vector<std::optional<Vec3d>> mesh_ends(const Skeleton& skeleton,
   return ends;
 }
 
-// A point of the world in a node's frame, scales and all.
+// Transforms a point of the world to a node's frame, including scales.
 std::optional<Vec3d> in_node(const GltfCharacter& file, int node, const Vec3d& point) {
   std::vector<int> way;
   for (int i = node; i >= 0; i = file.rest.skeleton.nodes[index(i)].parent) way.push_back(i);
@@ -69,13 +69,13 @@ std::optional<Vec3d> in_node(const GltfCharacter& file, int node, const Vec3d& p
   return p;
 }
 
-// The skeleton with a node at the end of each mesh that ends one, and the map of the person in it.
+// The skeleton with a tip node for each terminal joint with a mesh, and its person's bone map.
 struct LongerSkeleton {
-  std::vector<Transformd> world;  // (nodes) the file's own, then those at the ends
-  std::vector<int> joint;         // (nodes added) the one that each hangs on
+  std::vector<Transformd> world;  // (nodes) the file's own, then the tips
+  std::vector<int> joint;         // (added nodes) parent of each
   HumanoidMap map;
 
-  // The file's own node that a bone is, or hangs on.
+  // The file's own node of a bone, or the parent of an added one.
   [[nodiscard]] int own(HumanoidBone bone) const {
     const auto count = static_cast<int>(world.size() - joint.size());
     return map[bone] < count ? map[bone] : joint[index(map[bone] - count)];
@@ -101,8 +101,8 @@ std::optional<LongerSkeleton> lengthened(const GltfCharacter& file,
   return longer;
 }
 
-// How far the missing end is from its joint, of the way to the end of the mesh: as far as its
-// fellow's, where that has one of the file's own nodes.
+// Position of the missing end as a share of the length from its joint to the end of the mesh; the
+// other side's share if that has a node of the file.
 double share_of(const LongerSkeleton& longer, std::size_t limb, double length) {
   const auto& [upper, lower, end] = kLimbBones[limb ^ 1];
   const int node = longer.own(end);
@@ -116,7 +116,7 @@ double share_of(const LongerSkeleton& longer, std::size_t limb, double length) {
   return fellow > kShortest && fellow < kLongest ? fellow : usual;
 }
 
-// The node for the end of a limb whose last joint nothing follows; nothing for any other limb.
+// Node for the end of a limb whose last joint has no child; empty for any other limb.
 std::optional<GltfNewNode> missing_end(const GltfCharacter& file, const LongerSkeleton& longer,
                                        std::size_t limb) {
   const auto& [upper, lower, end] = kLimbBones[limb];

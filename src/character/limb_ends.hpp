@@ -12,16 +12,15 @@
 
 namespace shigusa {
 
-// A file whose arms end at their forearms, or its legs at their shanks, with nodes for what is
-// missing, and what to say of it.
+// A file to which missing hands or feet were added, with the doubts to report.
 struct EndedFile {
   std::string bytes;
   std::vector<Message> doubts;
 };
 
-// Where the skeleton of a glTF file makes no person as it is, and does with an end for each joint
-// that nothing follows, where the mesh bound to it ends: the file with a hand, or a foot, between
-// that joint and its end, by a person's proportions. Nothing for any other file.
+// Adds hands or feet to a glTF file whose limbs end at forearms or shanks: if its skeleton makes no
+// person as it is, but does with a tip for each terminal joint at the end of its mesh. The added
+// joint lies between, by human proportions. Empty for any other file.
 [[nodiscard]] std::optional<EndedFile> with_limb_ends(const std::string& bytes,
                                                       const std::string& name,
                                                       const GltfCharacter& file,

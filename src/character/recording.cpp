@@ -17,7 +17,7 @@ namespace {
 
 using Bone = HumanoidBone;
 
-// The bones that landmarks go with, in their order.
+// Bones that the landmarks move with, in their order.
 constexpr std::array kCarriers{Bone::left_upper_leg,
                                Bone::left_lower_leg,
                                Bone::left_foot,
@@ -51,7 +51,7 @@ double lowest(const Landmarks& person, const Vec3d& up) {
   return low;
 }
 
-// ±x, ±y, ±z by numbers.
+// Indices of ±x, ±y, ±z.
 constexpr std::size_t kAxisCount = 6;
 std::size_t number_of(const Vec3d& axis) {
   const int k = main_axis(axis);
@@ -75,7 +75,7 @@ Recording::Recording(const CharacterFile& file, const HumanoidMap& map,
       y_is_up_(file.rig.format != FileFormat::bvh),
       unread_(index(file.motion.frames), false) {
   for (const int frame : file.unread_frames) unread_[index(frame)] = true;
-  // a trunk without a neck or a head goes with what carries the arms
+  // a trunk without neck and head moves with the parent of the arms
   const int chest = skeleton_.nodes[index(map[Bone::left_upper_arm])].parent;
   std::vector<bool> needed(skeleton_.nodes.size(), false);
   const auto carry = [&](Bone bone, const Vec3d& point) {
@@ -109,7 +109,7 @@ Recording::Attached Recording::attach(int node, const Vec3d& point) const {
   return {node, inverse(world_[index(node)]) * in_file};
 }
 
-// In the file's axes and unit.
+// Landmarks in the file's axes and unit.
 Landmarks Recording::in_file(int frame) const {
   std::vector<Transformd> placed(skeleton_.nodes.size());
   const LocalTransform* local = clip_.frame(skeleton_, frame);
@@ -153,10 +153,11 @@ Landmarks Recording::at(int frame) const {
   return person;
 }
 
-// Standing alone does not tell up: who lies stands along another axis, and files whose up is z have
-// OFFSETs along y.
+// Finds the up axis. Standing alone does not determine it: lying people stand along another axis,
+// and files with z up have OFFSETs along y.
 Vec3d Recording::find_up() const {
-  // of who is on the file's 0, in statures: the lowest joint, and the hips at least
+  // statures from the file's 0 to the lowest joint, and least height of the hips, for a person on
+  // the floor
   constexpr double kLow = -0.05;
   constexpr double kHigh = 0.15;
   constexpr double kHips = 0.02;

@@ -13,13 +13,13 @@
 namespace shigusa {
 namespace {
 
-// The most that holding a start may ask of a body.
+// Limits on the effort of holding a start posture.
 struct Hold {
   double share = 1.0;    // of a joint's strength
   double outside = 0.0;  // m, of the centre of mass beside the feet
 };
 constexpr Hold kSurely{1.0, 0.0};
-constexpr Hold kBarely{1.5, 0.05};  // beyond it no motion is possible
+constexpr Hold kBarely{1.5, 0.05};  // no motion is possible beyond it
 
 bool could_hold(CharacterSpec spec, const Landmarks& start, double stature, const Hold& hold) {
   spec.stature = stature;
@@ -27,7 +27,7 @@ bool could_hold(CharacterSpec spec, const Landmarks& start, double stature, cons
   spec.seat = std::nullopt;
   spec.heels = false;
   const Result<BodyModel> body = build_character(spec);
-  if (!body) return true;  // of that is told where the body is built
+  if (!body) return true;  // reported where the body is built
   const Motion held = held_start(*body);
   for (const JointLoad& load : joint_loads(*body, held)) {
     if (load.share > hold.share) return false;
@@ -65,7 +65,7 @@ class StartChooser {
     return found;
   }
 
-  // None was asked for; `first` is the first that there is.
+  // Start if none was requested; `first` is the first available frame.
   [[nodiscard]] Result<PersonStart> found(int first) const {
     const std::optional<double> seat = seat_below(recording_.at(first), stature());
     const std::optional<int> stand = spec_.seat && seat ? first : first_stand(true);
@@ -92,12 +92,12 @@ class StartChooser {
   [[nodiscard]] bool begins_standing() const { return first_stand(true) == 0; }
 
  private:
-  // A frame's seat is another than the one that is asked for beyond this (m).
+  // Difference (m) beyond which a frame's seat is not the requested one.
   static constexpr double kSameSeat = 0.08;
 
   [[nodiscard]] double stature() const { return known_.person.stature; }
 
-  // Fails where the person lies.
+  // Fails if the person lies.
   [[nodiscard]] Result<void> check_up(int frame) const {
     if (!lies(recording_.at(frame), stature())) return {};
     return fail(ErrorCode::invalid_argument, say("frame_lies", frame), spec_.source);

@@ -19,7 +19,7 @@
 namespace shigusa {
 namespace {
 
-// Bones that a motion of the body may turn, as VRM 1.0 names them; parents before children.
+// VRM 1.0 names of the bones that a motion of the body may turn; parents before children.
 constexpr std::array<std::string_view, 22> kVrmBones{
     "hips",          "spine",         "chest",         "upperChest",    "neck",
     "head",          "leftShoulder",  "leftUpperArm",  "leftLowerArm",  "leftHand",
@@ -32,8 +32,8 @@ bool same(const Quatd& a, const Quatd& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
 }
 
-// The motion of nodes that stand at `rest` (nodes) while nothing is played: tracks of the nodes
-// that move, and of those that the rig has elsewhere from its first frame on.
+// Animation of a rig with rest transforms `rest` (nodes): tracks of the nodes that move, and of
+// those whose first frame differs from rest.
 GltfAnimation animation_of(const Rig& rig, const std::vector<GltfPlace>& rest,
                            const RigMotion& motion, const std::string& name) {
   GltfAnimation animation{name, motion.frame_time, motion.frames, {}};
@@ -58,7 +58,7 @@ GltfAnimation animation_of(const Rig& rig, const std::vector<GltfPlace>& rest,
   return animation;
 }
 
-// The rig of a character with other nodes, none of which is turned at rest.
+// The character's rig with all rest rotations removed.
 Rig unturned(const CharacterRig& character) {
   Rig result = character.rig;
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {
@@ -68,7 +68,7 @@ Rig unturned(const CharacterRig& character) {
   return result;
 }
 
-// The character's VRM bones as a skeleton of their own, parents first.
+// The character's VRM bones as a separate skeleton, parents first.
 class VrmSkeleton {
  public:
   VrmSkeleton(const CharacterRig& character, bool fingers) : character_(character) {
@@ -78,7 +78,7 @@ class VrmSkeleton {
     const std::vector<Transformd> posed =
         world_transforms(character.skeleton, {0.0, 1, character.posed}, 0);
     std::vector<int> ours(character.skeleton.nodes.size(), -1);
-    // by the file's order: bones of a file may hang together otherwise than VRM wants them
+    // in the file's order: its bones may have a different hierarchy than VRM requires
     for (std::size_t i = 0; i < ours.size(); ++i) {
       const std::string name = vrma_bone(character, static_cast<int>(i), fingers);
       if (name.empty()) continue;
@@ -109,18 +109,18 @@ class VrmSkeleton {
       finger.axis = facing_ahead(finger.axis);
     }
     std::erase_if(rig.fingers, [](const FingerBone& finger) { return finger.node < 0; });
-    rig.twists.clear();  // no bones of VRM
+    rig.twists.clear();  // twist bones are not part of VRM
     Placement& p = rig.placement;
     for (Vec3d* v : {&p.left, &p.up, &p.ahead, &p.origin}) *v = facing_ahead(*v);
   }
 
-  std::string beside;  // a bone that hangs on none but is not the first; empty: none
+  std::string beside;  // a second root bone; empty: none
   std::vector<VrmAnimation::Bone> bones;
   std::vector<GltfPlace> rest;  // (bones)
-  Rig rig;                      // of these bones, as they are posed
+  Rig rig;                      // rig of these bones in their poses
 
  private:
-  // VRM animations face +Z; characters of VRM 0.x face -Z.
+  // Turns a vector about, as VRM animations face +Z and characters of VRM 0.x face -Z.
   [[nodiscard]] Vec3d facing_ahead(const Vec3d& v) const {
     return character_.ahead.z < 0.0 ? Vec3d{-v.x, v.y, -v.z} : v;
   }
@@ -134,7 +134,7 @@ class VrmSkeleton {
 }  // namespace
 
 HandPlay hand_play(const Task& task) {
-  // the paper knows no fingers
+  // the paper's model has no fingers
   const bool plays = task.finger_play == FingerPlay::grip && traits_of(task.preset).natural;
   HandPlay hands{plays, {}};
   for (const Goal& goal : task.goals) {
@@ -158,7 +158,7 @@ std::string vrma_bone(const CharacterRig& character, int node, bool fingers) {
   }
   if (!fingers) return {};
   for (const FingerBone& finger : character.rig.fingers) {
-    // of VRM 0.x too, whose thumbs have other names
+    // also for VRM 0.x, whose thumb bones have other names
     if (finger.node == node) return vrm_finger_name(finger);
   }
   return {};
@@ -221,7 +221,7 @@ Result<std::string> CharacterExporter::vrma(const BodyModel& body, const Clip& c
   }
   const RigMotion motion = motion_of(body, clip, skeleton.rig);
   GltfAnimation animation = animation_of(skeleton.rig, skeleton.rest, motion, name);
-  // bones keep their lengths: of VRM's the hips alone move in their parent
+  // bone lengths are constant: of the VRM bones only the hips translate
   for (GltfTrack& track : animation.tracks) {
     if (track.node > 0) track.translations.clear();
   }

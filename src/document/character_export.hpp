@@ -11,27 +11,27 @@
 
 namespace shigusa {
 
-// Motions of a body on its character's own skeleton. Borrows the rig.
+// Writer of a body's motions on the character's own skeleton. Borrows the rig.
 class CharacterExporter final : public GlbExporter {
  public:
   explicit CharacterExporter(const CharacterRig& character, const HandPlay& hands = {},
                              const FileSettings& settings = {})
       : character_(character), hands_(hands), settings_(settings) {}
 
-  // With the nodes of the file; of a BVH also with its channels and in its unit, else in
-  // centimetres.
+  // BVH text with the nodes of the character's file. A character from a BVH file keeps its channels
+  // and unit; others are in centimetres.
   [[nodiscard]] std::string bvh(const BodyModel& body, const Clip& clip) const;
 
-  // Rotations of the nodes that turn, the hips' translation, and the nodes that the start frame has
-  // elsewhere than the rest pose.
+  // Animation tracks: rotations of the nodes that turn, the translation of the hips, and the nodes
+  // whose start frame differs from the rest pose.
   [[nodiscard]] GltfAnimation animation(const BodyModel& body, const Clip& clip,
                                         const std::string& name) const override;
 
-  // The character's glTF file with animations added before its own, or in their place.
+  // The character's glTF file with the animations added before its own, or replacing them.
   [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const override;
 
-  // A VRM animation: the character's bones of VRM but for eyes and jaw, which stay, and fingers
-  // where they do.
+  // VRM animation of the character's VRM bones. Eyes and jaw are left out, and so are fingers that
+  // do not move.
   [[nodiscard]] Result<std::string> vrma(const BodyModel& body, const Clip& clip,
                                          const std::string& name) const;
 
@@ -43,13 +43,13 @@ class CharacterExporter final : public GlbExporter {
   FileSettings settings_;
 };
 
-// The play of hands that a task asks for: those that have goals open and close.
+// Hand motion requested by a task: hands with goals open and close.
 [[nodiscard]] HandPlay hand_play(const Task& task);
 
-// The bone of VRM 1.0 that a node is in a VRM animation; empty where it is none.
+// VRM 1.0 bone of a node in a VRM animation; empty if it has none.
 [[nodiscard]] std::string vrma_bone(const CharacterRig& character, int node, bool fingers);
 
-// m per unit of the BVH that a character leaves in.
+// Unit (m) of the BVH file that a character is exported to.
 [[nodiscard]] double bvh_unit(const CharacterSpec& spec);
 
 }  // namespace shigusa

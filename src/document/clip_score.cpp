@@ -26,15 +26,15 @@
 namespace shigusa {
 namespace {
 
-// Smoothing sees so much (s) on either side of the frames that are scored.
+// Margin (s) on either side of the scored frames that the smoothing needs.
 constexpr double kAround = 0.35;
-// A hand that goes by more than this share of the way of the one that goes farthest reaches too.
+// A hand counts as reaching too if its travel exceeds this share of the longest.
 constexpr double kGoesAsFar = 0.9;
 
-// All that a motion file holds.
+// Contents of a motion file.
 struct MotionFile {
   SkeletonMotion motion;
-  HumanoidMap given;  // by the file itself
+  HumanoidMap given;  // bone map given by the file itself
   std::vector<Message> doubts;
 };
 
@@ -80,15 +80,15 @@ Result<MeasuredFile> measure(const MotionFile& file, int frame, const BoneReques
   return MeasuredFile{*map, std::move(*person)};
 }
 
-// The landmarks of the body that is no part of the clip, in its start posture.
+// Start landmarks of a body that is not taken from the clip.
 Landmarks start_of(const CharacterSpec& character, const BodyModel& body) {
   if (character.landmarks) return *character.landmarks;
   return standing_landmarks(body.stature(),
                             character.source == "half_body" ? 0.0 : kStandingToeOut);
 }
 
-// Goes through the frames first..last of a clip with what comes before and after them, and shows
-// them to the criteria as a rollout shows its own.
+// Plays the frames first..last of a clip, with their neighbours, and shows them to the criteria as
+// a rollout shows its own.
 class ClipPlayer {
  public:
   ClipPlayer(const BodyModel& body, const CriteriaSettings& criteria)
@@ -153,7 +153,7 @@ Score summed(const BuiltInCriteria<double>& criteria, const BodyModel& body, con
   return score;
 }
 
-// The rig of a file's nodes, as they stand in a frame.
+// Rig of a file's nodes, posed as in a frame.
 Rig rig_of(const SkeletonMotion& motion, int frame, const MeasuredFile& measured) {
   const MeasuredPerson& person = measured.person;
   Rig rig{
@@ -167,7 +167,7 @@ Rig rig_of(const SkeletonMotion& motion, int frame, const MeasuredFile& measured
   return rig;
 }
 
-// The motion on the body of the file's own person.
+// The motion on the body measured from the file.
 Result<RecordedMotion> on_its_person(MotionFile file, const std::string& name,
                                      CharacterSpec character, int first) {
   const int frame = character.frame.value_or(first);
@@ -190,7 +190,8 @@ Result<RecordedMotion> on_its_person(MotionFile file, const std::string& name,
   return RecordedMotion{std::move(file.motion), std::move(rig), std::move(body)};
 }
 
-// The motion on another body, to whose stature the file is scaled by its person in the first frame.
+// The motion on another body. The file is scaled to its stature, by the person measured in the
+// first frame.
 Result<RecordedMotion> on_another_body(MotionFile file, const std::string& name,
                                        CharacterSpec character, int first) {
   SHG_TRY(measure_character(character, {}));
@@ -219,8 +220,8 @@ void doubt(const ScoreSettings& settings, ClipScore& result) {
   }
 }
 
-// The hands that go nearly as far as the one that goes farthest: nobody tells which of a recorded
-// motion's have a goal, and a free one goes along with the trunk.
+// Hands that travel nearly as far as the one that travels farthest. A recording does not state its
+// goals, and a free hand moves along with the trunk.
 std::vector<int> reaching_hands(const BodyModel& body, const Clip& clip, int first, int last) {
   Kinematics<double> begin(body);
   Kinematics<double> end(body);
@@ -295,7 +296,7 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   result.motion = player.play(smooth, first, first + last - settings.first);
   result.score = summed(player.criteria(), recorded.body, result.motion, criteria);
   result.measures = measure_motion(recorded.body, result.motion, settings.criteria.collision);
-  // the player's meter sees the frames around
+  // the player's meter saw the surrounding frames too
   result.measures.support = player.support().margins();
   PostureMeter meter(recorded.body);
   result.final_posture = meter.measure(result.motion.clip.frame(result.motion.clip.frames - 1), 0);

@@ -16,7 +16,7 @@
 namespace shigusa {
 namespace {
 
-// The endings of characters that a format is for.
+// File name endings of the characters that a format needs.
 template <NeededFile needed>
 std::string endings_for() {
   return format_endings(
@@ -113,7 +113,7 @@ Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate) {
       return contact.effector == foot.name;
     };
     const auto& contacts = candidate.contacts;
-    // the base cannot move
+    // the base is fixed
     if (foot.link == kBaseLink || std::none_of(contacts.begin(), contacts.end(), stands)) continue;
     held.feet.push_back(foot);
   }

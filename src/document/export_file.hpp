@@ -9,21 +9,21 @@
 
 namespace shigusa {
 
-// "candidate-1.bvh" of rank 1.
+// File name of a candidate, "candidate-1.bvh" for rank 1.
 [[nodiscard]] std::string candidate_file(std::size_t rank, FileFormat format);
-// All candidates in one GLB.
+// File name of the GLB with all candidates.
 inline constexpr const char* kOneFile = "candidates.glb";
 
-// Whether a file of this name is a candidate's, or all candidates'.
+// Whether a file name is that of a candidate, or of all candidates.
 [[nodiscard]] bool is_result_file(std::string_view name);
 
-// A file, read back where it holds the motion of nodes.
+// An exported file, with the result of reading it back if it holds the motion of nodes.
 struct MadeFile {
   std::string bytes;
   std::optional<ReadBack> back;
 };
 
-// A motion that is to leave, and how.
+// A motion to export, with its settings.
 struct WriteRequest {
   const CharacterSpec& character;
   const Task& task;
@@ -31,8 +31,8 @@ struct WriteRequest {
   const FileSettings& settings;
 };
 
-// The motion in a format; each that is written (FormatInfo::written) has one. The character can
-// leave in it, and the rate is one that motions leave at.
+// Writes the motion in a format; each written format (FormatInfo::written) has a specialisation.
+// Precondition: the character can be exported to the format, and the rate is an export rate.
 template <FileFormat format>
 [[nodiscard]] Result<MadeFile> write_as(const WriteRequest& request);
 template <>
@@ -50,17 +50,18 @@ Result<MadeFile> write_as<FileFormat::png>(const WriteRequest& request);
 template <>
 Result<MadeFile> write_as<FileFormat::pdf>(const WriteRequest& request);
 
-// The file of bytes that hold no motion of nodes, for write_as.
+// Wraps bytes that hold no motion of nodes, for write_as.
 [[nodiscard]] Result<MadeFile> unread(Result<std::string> bytes);
 
-// Fails on settings that this character cannot leave with in that format.
+// Fails on settings that are not available for this character in that format.
 [[nodiscard]] Result<void> check_file_settings(const CharacterSpec& character, FileFormat format,
                                                const FileSettings& settings);
 
-// The motion in any format. Fails as check_formats and check_rate do, and where it is made.
+// Writes the motion in any format. Fails as check_formats and check_rate do, and as the writer
+// does.
 [[nodiscard]] Result<MadeFile> make_file(const WriteRequest& request, FileFormat format);
 
-// One GLB of all candidates, and what was read back of each.
+// A GLB of all candidates, and the result of reading each back.
 struct MadeGlb {
   std::string bytes;
   std::vector<ReadBack> back;

@@ -25,7 +25,7 @@ Json weights_to_json(CriteriaSettings criteria) {
   return json;
 }
 
-// The name of the mixture that a function gives.
+// Name of the mixture that a function returns.
 std::string_view mixture_of(CriteriaSettings (*settings)()) {
   for (const CriteriaPreset& mixture : criteria_presets()) {
     if (mixture.settings == settings) return mixture.name;
@@ -70,7 +70,7 @@ Json bones_to_json() {
   return list;
 }
 
-// Adds the bounds of a struct's fields, by their keys in files: [low, high].
+// Adds the bounds of a struct's fields, by their keys in files, as [low, high].
 template <class Holder>
 void add_ranges(std::initializer_list<std::string_view> keys, Json& ranges) {
   for (const std::string_view key : keys) {
@@ -80,7 +80,7 @@ void add_ranges(std::initializer_list<std::string_view> keys, Json& ranges) {
   }
 }
 
-// The bounds of numbers that a person may set.
+// Bounds of the numbers that a user may set.
 Json ranges_to_json() {
   Json ranges;
   add_ranges<Goal>({"position_m", "load_kg", "tolerance_m"}, ranges);
@@ -91,7 +91,7 @@ Json ranges_to_json() {
   return ranges;
 }
 
-// The characters' formats that a format needs one of; none where any character will do.
+// Character formats of which a format needs one; empty if any character will do.
 Json needs_to_json(const FormatInfo& format) {
   Json list = Json::array();
   for (const FormatInfo& file : kFileFormats) {
@@ -114,7 +114,7 @@ Json format_to_json(const FormatInfo& format) {
           {"max_bytes", format.max_bytes}};
 }
 
-// The numbers of a motion's timing that a person sets: of the parameters, and of the task.
+// Timing numbers that a user may set: parameters, and those of the task.
 Json timing_to_json() {
   Json list = Json::array();
   for (const TimingNumber& number : kTimingNumbers) {
@@ -138,7 +138,7 @@ Json timing_to_json() {
   return list;
 }
 
-// The names that joints of built-in bodies may have in files, where they are not their own.
+// Names of the built-in bodies' joints in other conventions, where they differ from their own.
 Json joint_names_to_json() {
   Json list = Json::array();
   for (const EnumWord<JointNames>& names : kEnumWords<JointNames>) {
@@ -181,7 +181,7 @@ std::string format_facts() {
 
 std::string format_failure(const Error& error) {
   const Json json{{"place", error.place}, {"message", message_to_json(error.message)}};
-  // names from files may hold anything; what is not UTF-8 is replaced
+  // names from files may hold any bytes; invalid UTF-8 is replaced
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -15,9 +15,9 @@
 
 namespace shigusa {
 
-// Structs of plain data from JSON and back, by their tables of fields. Numbers, texts, words,
-// points, rotations and lists of such structs are read and written here; other values have
-// overloads of read_composite and composite_to_json.
+// Conversion of plain structs to JSON and back by their tables of fields. Numbers, texts, words,
+// points, rotations and lists of such structs are handled here; other values have overloads of
+// read_composite and composite_to_json.
 
 template <class Holder>
 void read_fields(JsonReader& reader, Holder& into);
@@ -29,11 +29,11 @@ inline constexpr bool kIsOptional = false;
 template <class Value>
 inline constexpr bool kIsOptional<std::optional<Value>> = true;
 template <class Value>
-inline constexpr bool kIsTable = false;  // a list of structs with a table
+inline constexpr bool kIsTable = false;  // a list of structs that have a table
 template <Tabled Item>
 inline constexpr bool kIsTable<std::vector<Item>> = true;
 
-// The reader of a list calls these before and after it reads an item; overloads do more.
+// Hooks called before and after each item of a list is read; overloads do more.
 template <class Item>
 void begin_item(std::vector<Item>&) {}
 template <class Item>
@@ -56,7 +56,7 @@ void read_list(JsonReader& holder, const char* key, std::vector<Item>& into, std
   }
 }
 
-// A whole number, or the word that may stand in its place.
+// Reads a whole number, or the word allowed in its place.
 template <class Traits, class Number>
 void read_whole_number(JsonReader& reader, const char* key, const Traits& traits, Number& into) {
   if (traits.word.word.empty() || !reader.value(key).is_string()) {
@@ -67,7 +67,7 @@ void read_whole_number(JsonReader& reader, const char* key, const Traits& traits
   reader.wrong(key, say("whole_number_or", traits.low, traits.word.word));
 }
 
-// The value of a member that the object has.
+// Reads the value of a member that the object has.
 template <class Traits, class Value>
 void read_value(JsonReader& reader, const char* key, const Traits& traits, Value& into) {
   if constexpr (requires { read_composite(reader, key, into); }) {
@@ -99,7 +99,7 @@ void read_value(JsonReader& reader, const char* key, const Traits& traits, Value
   }
 }
 
-// Reads all members of a struct; what the object does not have stays as it is.
+// Reads all members of a struct; members that the object lacks keep their values.
 template <class Holder>
 void read_fields(JsonReader& reader, Holder& into) {
   for_each_field<Holder>([&](const auto& field) {
@@ -111,7 +111,7 @@ void read_fields(JsonReader& reader, Holder& into) {
   });
 }
 
-// The first argument of composite_to_json, by which its overloads are found.
+// Tag argument of composite_to_json, by which its overloads are found.
 struct ToJson {};
 
 template <class Value>
@@ -137,7 +137,7 @@ template <class Value>
   }
 }
 
-// Whether files hold a member of this holder.
+// Whether a field of this holder is written to files.
 template <class Holder, class Value>
 [[nodiscard]] bool is_written(const Field<Holder, Value>& field, const Holder& holder) {
   const FieldTraits<Holder, Value>& traits = field.traits;

@@ -10,7 +10,7 @@
 
 namespace shigusa {
 
-// Motions of a body as animations of one GLB.
+// Writer of a body's motions as animations of one GLB.
 class GlbExporter {
  public:
   GlbExporter() = default;
@@ -18,10 +18,10 @@ class GlbExporter {
   GlbExporter& operator=(const GlbExporter&) = delete;
   virtual ~GlbExporter() = default;
 
-  // The animation that glb() adds.
+  // The animation to pass to glb().
   [[nodiscard]] virtual GltfAnimation animation(const BodyModel& body, const Clip& clip,
                                                 const std::string& name) const = 0;
-  // The file with these animations.
+  // The GLB file with these animations.
   [[nodiscard]] virtual Result<std::string> glb(
       std::span<const GltfAnimation> animations) const = 0;
 };

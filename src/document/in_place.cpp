@@ -10,7 +10,7 @@ namespace shigusa {
 void stay_in_place(int node, const Mat3d& parent, const Vec3d& up, std::size_t nodes,
                    std::vector<LocalTransform>& local) {
   const auto back = inverse_of(parent);
-  if (!back) return;  // of a file that scales by 0, which shows nothing
+  if (!back) return;  // a file that scales by 0 shows nothing
   const std::size_t first = index(node);
   const Vec3d from = local[first].translation;
   for (std::size_t i = first; i < local.size(); i += nodes) {
@@ -27,7 +27,7 @@ void stay_in_place(const Rig& rig, RigMotion& motion) {
     const Quatd& turn = motion.local[index(i)].rotation;
     parent = scaled_columns(to_matrix(turn), rig.nodes[index(i)].scale) * parent;
   }
-  // motions of mirrored rigs are in the file's own axes
+  // motions of mirrored rigs are in the axes of their file
   const Vec3d up = rig.placement.mirrored() ? rig.placement.up : Vec3d{0, 1, 0};
   stay_in_place(hips, parent, up, rig.nodes.size(), motion.local);
 }

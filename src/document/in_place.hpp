@@ -8,13 +8,13 @@
 
 namespace shigusa {
 
-// Keeps a node (frames × nodes) along the floor where it is in the first frame: what it travels
-// there is taken off, and what it rises stays. `parent`: from its parent, which stays, to the
-// world, with scales; `up`: unit vector in that world.
+// Holds a node (frames × nodes) at its horizontal position of the first frame and keeps its
+// vertical motion. `parent`: transform from its fixed parent to the world, with scales; `up`: unit
+// vector in that world.
 void stay_in_place(int node, const Mat3d& parent, const Vec3d& up, std::size_t nodes,
                    std::vector<LocalTransform>& local);
 
-// The same for the hips of a rig, in the world that it leaves in.
+// Holds the hips of a rig in place, in the world of the exported file.
 void stay_in_place(const Rig& rig, RigMotion& motion);
 
 }  // namespace shigusa

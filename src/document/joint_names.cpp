@@ -7,8 +7,8 @@
 namespace shigusa {
 namespace {
 
-// Three joints of the spine are the three of Mixamo, of HumanIK without its further ones, and of
-// Unreal's first mannequin.
+// Names of the bones. The three spine joints correspond to all three of Mixamo, the first three of
+// HumanIK, and the three of Unreal's first mannequin.
 constexpr std::array<JointNameRow, 22> kRows{{
     {"hips", "mixamorig:Hips", "pelvis", "Hips"},
     {"spine", "mixamorig:Spine", "spine_01", "Spine"},

@@ -8,16 +8,16 @@
 
 namespace shigusa {
 
-// A bone by the names that it has in files: in the order of JointNames.
+// Names of one bone in files, in the order of JointNames.
 using JointNameRow = std::array<std::string_view, 4>;
 
-// The bones that have other names somewhere.
+// Bones whose names differ between conventions.
 [[nodiscard]] std::span<const JointNameRow> joint_name_rows();
 
-// The name that a node of a built-in body has there; its own where there is none for it.
+// Name of a built-in body's node in a convention; `own` if the convention has none.
 [[nodiscard]] std::string_view joint_name(JointNames names, std::string_view own);
 
-// The skeleton with its nodes renamed.
+// Skeleton with its nodes renamed to a convention.
 [[nodiscard]] Skeleton named(Skeleton skeleton, JointNames names);
 
 }  // namespace shigusa

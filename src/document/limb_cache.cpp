@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Relative ones are to be ignored (XDG Base Directory Specification).
+// Absolute path in an environment variable; relative ones are ignored (XDG Base Directory
+// Specification).
 std::optional<fs::path> absolute_from(const char* variable) {
   const char* value = std::getenv(variable);
   if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;
@@ -37,7 +38,7 @@ LimbStore limb_store(const fs::path& folder) {
     std::error_code refused;
     fs::create_directories(folder, refused);
     if (refused) return;
-    // a library that cannot be kept is made again
+    // a failure to store is harmless: the library is computed again
     (void)write_file(folder / name, bytes);
   };
   return store;

@@ -12,7 +12,7 @@
 namespace shigusa {
 namespace {
 
-// A part of a node's place in all frames; empty where it stays at rest.
+// One component of a node's transform in all frames; empty if it stays at rest.
 template <class T>
 std::vector<T> column(const std::vector<LocalTransform>& local, std::size_t node, std::size_t nodes,
                       T LocalTransform::*part, const T& rest) {
@@ -26,7 +26,7 @@ std::vector<T> column(const std::vector<LocalTransform>& local, std::size_t node
   return values;
 }
 
-// Names of files, and for tips, which have none, those of what they are on.
+// Skeleton with names for files; an unnamed tip is named after its parent.
 Skeleton named_nodes(const Skeleton& own, JointNames names) {
   Skeleton skeleton = named(own, names);
   for (SkeletonNode& node : skeleton.nodes) {

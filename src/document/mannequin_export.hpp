@@ -10,23 +10,23 @@
 
 namespace shigusa {
 
-// Motions of a built-in body as the mannequin's. Nodes of the file are the body's, by the names
-// that are asked for, then those beside them, and last the one that shows the mesh.
+// Writer of a built-in body's motions on the mannequin. Nodes of the file are the body's, named by
+// the requested convention, then the mannequin's additional ones, and last the mesh node.
 class MannequinExporter final : public GlbExporter {
  public:
   MannequinExporter(const CharacterSpec& character, const BodyModel& body, const HandPlay& hands,
                     const FileSettings& settings);
 
-  // Rotations of the nodes that turn and the hips' translation.
+  // Animation tracks: rotations of the nodes that turn and the translation of the hips.
   [[nodiscard]] GltfAnimation animation(const BodyModel& body, const Clip& clip,
                                         const std::string& name) const override;
   [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const override;
 
  private:
-  std::string name_;  // the body's
-  Skeleton named_;    // the mannequin's, by the names in the file
+  std::string name_;  // name of the body
+  Skeleton named_;    // the mannequin's skeleton, by the names in the file
   Mannequin mannequin_;
-  std::vector<Vec3d> skin_;  // m, where the mesh is made
+  std::vector<Vec3d> skin_;  // m, vertex positions of the mesh
   HandPlay hands_;
   FileSettings settings_;
 };

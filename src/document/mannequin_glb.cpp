@@ -12,7 +12,7 @@
 namespace shigusa {
 namespace {
 
-// Numbers of glTF.
+// Constants of glTF.
 enum ComponentType { kUnsignedByte = 5121, kUnsignedShort = 5123, kFloat = 5126 };
 enum Target { kNone = 0, kVertices = 34962, kIndices = 34963 };
 
@@ -24,7 +24,7 @@ void append_float(double value, std::string& bytes) {
   append_bytes(bytes, std::bit_cast<std::uint32_t>(single(value)));
 }
 
-// The accessors of one binary chunk.
+// Buffer views and accessors of the GLB's binary chunk.
 class GlbData {
  public:
   // Adds the bytes of `count` elements; returns the accessor's index.

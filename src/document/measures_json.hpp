@@ -9,16 +9,15 @@ namespace shigusa {
 
 inline constexpr double kMillimetres = 1000.0;  // per metre
 
-// Adds the measures that summary.json and the object of `shigusa score --json` have alike:
-// `most_loaded`, `over_limit`, `support` (of a body that stands), `collision` (where there is one)
-// and `final_posture`.
+// Adds the measures shared by summary.json and the object of `shigusa score --json`: `most_loaded`,
+// `over_limit`, `support` (standing bodies), `collision` (if there is one) and `final_posture`.
 void add_measures(const BodyModel& body, const MotionMeasures& measures, const FinalPosture& ends,
                   Json& json);
 
-// The penalties of a score by the names of their criteria.
+// Penalties of a score, keyed by criterion name.
 [[nodiscard]] Json penalties_to_json(const Score& score);
 
-// Why a candidate is not possible: numbers of each kind, and the sentence that says them.
+// Reasons why a candidate is not possible: counts of each kind, and the sentence that states them.
 [[nodiscard]] Json reasons_to_json(const Judgement& judgement);
 
 }  // namespace shigusa

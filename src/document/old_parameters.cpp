@@ -8,21 +8,21 @@
 namespace shigusa {
 namespace {
 
-// The objects whose keys are names of parameters, and what a parameter's name has after them.
+// Old groups of parameters, and the suffix of today's names for each.
 const std::map<std::string_view, std::string_view> kWords{{"weights", ".weight"},
                                                           {"contractions", ".contraction"},
                                                           {"posture", ""},
                                                           {"supports", ".support"},
                                                           {"rest", ".final_rad"}};
 
-// The name of a parameter that stands as `key` in the object `group`.
+// Today's name of a parameter with the key `key` in the group `group`.
 std::string name_of(std::string_view group, std::string key) {
   constexpr std::string_view kUnit = "_rad";
   if (group == "rest" && key.ends_with(kUnit)) key.resize(key.size() - kUnit.size());
   return key.append(kWords.at(group));
 }
 
-// Adds what stands in one object; names of a layer's parameters begin with `layer`.
+// Adds the parameters of one object; parameters of a layer have names that begin with `layer`.
 void add_old(const Json& old, const std::string& layer, Json& parameters) {
   for (const auto& [group, members] : old.items()) {
     if (group == "locked" && members.is_array()) {

@@ -5,9 +5,9 @@
 
 namespace shigusa {
 
-// The values of a candidate as results hold them, of those as older results have them:
-// "weights", "contractions", "posture", "arms", "supports" and "rest", each by the names in it.
-// Members of neither form stay as they are, and are told where they are read.
+// Converts a candidate's values from the format of older results, with the objects "weights",
+// "contractions", "posture", "arms", "supports" and "rest", to today's. Members of neither format
+// are kept; their reader reports them.
 [[nodiscard]] Json from_old_parameters(const Json& parameters);
 
 }  // namespace shigusa

@@ -8,13 +8,13 @@
 
 namespace shigusa {
 
-// A candidate's values as results hold them: each by its name, "squat_rad", those of a posture only
-// where there is one; then the names of those that are "locked", and whether the motion is
+// A candidate's values in results: each value by its name, such as "squat_rad" (posture values only
+// if there is a posture), then the names of the "locked" values, and whether the motion is
 // "reflected".
 [[nodiscard]] Json parameters_to_json(const ParameterList& list, const Parameters& values);
 
-// The values of one stored candidate; every number of the list must be there, but for a posture,
-// of which what is missing is 0.
+// Values of one stored candidate. Every number of the list is required, except that missing values
+// of a posture are 0.
 [[nodiscard]] Result<Parameters> read_parameters(const ParameterList& list, const Json& candidate,
                                                  const std::string& place);
 

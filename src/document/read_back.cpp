@@ -18,21 +18,21 @@
 namespace shigusa {
 namespace {
 
-// Nodes that a motion leaves by less than this have no track of their own (see rig_motion).
+// Threshold below which a node's motion gets no track (see rig_motion).
 constexpr double kStill = 1e-6;  // m
 
-// Beyond these a file is wrong; less than that nobody sees.
+// Deviations beyond which a file counts as wrong; smaller ones are invisible.
 constexpr double kSeenLength = 1e-3;  // m
 constexpr double kSeenTurn = radians(0.1);
 
-// Three angles of six decimals of a degree; lengths of 1e-8 m.
+// Rounding of a BVH: three angles of six decimals of a degree; lengths of 1e-8 m.
 constexpr ReadBackDigits kBvhDigits{3.0 * 0.5e-6 * kPi / 180.0, kStill + 1e-8, 0.0};
-// Floats: of a unit quaternion four numbers are rounded by 2⁻²⁵ each, and turned about is twice
-// that of their square root; lengths are rounded by 2⁻²⁴ of themselves.
+// Rounding of 32-bit floats: the four numbers of a unit quaternion are rounded by 2⁻²⁵ each, and
+// the rotation error is twice the root of their squares' sum; lengths are rounded by 2⁻²⁴ relative.
 constexpr ReadBackDigits kFloatDigits{4.0 / (1 << 25), kStill, 2.0 / (1 << 24)};
 
-// Whether neither the node nor what it hangs on is scaled differently along its axes, which no
-// rotation tells.
+// Whether the node and its ancestors are scaled uniformly; other scales are not expressible as
+// rotations.
 bool scaled_evenly(const Rig& rig, int node) {
   for (; node >= 0; node = rig.nodes[static_cast<std::size_t>(node)].parent) {
     const Vec3d& s = rig.nodes[static_cast<std::size_t>(node)].scale;
@@ -43,7 +43,7 @@ bool scaled_evenly(const Rig& rig, int node) {
   return true;
 }
 
-// The nearest node up from this one that is no finger's.
+// Nearest node, from this one upwards, that is not part of a finger.
 int without_fingers(const Rig& rig, int node) {
   const auto is_finger = [&](const FingerBone& finger) { return finger.node == node; };
   while (std::any_of(rig.fingers.begin(), rig.fingers.end(), is_finger)) {
@@ -52,7 +52,7 @@ int without_fingers(const Rig& rig, int node) {
   return node;
 }
 
-// Segments that share their twist with other bones do not turn as the body's.
+// Whether a segment shares its twist with other bones, so that it does not turn as the body's does.
 bool is_twist_segment(std::string_view body_node) {
   const auto& segments = twist_segments();
   return std::any_of(segments.begin(), segments.end(), [&](const TwistSegment& segment) {
@@ -65,10 +65,10 @@ tl::unexpected<Error> unreadable(const char* format, const Message& why) {
               std::string("the format ") + format);
 }
 
-// (nodes of the character) where a VRM animation's bones take them.
+// (nodes of the character) placements under a VRM animation's bones.
 std::vector<Transformd> played(const CharacterRig& rig, const std::vector<int>& bone_of,
                                const std::vector<Transformd>& bones) {
-  // a player turns a character of VRM 0.x round, to face +Z as the animation does
+  // players turn a character of VRM 0.x about, to face +Z as the animation does
   const double sign = rig.ahead.z < 0.0 ? -1.0 : 1.0;
   std::vector<Transformd> places;
   for (std::size_t i = 0; i < rig.skeleton.nodes.size(); ++i) {
@@ -78,7 +78,7 @@ std::vector<Transformd> played(const CharacterRig& rig, const std::vector<int>& 
         node.parent < 0 ? Transformd{} : places[static_cast<std::size_t>(node.parent)];
     Transformd place{above.rotation, above * offset};
     if (bone_of[i] >= 0) place.rotation = bones[static_cast<std::size_t>(bone_of[i])].rotation;
-    // bones keep their lengths, but for the hips, which are the first
+    // bone lengths are constant, except for the hips, which come first
     if (bone_of[i] == 0) place.translation = bones[0].translation;
     places.push_back(place);
   }
@@ -113,7 +113,7 @@ void ReadBackCheck::add_mark(const std::string& name, const std::string& body_no
     if (mark.node < 0) return;
     mark.turned = without_fingers(character_.rig->rig, mark.node);
     mark.point = in_link(mark.link, start_[static_cast<std::size_t>(mark.node)]);
-    // a goal is for the effector, whatever the file has there
+    // the goal refers to the effector's point, wherever the file has its node
     const auto effector = foot ? std::nullopt : body_.find_effector(name);
     if (effector) mark.point = body_.effector(*effector).point;
   }
@@ -200,7 +200,7 @@ Result<ReadBack> ReadBackCheck::glb(std::string_view bytes, const std::string& a
   const std::vector<int>& in_file = file->character.file_node;
   FileMotion back = file_motion("glb", motion.clip, motion.skeleton, kFloatDigits);
   if (rig == nullptr) {
-    // the mannequin's file has the body's nodes first
+    // the mannequin's file lists the body's nodes first
     for (std::size_t node = 0; node < body_.nodes().size(); ++node) {
       const auto at = std::find(in_file.begin(), in_file.end(), static_cast<int>(node));
       if (at == in_file.end()) return unreadable("glb", say("other_nodes"));
@@ -230,7 +230,7 @@ Result<ReadBack> ReadBackCheck::vrma(std::string_view bytes) const {
     const std::string name = vrma_bone(rig, static_cast<int>(i), true);
     if (!name.empty()) bone_of[i] = motion.skeleton.find(name);
   }
-  // the bones that the animation moves are compared: the one that carries a finger, not the finger
+  // bones moved by the animation are compared: for a finger the bone that carries it
   std::vector<Mark> marks;
   for (Mark mark : marks_) {
     while (mark.node >= 0 && bone_of[static_cast<std::size_t>(mark.node)] < 0) {
@@ -310,7 +310,7 @@ ReadBackCheck::Allowance ReadBackCheck::allowance(const FileMotion& file, const 
                   file.digits.relative * norm(joint - from);
     sum.turn += file.digits.turn;
   }
-  // once in each of the two frames that a turn is between
+  // doubled, as a rotation is interpolated between two frames that are both rounded
   constexpr double kSpare = 2.0;
   return {kSpare * sum.length, 2.0 * kSpare * sum.turn};
 }

@@ -15,14 +15,14 @@
 namespace shigusa {
 namespace {
 
-// The node of the exported file that a node of the body is: the character's own, if it has one.
+// Node of the exported file for a node of the body: the character's own, if it has a rig.
 Json joint_of(const CharacterSpec& character, const std::string& body_node) {
   const int node = rig_node(character, body_node);
   if (node < 0) return body_node;
   return character.rig->skeleton.nodes[static_cast<std::size_t>(node)].name;
 }
 
-// Names in glTF may come twice, or be none: indices of the file's nodes do not.
+// Adds the index of the glTF node. Names in glTF may repeat or be missing; indices are unique.
 void add_gltf_node(const CharacterSpec& character, const std::string& body_node, Json& json) {
   const int node = rig_node(character, body_node);
   if (node < 0 || character.rig->file_node.empty()) return;
@@ -83,7 +83,7 @@ Json resting_to_json(const CharacterSpec& character, const Candidate& candidate)
   return list;
 }
 
-// Adds the files of a candidate. Frames are those of the files that hold the motion of nodes.
+// Adds the files of a candidate. The frame count is that of files that hold the motion of nodes.
 void add_files(const Candidate& candidate, const CandidateFiles& files, double rate, Json& json) {
   json["files"] = Json::object();
   for (const auto& [format, file] : files) {
@@ -151,7 +151,7 @@ Json search_to_json(const GenerateResult& generation) {
   return json;
 }
 
-// Whether a name is that of a file in the result's own folder.
+// Whether a name is that of a file directly in the result's folder.
 bool is_plain_name(const std::string& name) {
   constexpr std::size_t kLongest = 255;
   return !name.empty() && name.size() <= kLongest && name != "." && name != ".." &&
@@ -163,7 +163,8 @@ bool is_sha256(const std::string& text) {
   return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == text.npos;
 }
 
-// The names and digests of a candidate's files. Results of pages and of other languages have none.
+// Names and digests of a candidate's files. Results written by the page or by other languages have
+// none.
 Result<CandidateFiles> read_files(const Json& candidate, const std::string& place) {
   CandidateFiles files;
   const auto read = [&](const char* key, const char* allowed, const auto& take) -> Result<void> {
@@ -191,7 +192,7 @@ Result<CandidateFiles> read_files(const Json& candidate, const std::string& plac
   return files;
 }
 
-// The frames a second of a candidate's files; without any, `rate` stays.
+// Frame rate (Hz) of a candidate's files; `rate` is kept if none is given.
 Result<void> read_rate(const Json& candidate, const std::string& place, double& rate) {
   if (!candidate.contains("fps")) return {};
   const Json& fps = candidate["fps"];
@@ -209,7 +210,8 @@ Result<void> check_version(const Json& json, const std::string& place) {
               place);
 }
 
-// A result holds its character as measured, so that it can be edited without any other file.
+// Checks that a result holds its measured character, so that it can be edited without any other
+// file.
 Result<void> check_character(const CharacterSpec& character, const std::string& place) {
   if (is_complete(character)) return {};
   return fail(ErrorCode::parse,
@@ -286,7 +288,7 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
   json["search_detail"] = search_to_json(generation);
   json["doubts"] = texts_to_json(task.body.doubts());
   json["task"] = task_to_json(played_task(file, generation));
-  // names from files may hold anything; what is not UTF-8 is replaced
+  // names from files may hold any bytes; invalid UTF-8 is replaced
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -56,7 +56,8 @@ Result<void> ResultFolder::publish(std::string_view summary) {
   return swap();
 }
 
-// A link is replaced, and what it leads to stays; other things than files are somebody's.
+// Checks that a name may be written. A link is replaced and its target kept; anything but a file is
+// refused.
 Result<void> ResultFolder::check_place(const std::string& name) const {
   const FileType type = type_in(staging_.folder(), name);
   if (type == FileType::not_found || type == FileType::symlink) return {};
@@ -70,7 +71,7 @@ Result<void> ResultFolder::check_place(const std::string& name) const {
                             what),
                 (staging_.path() / name).string());
   }
-  // renaming alone would also replace files that the user may not change
+  // a rename alone would also replace files that the user has no right to change
   const int reason = check_writable(staging_.folder(), name);
   return reason == 0 ? Result<void>{} : refused(staging_.path() / name, "write", reason);
 }

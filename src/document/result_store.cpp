@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results in folders: what programs with files do, and pages do not.
+// Results in folders, for programs with a file system; the page does without.
 #include <algorithm>
 #include <cerrno>
 #include <shigusa/files.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The path of the character's file from the folder; empty where there is none.
+// Path of the character's file relative to the folder; empty if there is none.
 std::string from_folder(const fs::path& character, const fs::path& folder) {
   if (character.empty()) return {};
   std::error_code error;
@@ -28,14 +28,14 @@ FileSettings file_settings(const ExportSettings& settings) {
           settings.in_place, settings.only_this_clip, settings.from_svg};
 }
 
-// Makes the files of one format, those of some candidates side by side: as many at once as threads,
-// so that no more are held than that.
+// Makes the files of one format, for as many candidates at once as there are threads, which bounds
+// the memory held.
 class FilesMade {
  public:
   FilesMade(const FinishedRun& run, FileFormat format, const ExportSettings& settings)
       : run_(run), format_(format), settings_(settings) {}
 
-  // The file of each candidate, asked for in their order.
+  // The file of a candidate; candidates are requested in order.
   Result<MadeFile> file(std::size_t candidate) {
     const std::size_t block = index(thread_count(run_.task.batch.threads));
     if (candidate % block == 0) make(candidate, block);
@@ -62,7 +62,7 @@ class FilesMade {
   std::vector<Result<MadeFile>> made_;
 };
 
-// Takes a file that was made; false, with a note, where the motion cannot leave so.
+// Takes a file that was made; returns false, with a note, if the motion cannot be exported.
 template <class Made>
 Result<bool> take(Result<Made> file, Made& made, ResultFiles& files) {
   if (file) {
@@ -71,7 +71,7 @@ Result<bool> take(Result<Made> file, Made& made, ResultFiles& files) {
   }
   if (file.error().code != ErrorCode::unsupported) return tl::unexpected(file.error());
   Message why = file.error().to_message();
-  // of all candidates it is mostly the same
+  // the reason is mostly the same for all candidates
   const bool told = !files.notes.empty() && files.notes.back().text == why.text;
   if (!told) files.notes.push_back(std::move(why));
   return false;
@@ -82,7 +82,7 @@ void note_off(const std::string& name, const std::optional<ReadBack>& back, Resu
   files.notes.push_back(Error{ErrorCode::unsupported, back->off, name}.to_message());
 }
 
-// Adds the files of one format to the folder, and notes them in `files`.
+// Adds the files of one format to the folder, and lists them in `files`.
 Result<void> add_files(const FinishedRun& run, FileFormat format, const ExportSettings& settings,
                        ResultFolder& folder, ResultFiles& files) {
   FilesMade all(run, format, settings);
@@ -127,7 +127,7 @@ Result<void> prepare_folder(const fs::path& folder) {
                 "cannot make this folder: " + (error ? error.message() : "it is a file"),
                 folder.string());
   }
-  // it makes a folder within, and removes it
+  // opening creates a folder within, and removes it
   return ResultFolder().open(folder);
 }
 

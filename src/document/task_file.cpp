@@ -14,8 +14,8 @@
 namespace shigusa {
 namespace {
 
-// The freedoms of a person from a file where nothing is said: all, but the published method and its
-// layers are of bodies like the paper's.
+// Default degrees of freedom of a person from a file: all of them, but the paper's body for the
+// published method and its layers.
 BodyExtent usual_extent(Preset preset) {
   return traits_of(preset).natural ? BodyExtent::human : BodyExtent::full;
 }
@@ -83,7 +83,7 @@ Result<TaskFile> read_task(const std::filesystem::path& path) {
 }
 
 std::string format_task(const TaskFile& task) {
-  // a file's name may hold anything; what is not UTF-8 is replaced
+  // names of files may hold any bytes; invalid UTF-8 is replaced
   return task_to_json(task).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -7,7 +7,7 @@
 
 namespace shigusa {
 
-// The task as a JSON object, and back; result files hold it too.
+// Conversion of a task to JSON and back; result files use it too.
 [[nodiscard]] Json task_to_json(const TaskFile& task);
 [[nodiscard]] Result<TaskFile> task_from_json(const Json& json, const std::string& place);
 

@@ -30,7 +30,7 @@ Json either(const Json& one, const Json& other) { return {{"anyOf", Json::array(
 
 Json words_schema(std::span<const std::string> words) { return {{"enum", words}}; }
 
-// Each criterion's weight and reference scale.
+// Schema of each criterion's weight and reference scale.
 Json criteria_schema() {
   Json properties;
   for_each_criterion([&](const auto& criterion) {
@@ -50,7 +50,7 @@ std::vector<std::string> mixtures() {
   return names;
 }
 
-// The schemas of a task's structs, each with the schemas that it refers to.
+// Schemas of a task's structs, each with the schemas that it refers to.
 class Definitions {
  public:
   Definitions() {
@@ -73,7 +73,7 @@ class Definitions {
     return schema;
   }
 
-  // A reference to a struct's schema.
+  // Reference to a struct's schema.
   template <class Holder>
   [[nodiscard]] Json struct_schema() {
     const std::string name = kFields<Holder>.name;

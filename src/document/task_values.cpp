@@ -13,7 +13,7 @@
 namespace shigusa {
 namespace {
 
-// Three numbers, or a word that stands for them.
+// Reads three numbers, or a word that stands for them.
 template <class Named>
 void read_axis(JsonReader& reader, const char* key, Vec3d& into, Named&& named) {
   reader.require(key);

@@ -14,13 +14,13 @@
 namespace shigusa {
 namespace {
 
-// A point of shigusa's world (m) in a robot's: x ahead, y to the left, z up.
+// Converts a point (m) from shigusa's world to a robot's: x ahead, y to the left, z up.
 Vec3d in_robot_world(const Vec3d& point) { return {point.z, point.x, point.y}; }
 
 constexpr std::array kPoseNames{"root.x [m]", "root.y [m]", "root.z [m]", "root.qx",
                                 "root.qy",    "root.qz",    "root.qw"};
 
-// (frames) where the root is.
+// (frames) placements of the root.
 std::vector<Transformd> root_places(const BodyModel& body, const Clip& clip) {
   const RobotFrame& robot = *body.robot();
   Kinematics<double> kinematics(body);
@@ -35,8 +35,8 @@ std::vector<Transformd> root_places(const BodyModel& body, const Clip& clip) {
   return places;
 }
 
-// (frames) what the joints between the world and the root are at; none where the root is free, or
-// cannot be carried so.
+// (frames) values of the joints between the world and the root; empty if the root is free, or if
+// those joints cannot reach its placements.
 std::vector<RootValues> carried(const RobotFrame& robot, const std::vector<Transformd>& root) {
   std::vector<RootValues> values;
   if (robot.carriers.empty()) return values;
@@ -62,11 +62,11 @@ void add_pose(const std::vector<Transformd>& places, std::vector<CsvColumn>& col
   for (CsvColumn& column : pose) columns.push_back(std::move(column));
 }
 
-// The columns that drive a robot through a motion, in its file's own terms: the root link's place
-// "root.x [m]" … and quaternion "root.qx" … in the robot's world, then "JOINT [rad]" (or "JOINT
-// [m]" where it slides) for all joints that move, in the file's order, then "JOINT torque [N m]"
-// for those that take part. A root that hangs on a world by six joints goes by these, and root.* is
-// where the world is.
+// Adds the columns that drive a robot through a motion, in the terms of its file: the root link's
+// position "root.x [m]" … and quaternion "root.qx" … in the robot's world, then "JOINT [rad]" (or
+// "JOINT [m]" for sliding joints) for all joints that move, in the file's order, then "JOINT torque
+// [N m]" for those that take part. If six joints attach the root to a world link, they drive it,
+// and root.* is the placement of the world link.
 void add_robot_columns(const BodyModel& body, const Motion& motion,
                        std::vector<CsvColumn>& columns) {
   const Clip& clip = motion.clip;
@@ -79,7 +79,7 @@ void add_robot_columns(const BodyModel& body, const Motion& motion,
   const auto of_dof = [&](const RobotJoint& joint, const std::vector<double>& all) {
     std::vector<double> values;
     for (std::size_t i = static_cast<std::size_t>(joint.dof); i < all.size(); i += dofs) {
-      values.push_back(0.0 + joint.sign * all[i]);  // no -0
+      values.push_back(0.0 + joint.sign * all[i]);  // 0.0 + avoids -0
     }
     return values;
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that hold the motion of nodes.
+// Writers of the formats that hold the motion of nodes.
 #include <fmt/format.h>
 
 #include <shigusa/formats.hpp>
@@ -19,7 +19,7 @@
 namespace shigusa {
 namespace {
 
-// The motion as files of it have it. Fails on more of it than a file may hold.
+// The motion at a file's rate. Fails if it exceeds the limits of files.
 Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
                           const Candidate& candidate, double rate) {
   const Clip& clip = candidate.motion.clip;
@@ -30,7 +30,7 @@ Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
   return fail(ErrorCode::invalid_argument, say("file_frames", frames, nodes, kBvhMaxTransforms));
 }
 
-// A file that `make` makes of the motion at the rate that is asked for, read back by `check`.
+// A file made by `make` from the motion at the requested rate, and read back by `check`.
 template <class Make, class Check>
 Result<MadeFile> checked_file(const WriteRequest& request, Make&& make, Check&& check) {
   const auto& [character, task, candidate, settings] = request;
@@ -45,7 +45,8 @@ CharacterExporter exporter_of(const WriteRequest& request) {
   return CharacterExporter(*request.character.rig, hand_play(request.task), request.settings);
 }
 
-// Of a built-in body the mannequin's, which a build may lack (check_formats).
+// GLB writer of a character. That of built-in bodies needs the mannequin, which a build may lack
+// (check_formats).
 std::unique_ptr<GlbExporter> glb_exporter(const CharacterSpec& character, const Task& task,
                                           const FileSettings& settings) {
 #ifdef SHIGUSA_HAS_MANNEQUIN
@@ -58,7 +59,7 @@ std::unique_ptr<GlbExporter> glb_exporter(const CharacterSpec& character, const 
 
 }  // namespace
 
-// Of any body; a character from a file keeps its own nodes.
+// BVH of any body; a character from a file keeps its own nodes.
 template <>
 Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
   const std::shared_ptr<const CharacterRig>& rig = request.character.rig;

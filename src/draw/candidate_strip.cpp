@@ -12,7 +12,7 @@
 namespace shigusa {
 namespace {
 
-// The limb that a goal moves, by the effector's name; none of the trunk and the head.
+// The limb that a goal moves, from the effector's name; empty for trunk and head.
 std::optional<Limb> limb_of(std::string_view effector) {
   const JointPlace part = parse_joint_name(effector);
   if (!part.side) return std::nullopt;
@@ -37,10 +37,10 @@ std::vector<Vec3d> corners_of(const Obstacle& box) {
   return corners;
 }
 
-// A block from the floor to below the thighs of who sits; empty where nobody does. The soles on the
-// floor are a part of what bears a thigh.
+// Corners of the seat block under a seated person's thighs, down to the floor; empty if standing.
+// Sole corners are part of a thigh's contact outline and are left out.
 std::vector<Vec3d> seat_corners(const BodyModel& body) {
-  constexpr double kAboveSoles = 0.08;  // m; no seat is so low
+  constexpr double kAboveSoles = 0.08;  // m; seats are higher than that
   const Kinematics<double> start = start_kinematics(body);
   Vec3d low{};
   Vec3d high{};
@@ -59,7 +59,7 @@ std::vector<Vec3d> seat_corners(const BodyModel& body) {
     }
   }
   if (!any) return {};
-  // a thigh that slopes bears on its lower end
+  // a sloping thigh rests on its lower end
   return box_corners({low.x, 0.0, low.z}, {high.x, low.y, high.z});
 }
 

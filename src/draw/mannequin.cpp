@@ -7,7 +7,7 @@
 
 namespace shigusa {
 
-// Adds bone after bone to a mannequin.
+// Builder of a mannequin, bone by bone.
 class Mannequin::Builder {
  public:
   Builder(const Skeleton& body, const MannequinMesh& mesh, double stature, Mannequin& out)
@@ -23,7 +23,7 @@ class Mannequin::Builder {
         add_follower(bone);
       }
     }
-    // readers take what is in a skin for a bone, and leave out the hands' grips else
+    // readers treat skin joints as bones, and would leave out the hands' grips otherwise
     for (std::size_t i = 0; i < body.nodes.size(); ++i) {
       if (!is_joint(static_cast<int>(i))) hang(static_cast<int>(i), {{}, places_[i]});
     }
@@ -43,8 +43,8 @@ class Mannequin::Builder {
     return std::find(out_.joints_.begin(), out_.joints_.end(), node) != out_.joints_.end();
   }
 
-  // Skin on a node. Files want each node once in a skin, so the second part on one has a node of
-  // its own there.
+  // Attaches skin to a node. A node may occur once in a file's skin, so a second part gets a node
+  // of its own.
   void hang(int node, const Transformd& place) {
     if (is_joint(node)) {
       const std::string& name = out_.skeleton_.nodes[index(node)].name;
@@ -58,7 +58,7 @@ class Mannequin::Builder {
   void add_follower(const SkinBone& bone) {
     const SkinFit fit = fitter_.of(bone.of);
     const int joint = bones_.node(fit.bone);
-    if (fit.bone != bone.of) return hang(joint, fit.place);  // a limb that the body has not
+    if (fit.bone != bone.of) return hang(joint, fit.place);  // a limb that the body lacks
     const std::string side = bone.of.substr(0, bone.of.find('_') + 1);
     const bool arm = bone.of.ends_with("arm");
     std::string above = arm ? side + "shoulder" : "hips";
@@ -67,7 +67,7 @@ class Mannequin::Builder {
     const MannequinFollower turn{bone.kind, joint, fit.turn, hanging,
                                  bones_.axes() * Vec3d{0, -1, 0}};
     const int parent = out_.skeleton_.nodes[index(joint)].parent;
-    // the skin lies about the limb as it is at rest, and the follower as where it hangs
+    // the skin is placed about the limb at rest, and the follower about the hanging limb
     const int node = add(bone.name, parent, places_[index(joint)], hanging);
     hang(node, fitter_.hanging(bone, hanging));
     out_.rest_[index(node)].rotation = turn.follow({});
@@ -89,8 +89,8 @@ class Mannequin::Builder {
   RestBones bones_;
   SkinFitter fitter_;
   Mannequin& out_;
-  std::vector<Vec3d> places_;  // (nodes) m, world, at rest …
-  std::vector<Quatd> turns_;   // … and as the skin is laid
+  std::vector<Vec3d> places_;  // (nodes) m, world, at rest
+  std::vector<Quatd> turns_;   // (nodes) rotations with the skin as placed
 };
 
 Mannequin::Mannequin(const Skeleton& body, const MannequinMesh& mesh, double stature)

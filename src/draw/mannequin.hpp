@@ -10,23 +10,23 @@
 
 namespace shigusa {
 
-// The mannequin on a built-in body: the body's nodes, in their order, and after them those that
-// move its skin beside them.
+// The mannequin fitted to a built-in body: the body's nodes, in their order, followed by the
+// additional nodes that move its skin.
 class Mannequin {
  public:
   Mannequin(const Skeleton& body, const MannequinMesh& mesh, double stature);
 
   // Names and parents; names of the body's nodes are its own.
   [[nodiscard]] const Skeleton& skeleton() const { return skeleton_; }
-  // (nodes) each in its parent while nothing is played, with hands at rest.
+  // (nodes) rest transforms relative to parents, with relaxed hands.
   [[nodiscard]] const std::vector<LocalTransform>& rest() const { return rest_; }
-  // (bones of the mesh, then the body's other nodes) the node that moves skin, and from where the
-  // mesh is made to that node, with scales.
+  // (bones of the mesh, then the body's other nodes) the node that moves the skin, and its inverse
+  // bind matrix from mesh space to the node, with scales.
   [[nodiscard]] const std::vector<int>& joints() const { return joints_; }
   [[nodiscard]] const std::vector<Transformd>& inverses() const { return inverses_; }
 
-  // (frames × nodes) each in its parent by the body's motion; `reaches`: the left and the right
-  // hand open on the way and close at the end.
+  // (frames × nodes) transforms relative to parents, from the body's motion. `reaches`: whether the
+  // left and the right hand open on the way and close at the end.
   [[nodiscard]] std::vector<LocalTransform> play(const SkeletonClip& body,
                                                  std::array<bool, 2> reaches) const;
 
@@ -38,7 +38,7 @@ class Mannequin {
   struct Finger {
     int node;
     const SkinBone* bone;
-    Vec3d axis;  // of its bend
+    Vec3d axis;  // bending axis
   };
   class Builder;
 

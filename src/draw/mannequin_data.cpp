@@ -12,7 +12,7 @@ std::string mannequin_data() {
   constexpr std::size_t kMostBytes = std::size_t{1} << 20;
   std::string data(kMostBytes, '\0');
   z_stream stream{};
-  // zlib does not write there, and asks for it without saying so
+  // zlib does not write there, but its interface lacks const
   stream.next_in = const_cast<unsigned char*>(kMannequinFile.data());
   stream.avail_in = static_cast<unsigned>(kMannequinFile.size());
   stream.next_out = reinterpret_cast<unsigned char*>(data.data());

@@ -6,10 +6,10 @@
 
 namespace shigusa {
 
-// The bytes of data/mannequin.bin: cmake/embed_mannequin.cmake.
+// Contents of data/mannequin.bin, embedded by cmake/embed_mannequin.cmake.
 extern const std::span<const unsigned char> kMannequinFile;
 
-// The file's content, unpacked.
+// Unpacked contents of the file.
 [[nodiscard]] std::string mannequin_data();
 
 }  // namespace shigusa

@@ -22,7 +22,7 @@ const std::map<std::string, std::string> kNext{{"upper_arm", "lower_arm"},
                                                {"upper_leg", "lower_leg"},
                                                {"lower_leg", "foot"}};
 
-// "left_" and "hand" of "left_hand".
+// Splits "left_hand" into "left_" and "hand".
 std::pair<std::string, std::string> parts(const std::string& name) {
   for (const std::string side : {"left_", "right_"}) {
     if (name.starts_with(side)) return {side, name.substr(side.size())};
@@ -30,7 +30,7 @@ std::pair<std::string, std::string> parts(const std::string& name) {
   return {"", name};
 }
 
-// The bone above; of the hips these themselves.
+// The bone above; for the hips themselves.
 std::string above(const std::string& name) {
   const auto [side, bone] = parts(name);
   const auto found = kAbove.find(bone);
@@ -44,10 +44,10 @@ std::optional<double> length_of(const std::optional<Vec3d>& way) {
   return way ? std::optional(norm(*way)) : std::nullopt;
 }
 
-// The least turn from one unit vector to another.
+// Shortest rotation from one unit vector to another.
 Quatd turn_between(const Vec3d& from, const Vec3d& to) {
   const double cosine = dot(from, to);
-  // to the other side: about any axis across
+  // opposite directions: about any perpendicular axis
   const bool opposite = cosine < -1.0 + 1e-9;
   const Vec3d across = main_axis(from) == 0 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
   const Vec3d axis = cross(from, opposite ? across : to);
@@ -113,13 +113,13 @@ std::string SkinFitter::carrier(const std::string& bone) const {
   return body_.has(bone) || bone == "hips" ? bone : carrier(above(bone));
 }
 
-// A body's length to the mesh's, where it is known.
+// Ratio of a body's length to the mesh's; the overall scale if it is unknown.
 double SkinFitter::ratio(std::optional<double> length, double made) const {
   if (!length || *length < 0.01 * scale_) return scale_;
   return clamp(*length / made, 0.4 * scale_, 2.5 * scale_);
 }
 
-// From where the mesh is made to `at`, scaled along the hanging limb's axes.
+// Transform from mesh space to `at`, scaled along the hanging limb's axes.
 Transformd SkinFitter::lay(const Vec3d& at, const Quatd& turn, const Vec3d& scale,
                            const Vec3d& from, double angle) const {
   const Mat3d hanging = to_matrix(axis_rotation(Axis::z, -angle));
@@ -145,7 +145,7 @@ SkinFit SkinFitter::of(const std::string& name) const {
   return {name, turn, lay(*at, turn, scale, made(name).place, made(name).angle)};
 }
 
-// A limb that the body has not shrinks into its joint.
+// Placement of a limb that the body lacks: it shrinks into its joint.
 std::optional<SkinFit> SkinFitter::missing(const std::string& side, const std::string& bone) const {
   const bool arm = bone.ends_with("arm") || bone == "hand";
   const bool leg = bone.ends_with("leg") || bone == "foot" || bone == "toes";
@@ -159,7 +159,7 @@ std::optional<SkinFit> SkinFitter::missing(const std::string& side, const std::s
                      made(root).place, 0.0)};
 }
 
-// Of a girdle the end at the arm's joint lies exactly.
+// Placement of a shoulder girdle; its end at the arm's joint is exact.
 SkinFit SkinFitter::shoulder(const std::string& side) const {
   const std::string arm = side + "upper_arm";
   const Vec3d place = made(arm).place;
@@ -177,7 +177,7 @@ SkinFitter::Measure SkinFitter::measure(const std::string& side, const std::stri
     return {{s, ratio(length_of(body_.way("neck", "head")), high), s}};
   }
   if (bone == "head") {
-    // few bodies say where a head ends
+    // few bodies have a node at the top of the head
     const double top = ratio(norm(body_.way_to_tip("head")), mesh_.measures.at("head"));
     const double size = clamp(top, 0.9 * s, 1.15 * s);
     return {{size, size, size}};
@@ -203,7 +203,7 @@ SkinFitter::Measure SkinFitter::foot(const std::string& side) const {
   return {{scale_, size, size}, turn_of(as_made, *way)};
 }
 
-// The least turn from a way in the body's axes to one in the world.
+// Shortest rotation from a direction in the body's axes to one in the world.
 Quatd SkinFitter::turn_of(const Vec3d& made, const Vec3d& way) const {
   return turn_between(normalized(body_.axes() * made), normalized(way));
 }

@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-// The joints of a built-in body where none is turned, by the names of its bones.
+// Joint positions of a built-in body at rest, by the names of its bones.
 class RestBones {
  public:
   explicit RestBones(const Skeleton& body);
@@ -20,7 +20,7 @@ class RestBones {
   [[nodiscard]] int node(const std::string& bone) const;
   [[nodiscard]] std::optional<Vec3d> at(const std::string& bone) const;
   [[nodiscard]] std::optional<Vec3d> way(const std::string& from, const std::string& to) const;
-  // The way to the node below a bone that is farthest from it: a fingertip, the top of the head.
+  // Vector from a bone to its farthest descendant, such as a fingertip or the top of the head.
   [[nodiscard]] Vec3d way_to_tip(const std::string& bone) const;
   // The body's axes: left, up, ahead.
   [[nodiscard]] const Mat3d& axes() const { return axes_; }
@@ -31,28 +31,29 @@ class RestBones {
   Mat3d axes_;
 };
 
-// How a bone's skin lies about a body at rest.
+// Placement of a bone's skin on a body at rest.
 struct SkinFit {
-  std::string bone;  // the body's that carries it
-  Quatd turn{};      // of the body's bone, unturned, from a hanging limb
-  Transformd place;  // from where the mesh is made to the world, with scales in its matrix
+  std::string bone;  // the body's bone that carries it
+  Quatd turn{};      // rotation of the body's bone from a hanging limb
+  Transformd place;  // transform from mesh space to the world, with scales in its matrix
 };
 
-// Lays the mannequin's skin about a body: each part lies along the body's own bone and is as long
-// as that, so that a body of any proportions is covered. Borrows both.
+// Fits the mannequin's skin to a body: each part is aligned with the body's own bone and scaled to
+// its length, so that a body of any proportions is covered. Borrows both.
 class SkinFitter {
  public:
   SkinFitter(const RestBones& body, const MannequinMesh& mesh, double stature);
 
-  // The bone, or the next one above it that the body has; the hips where it has none.
+  // The bone if the body has it, else its nearest ancestor in the body; the hips if there is none.
   [[nodiscard]] std::string carrier(const std::string& bone) const;
-  // How a node's bone lies.
+  // Placement of a node's skin.
   [[nodiscard]] SkinFit of(const std::string& bone) const;
-  // How a follower's skin lies where its joint hangs straight; `turn`: of the bone above.
+  // Placement of a follower's skin with its joint hanging straight; `turn`: rotation of the bone
+  // above.
   [[nodiscard]] Transformd hanging(const SkinBone& follower, const Quatd& turn) const;
 
  private:
-  // How a bone's skin is scaled along the axes of a hanging limb, and turned from there.
+  // Scale of a bone's skin along the axes of a hanging limb, and its rotation from there.
   struct Measure {
     Vec3d scale;
     Quatd turn{};

@@ -4,9 +4,9 @@
 namespace shigusa {
 namespace {
 
-// Beyond this less of a twist is taken back, as at half a turn its sense is lost.
+// Twist beyond which less of it is taken back, as its sign is ambiguous at half a turn.
 constexpr double kFullTwist = 1.9;  // rad
-// Of a limb from hanging; near the upper one a twist has no meaning.
+// Angles of a limb from hanging between which the twist fades; near the upper one it is undefined.
 constexpr double kHighSwing[] = {1.9, 2.8};  // rad
 
 double smooth(double low, double high, double x) {
@@ -16,7 +16,7 @@ double smooth(double low, double high, double x) {
 
 Quatd conjugate(const Quatd& q) { return {-q.x, -q.y, -q.z, q.w}; }
 
-// The part of a turn that is about an axis (rad, -π to π).
+// Twist of a rotation about an axis (rad, -π to π).
 double twist_angle(const Quatd& turn, const Vec3d& axis) {
   const double about = turn.x * axis.x + turn.y * axis.y + turn.z * axis.z;
   const double angle = 2.0 * atan2(about, turn.w);
@@ -48,7 +48,7 @@ Quatd MannequinFollower::follow(const Quatd& joint_turn) const {
   }
 }
 
-// Without a share of the turn about the limb.
+// Rotation with a share of its twist about the limb removed.
 Quatd MannequinFollower::untwisted(const Quatd& turned, double share) const {
   const double twist = twist_angle(turned, down);
   const Quatd swung = turned * axis_turn(down, -twist);

@@ -35,8 +35,8 @@ std::vector<SkinBone> bones_of(const Json& list) {
   return bones;
 }
 
-// The half that is in the file, and its mirror image, which share the vertices in the plane of
-// symmetry.
+// The half of the mesh that the file holds, and its mirror image; they share the vertices in the
+// plane of symmetry.
 class Halves {
  public:
   explicit Halves(std::string_view data)
@@ -72,7 +72,7 @@ class Halves {
 
   [[nodiscard]] bool mirrored(std::size_t v) const { return v >= index(vertices_); }
 
-  // Those that begin at `first` of each vertex's `each`, in steps.
+  // Vectors from the numbers at offset `first` in each vertex's group of `each`, scaled by `step`.
   [[nodiscard]] std::vector<Vec3d> vectors(const std::vector<int>& numbers, std::size_t each,
                                            std::size_t first, double step) const {
     std::vector<Vec3d> out;
@@ -104,7 +104,7 @@ class Halves {
     const int scale = 255 / head_.at("weightSum").get<int>();
     const std::vector<int> other_side = head_.at("otherSide");
     const std::vector<int> weights = pack_.numbers(4);
-    (void)pack_.numbers(3);  // the paint of joints and visor
+    (void)pack_.numbers(3);  // the colours of joints and visor
     const std::string_view bones = pack_.raw(4 * index(vertices_));
     for (std::size_t v = 0; v < source_.size(); ++v) {
       const std::size_t from = index(source_[v]);
@@ -121,8 +121,8 @@ class Halves {
   Json head_;
   int vertices_;
   MannequinUnpacker pack_;
-  std::vector<int> source_;  // of each vertex, the one in the file
-  std::vector<int> other_;   // of each in the file, its image
+  std::vector<int> source_;  // per vertex, the one in the file
+  std::vector<int> other_;   // per vertex in the file, its mirror image
 };
 
 }  // namespace
@@ -133,7 +133,7 @@ const MannequinMesh& mannequin_mesh() {
 }
 
 std::vector<Vec3d> MannequinMesh::skin(bool female, double mass) const {
-  // beyond these a shift shows creases
+  // larger shifts show creases
   constexpr double kHeaviest = 1.5;
   constexpr double kLightest = 1.2;
   const auto share = [&](const char* name, double most) {

@@ -16,7 +16,7 @@ std::string_view MannequinUnpacker::raw(std::size_t count) {
   return taken;
 }
 
-// From two planes of bytes, with their signs.
+// Signed numbers from two planes of bytes.
 std::vector<int> MannequinUnpacker::planes(std::size_t count) {
   const std::string_view low = raw(count);
   const std::string_view high = raw(count);
@@ -40,7 +40,7 @@ const std::vector<int>& MannequinUnpacker::triangles(int count) {
 void MannequinUnpacker::find_known() {
   from_.assign(index(vertices_), {});
   std::vector<bool> met(index(vertices_), false);
-  std::map<std::pair<int, int>, int> behind;  // an edge
+  std::map<std::pair<int, int>, int> behind;  // vertex opposite an edge
   for (std::size_t t = 0; t < corners_.size(); t += 3) {
     for (std::size_t k = 0; k < 3; ++k) {
       const int v = corners_[t + k];

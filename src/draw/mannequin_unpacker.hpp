@@ -7,18 +7,17 @@
 
 namespace shigusa {
 
-// Unpacks what studio/figure/pack.mjs packed, array after array: triangles in the order of a walk
-// over their edges, and numbers as what is left of them after a guess by the triangle that was
-// there before.
+// Unpacks the format of studio/figure/pack.mjs, array after array: triangles in the order of a walk
+// over their edges, and numbers as residuals of a prediction from the preceding triangle.
 class MannequinUnpacker {
  public:
   MannequinUnpacker(std::string_view bytes, int vertices) : bytes_(bytes), vertices_(vertices) {}
 
-  // The triangles' vertices; before the numbers, which are guessed by them.
+  // Vertices of the triangles; call before numbers(), whose prediction uses them.
   [[nodiscard]] const std::vector<int>& triangles(int count);
-  // So many whole numbers of each vertex, one vertex after another.
+  // Reads `each` whole numbers per vertex, one vertex after another.
   [[nodiscard]] std::vector<int> numbers(int each);
-  // The bytes themselves.
+  // Reads raw bytes.
   [[nodiscard]] std::string_view raw(std::size_t count);
 
  private:
@@ -28,7 +27,7 @@ class MannequinUnpacker {
   std::string_view bytes_;
   int vertices_;
   std::vector<int> corners_;
-  // (vertices) those that it is guessed from: the two on its edge and the one behind that, or the
+  // (vertices) vertices that it is predicted from: the two on its edge and the one opposite, or the
   // one before it
   std::vector<std::array<int, 3>> from_;
 };

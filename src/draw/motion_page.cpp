@@ -42,14 +42,14 @@ std::string asked_html(const ShownResult& shown) {
       word_of(task.preset), traits_of(task.preset).about);
 }
 
-// m, of the goal that is missed the most.
+// Largest goal error (m).
 double worst_error(const Candidate& candidate) {
   double error = 0.0;
   for (const GoalResult& goal : candidate.goals) error = max(error, goal.error);
   return error;
 }
 
-// How the candidate misses its goals; empty where it meets them.
+// Text on the goals that a candidate misses; empty if it meets them.
 std::string miss_words(const Candidate& candidate) {
   const double error = worst_error(candidate);
   double turn = 0.0;
@@ -85,7 +85,7 @@ std::string verdict_html(const Candidate& candidate) {
 
 double cost_of(const ScoreTerm& term) { return term.weight * term.penalty; }
 
-// The largest cost of one criterion in any of the motions, which the longest bar stands for.
+// Largest cost of one criterion in any of the motions; scale of the bars.
 double largest_cost(const GenerateResult& generation) {
   double largest = 0.0;
   for (const Candidate& candidate : generation.candidates) {
@@ -94,10 +94,10 @@ double largest_cost(const GenerateResult& generation) {
   return largest;
 }
 
-// The criteria that cost the most, in words with a bar each.
+// The costliest criteria, as text with a bar each.
 std::string costs_html(const Score& score, double largest) {
   constexpr std::size_t kTold = 3;
-  constexpr double kLeast = 0.04;  // of the score: less is not worth a line
+  constexpr double kLeast = 0.04;  // share of the score; smaller costs are left out
   std::vector<ScoreTerm> terms = score.terms;
   std::stable_sort(terms.begin(), terms.end(),
                    [](const ScoreTerm& a, const ScoreTerm& b) { return cost_of(a) > cost_of(b); });
@@ -118,7 +118,7 @@ std::string number_row(std::string_view name, std::string_view value) {
                      markup_text(value));
 }
 
-// All that the figures say in words, in numbers.
+// Table of all numbers of a candidate.
 std::string numbers_html(const BodyModel& body, const Candidate& candidate) {
   std::string rows =
       number_row("score, lower is better", fmt::format("{:.4f}", candidate.score.total));

@@ -33,7 +33,7 @@ PagePoint to_millimetres(const Vec3d& p) {
   return {to_millimetres(p.x), to_millimetres(p.y), to_millimetres(p.z)};
 }
 
-// The longest diagonal of a figure whose limbs are not known.
+// Longest diagonal, as the size of a figure with unknown limbs.
 double page_extent(const std::vector<Transformd>& nodes) {
   Vec3d low = nodes.front().translation;
   Vec3d high = low;
@@ -48,10 +48,10 @@ double page_extent(const std::vector<Transformd>& nodes) {
 
 int pose_count(const Motion& motion) { return std::min(motion.clip.frames, kPagePoses); }
 
-// The frame that a pose is, between two frames where the motion has more of them than are shown.
+// Frame position of a pose, between two frames if the motion has more frames than poses.
 struct FramePlace {
   int before = 0;
-  double share = 0.0;  // of the way to the next frame
+  double share = 0.0;  // fraction of the step to the next frame
 };
 FramePlace frame_of(const Motion& motion, int pose) {
   const int poses = pose_count(motion);
@@ -61,8 +61,8 @@ FramePlace frame_of(const Motion& motion, int pose) {
   return {before, place - before};
 }
 
-// The figure of a body in all poses of a motion. Its points are the balls of its parts and then
-// those that go to goals.
+// Figure of a body in all poses of a motion. Its points are the balls of its parts, followed by the
+// points that go to goals.
 struct PosedFigure {
   double size = 0.0;                           // m
   std::vector<strip::Part> parts;              // in the first pose
@@ -114,15 +114,16 @@ class FigurePoser {
   double size_ = 0.0;
 };
 
-// Strips are slender; here limbs and trunk have about a person's thickness. Neck and head, which
-// are of two balls, and feet, which would sink into the floor, stay as they are.
+// Factor on a part's thickness. Strips are slender; here limbs and trunk have about a person's
+// thickness. Neck and head, made of two balls, and feet, which would sink into the floor, keep
+// theirs.
 double girth_of(const strip::Part& part) {
   constexpr double kGirth = 1.2;
   const bool stays = part.foot || (part.tone == strip::Tone::middle && part.balls.size() < 3);
   return stays ? 1.0 : kGirth;
 }
 
-// For each point the first one that is where it is in all poses of all motions.
+// For each point the first one that coincides with it in all poses of all motions.
 std::vector<std::size_t> equal_points(const std::vector<PosedFigure>& figures) {
   const std::size_t count = figures.front().points.size();
   std::vector<std::size_t> first(count);
@@ -163,7 +164,7 @@ void append_series(const std::vector<PagePoint>& places, std::size_t axis, std::
   }
 }
 
-// Parts, the points of goals' ways and motions, each distinct point once.
+// Writer of parts, the points of goals' paths, and motions; each distinct point is written once.
 class FigureWriter {
  public:
   explicit FigureWriter(const std::vector<PosedFigure>& figures)
@@ -188,7 +189,7 @@ class FigureWriter {
     return text;
   }
 
-  // After parts().
+  // Call after parts().
   [[nodiscard]] std::string paths() {
     std::string text;
     for (; next_ < number_.size(); ++next_) {
@@ -212,10 +213,10 @@ class FigureWriter {
 
  private:
   const std::vector<PosedFigure>& figures_;
-  std::vector<std::size_t> first_;   // (points) the first that equals it
+  std::vector<std::size_t> first_;   // (points) the first that coincides
   std::vector<std::size_t> number_;  // (points) its number among those kept
   std::vector<std::size_t> kept_;
-  std::size_t next_ = 0;  // point that is told next
+  std::size_t next_ = 0;  // next point to write
 };
 
 std::string goals_json(const Task& task) {
@@ -227,7 +228,7 @@ std::string goals_json(const Task& task) {
   return text;
 }
 
-// The soles of the feet that stand, where they are in the first frame.
+// Soles of the planted feet in the first frame.
 std::string soles_json(const Task& task, const Candidate& candidate) {
   Kinematics<double> kinematics(task.body);
   forward_kinematics<double>(task.body, candidate.motion.clip.frame(0), kinematics);

@@ -8,7 +8,7 @@ namespace shigusa {
 // The style sheet of a page of motions.
 extern const std::string_view kPageStyle;
 
-// The script of a page of motions, which draws what page_figures writes.
+// The script of a page of motions, which draws the output of page_figures.
 extern const std::string_view kPageScript;
 
 }  // namespace shigusa

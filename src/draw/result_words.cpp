@@ -14,7 +14,7 @@
 namespace shigusa {
 namespace {
 
-// "at hip height" of a height as a share of the stature.
+// Words for a height as a share of the stature, such as "at hip height".
 std::string_view height_words(double share) {
   struct Level {
     double below;
@@ -32,10 +32,10 @@ std::string_view height_words(double share) {
   return "overhead";
 }
 
-// "low in front on the left".
+// Words for a region, such as "low in front on the left".
 std::string region_words(const Vec3d& place, double stature) {
   constexpr double kNear = 0.08;   // of the stature: right above or below the body
-  constexpr double kAside = 0.35;  // of the other direction: told beside it
+  constexpr double kAside = 0.35;  // share of the other direction above which both are named
   std::string words(height_words(place.y / stature));
   const double across = abs(place.x);
   const double along = abs(place.z);
@@ -45,7 +45,7 @@ std::string region_words(const Vec3d& place, double stature) {
   return words;
 }
 
-// The middle between the goals of two limbs of a kind that are near one another; else none.
+// Midpoint of the goals of two limbs of a kind that are near one another; empty if there are none.
 std::optional<Vec3d> goals_middle(std::span<const Goal> goals, JointKind kind) {
   constexpr double kApart = 0.6;  // m
   if (goals.size() != 2) return std::nullopt;

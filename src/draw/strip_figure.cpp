@@ -11,30 +11,30 @@ namespace {
 
 using namespace strip;
 
-// Points.
-constexpr double kBelowText = 0.4 * kText;  // what letters reach below their base line
+// Page sizes, points.
+constexpr double kBelowText = 0.4 * kText;  // descent of letters below their base line
 constexpr double kAboveLegend = 1.7 * kText;
 constexpr double kBetweenStrips = 9.0;
 
-// Strips under each other, all at one scale.
+// A page of strips under each other, all at one scale.
 class Page {
  public:
   explicit Page(const StripSettings& settings) : width_(settings.width_mm * kPointsPerMm) {}
 
   [[nodiscard]] Result<void> add(const SkeletonMotion& motion, const StripOverlay& overlay,
                                  const StripSettings& settings);
-  // Of one strip or more.
+  // Draws one or more strips.
   [[nodiscard]] std::string draw();
 
  private:
   void place();
-  // Returns where the strip ends.
+  // Places a strip; returns its lower end.
   [[nodiscard]] double place(PlacedStrip& placed, double top) const;
 
   double width_;
   std::vector<PlacedStrip> strips_;
   double metre_ = 0.0;   // points
-  double legend_ = 0.0;  // its base line
+  double legend_ = 0.0;  // base line of the legend
   double height_ = 0.0;
 };
 

@@ -30,7 +30,7 @@ constexpr double kWaist = 0.044;
 constexpr double kWaistSide = 0.030;  // from the spine to the middle of either side of the waist
 constexpr double kCranium = 0.050;
 constexpr double kJaw = 0.026;
-// Lengths of thigh and shank, upper arm and forearm, hips to shoulders, for a stature of 1.
+// Lengths of leg (thigh and shank), arm (to the wrist) and trunk (hips to shoulders), stature 1.
 constexpr double kLegLength = 0.491;
 constexpr double kArmLength = 0.332;
 constexpr double kTrunkLength = 0.288;
@@ -109,7 +109,7 @@ void FigureBody::measure_rest(const Upright& upright) {
   rest_ = rest_origins(skeleton_);
   measure_stature();
   if (!has_trunk()) return;
-  // the axis that leads up the trunk most: a rest posture may lean, its axes do not
+  // the axis nearest to the trunk: a rest posture may lean, the axes do not
   const Vec3d rise = middle(rest_[at(shoulders_[0])], rest_[at(shoulders_[1])]) -
                      middle(rest_[at(pelvis_[0])], rest_[at(pelvis_[1])]);
   const Vec3d up = nearest_axis(rise);
@@ -118,7 +118,7 @@ void FigureBody::measure_rest(const Upright& upright) {
   if (norm(forward) > 1e-6 * stature_) upright_ = {up, normalized(forward)};
 }
 
-// The mean of what the limbs and the trunk would give: bodies of stories have short legs.
+// Mean of the estimates from limbs and trunk: cartoon characters have short legs.
 void FigureBody::measure_stature() {
   double sum = 0.0;
   int found = 0;
@@ -139,7 +139,7 @@ void FigureBody::measure_stature() {
   if (found == 0) head_ = -1;  // among plain bones, a plain bone too
 }
 
-// Nodes that lie inside a limb or the trunk, or hang on a hand, a foot or the head.
+// Nodes inside a limb or the trunk, or descendants of a hand, a foot or the head.
 std::vector<char> FigureBody::hidden_nodes() const {
   std::vector<char> hidden(skeleton_.nodes.size(), 0);
   std::vector<char> carried(skeleton_.nodes.size(), 0);
@@ -166,8 +166,8 @@ std::vector<char> FigureBody::hidden_nodes() const {
   return hidden;
 }
 
-// Lines for the nodes that no anatomical piece shows. With a trunk and a head drawn, all that is
-// left are twist, skirt and control bones, which are no part of the posture.
+// Finds lines for the nodes that no anatomical piece shows. If trunk and head are drawn, the
+// remaining nodes are twist, skirt and control bones, which are not part of the posture.
 void FigureBody::find_plain_bones() {
   if (has_trunk() && head_ >= 0) return;
   const std::vector<char> hidden = hidden_nodes();
@@ -182,7 +182,7 @@ void FigureBody::find_plain_bones() {
     if (hidden[i] != 0) continue;
     const int node = static_cast<int>(i);
     const int parent = skeleton_.nodes[i].parent;
-    // branches that carry more are thicker, as in a tree
+    // branches with more descendants are thicker
     const double share = heaviest > 0.0 ? sqrt(weight[i] / heaviest) : 0.0;
     bones_.push_back({parent < 0 ? node : parent, node, 0.005 + 0.020 * share});
   }
@@ -258,7 +258,7 @@ std::vector<Part> FigureBody::parts(const std::vector<Transformd>& world, double
   return parts;
 }
 
-// A rib cage and a pelvis that meet at the waist, so that a bent spine shows.
+// Adds a rib cage and a pelvis that meet at the waist, so that a bent spine shows.
 void FigureBody::add_trunk(const std::vector<Transformd>& world, double size,
                            std::vector<Part>& parts) const {
   const auto origin = [&](int node) { return world[at(node)].translation; };
@@ -282,7 +282,7 @@ void FigureBody::add_trunk(const std::vector<Transformd>& world, double size,
   parts.push_back(std::move(chest));
 }
 
-// A skull and a jaw in front of it: the jaw shows where the figure looks.
+// Adds a skull, and a jaw in front of it that shows the facing direction.
 void FigureBody::add_head(const std::vector<Transformd>& world, double size,
                           std::vector<Part>& parts) const {
   const Transformd& head = world[at(head_)];
@@ -316,7 +316,7 @@ void FigureBody::add_limb(const Chain& limb, bool leg, const std::vector<Transfo
   parts.push_back(leg ? foot(limb, world, size) : hand(limb, world, size));
 }
 
-// From the wrist to the middle of all finger tips, or of the grip.
+// Hand from the wrist to the mean of all finger tips, or to the grip.
 Part FigureBody::hand(const Chain& arm, const std::vector<Transformd>& world, double size) const {
   Vec3d tip{};
   for (const int node : arm.tips) tip += world[at(node)].translation;
@@ -326,7 +326,8 @@ Part FigureBody::hand(const Chain& arm, const std::vector<Transformd>& world, do
           1};
 }
 
-// Ankle, ball and tips of the toes, and a heel under and behind the ankle, which files do not hold.
+// Foot of ankle, ball and tips of the toes, and a heel below and behind the ankle, which files
+// lack.
 Part FigureBody::foot(const Chain& leg, const std::vector<Transformd>& world, double size) const {
   const int ankle = leg.joint[2];
   Part foot{{{world[at(ankle)].translation, kFoot.from * size}}, leg.tone, 1, true};

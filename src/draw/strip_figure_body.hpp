@@ -18,40 +18,41 @@ struct Ball {
 struct Part {
   std::vector<Ball> balls;
   Tone tone = Tone::bone;
-  int joints = 0;  // how many of the balls, from the first on, mark joints
+  int joints = 0;  // number of leading balls that mark joints
   bool foot = false;
-  double setback = 0.0;  // how much further away than it lies it is painted
+  double setback = 0.0;  // distance by which it is painted further away than it lies
 };
 
-// Directions of a figure that stands upright; unit length, at right angles.
+// Directions of an upright figure; orthogonal unit vectors.
 struct Upright {
   Vec3d up;
   Vec3d forward;
 };
 
-// The looks of a skeleton: its nodes as rounded pieces.
+// Shapes of a skeleton's nodes: rounded pieces.
 class FigureBody {
  public:
-  // `upright` is used where the skeleton's rest posture does not tell its own directions.
+  // `upright` is used if the skeleton's rest posture does not determine its directions.
   FigureBody(const Skeleton& skeleton, const StripSettings& settings, const Upright& upright);
 
-  // From the right hip to the left one (or the shoulders); zero where they are unknown.
+  // Vector from the right hip to the left one (or the shoulders); zero if they are unknown.
   [[nodiscard]] Vec3d leftwards(const std::vector<Transformd>& world) const;
 
-  // Where the figure is: its hips, or the mean of all nodes.
+  // Position of the figure: its hips, or the mean of all nodes.
   [[nodiscard]] Vec3d place(const std::vector<Transformd>& world) const;
 
-  // Where it stands: the middle between its ankles, or its place.
+  // Standing point: the midpoint of the ankles, or its position.
   [[nodiscard]] Vec3d stance(const std::vector<Transformd>& world) const;
 
-  // Standing height from the lengths of the limbs, whatever the posture; 0 where they are unknown.
+  // Standing height from the lengths of the limbs, independent of the posture; 0 if they are
+  // unknown.
   [[nodiscard]] double stature() const { return stature_; }
 
-  // The pieces in one posture. `size` is the stature, or a length to use in its place.
+  // Pieces in one posture. `size` is the stature, or a substitute length.
   [[nodiscard]] std::vector<Part> parts(const std::vector<Transformd>& world, double size) const;
 
  private:
-  // Three nodes from the trunk outwards, and what the last one carries; -1 where there is none.
+  // Three nodes from the trunk outwards, and the toes of a leg; -1 if absent.
   struct Chain {
     std::array<int, 3> joint{-1, -1, -1};
     int toes = -1;
@@ -98,7 +99,7 @@ class FigureBody {
   std::vector<Vec3d> rest_;  // (nodes) origins with all joints at rest
   Upright upright_;          // of the rest posture
   double stature_ = 0.0;
-  std::vector<Bone> bones_;  // what the anatomical pieces leave out
+  std::vector<Bone> bones_;  // bones outside the anatomical pieces
 };
 
 }  // namespace shigusa::strip

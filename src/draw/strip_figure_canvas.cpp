@@ -21,7 +21,8 @@ constexpr std::array<int, 95> kAdvance{
     1235, 1612, 1423, 1300, 1251, 1499, 1401, 2025, 1403, 1251, 1403, 799,  690,  799,  1716, 1024,
     1024, 1255, 1300, 1126, 1300, 1260, 721,  1300, 1298, 569,  569,  1186, 569,  1995, 1298, 1253,
     1300, 1300, 842,  1067, 803,  1298, 1212, 1675, 1212, 1212, 1075, 1303, 690,  1303, 1716};
-// Narrow enough for Latin letters with accents, and what most fonts give to ideographs.
+// Widths of letters outside the table: wide enough for accented Latin letters, and the usual width
+// of ideographs.
 constexpr int kLetter = 1303;
 constexpr int kIdeograph = 2048;
 
@@ -34,7 +35,7 @@ double distance(Point a, Point b) {
   return sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
 }
 
-// Without the discs that lie inside another one, which no hull touches.
+// Discs without those inside another one, which the hull does not touch.
 std::vector<Disc> outermost(std::span<const Disc> discs) {
   constexpr double kTolerance = 1e-6;
   std::vector<Disc> kept;
@@ -51,7 +52,7 @@ std::vector<Disc> outermost(std::span<const Disc> discs) {
   return kept;
 }
 
-// The angle, going around from `angle`, after which `next` reaches further out than `disc`: at the
+// Angle, counter-clockwise from `angle`, after which `next` reaches further out than `disc`: at the
 // common tangent u·(c' - c) = r - r'. Result in [0, 2π).
 double turn_to(const Disc& disc, const Disc& next, double angle) {
   const double dx = next.centre.x - disc.centre.x;

@@ -26,14 +26,14 @@ struct Colour {
 
 enum class Align { left, centre, right };
 
-// Width of a line of UTF-8 text in DejaVu Sans at a font size, points: by a table, so that
-// each build has the same layout.
+// Width of a line of UTF-8 text in DejaVu Sans at a font size, points. It comes from a table, so
+// that every build has the same layout.
 [[nodiscard]] double text_width(std::string_view text, double size);
 
-// Whether the table has all its letters: those of ASCII. Others count as wide ones.
+// Whether the table has all letters of a text: those of ASCII. Others count as wide ones.
 [[nodiscard]] bool has_known_width(std::string_view text);
 
-// Lines of at most that width: broken at spaces, or inside words that are longer than a line.
+// Splits text into lines of at most that width, at spaces, or inside words longer than a line.
 [[nodiscard]] std::vector<std::string> wrap_text(std::string_view text, double size, double width);
 
 // Part of a disc's rim, from one angle to a larger one; radians, from the x axis towards y.
@@ -43,15 +43,14 @@ struct Arc {
   double to = 0.0;
 };
 
-// Once around the convex hull of discs, at least one: arcs that common tangents join, or a whole
-// turn about the disc that holds all others.
+// Outline of the convex hull of one or more discs: arcs joined by common tangents, or a full circle
+// about the disc that holds all others.
 [[nodiscard]] std::vector<Arc> hull_outline(std::span<const Disc> discs);
 
-// A white page as SVG, in points. In few bytes, and the same ones in every build: each element
-// states no more than what differs from its group, and strokes of one look that follow each other
-// are one path. There are no names and no style sheet, which would meet those of a page that holds
-// several figures. Text stays text, in a font that the viewer has, at the width that it has in
-// DejaVu Sans.
+// A white page as SVG, in points. The bytes are few and the same in every build: each element
+// states only its differences from its group, and consecutive strokes of one look are one path.
+// Names and style sheets are avoided, since a page may hold several figures. Text stays text, in a
+// font that the viewer has, at its width in DejaVu Sans.
 class Canvas {
  public:
   Canvas(double width, double height);
@@ -59,14 +58,14 @@ class Canvas {
   // The convex hull of discs, filled, with a white rim of the given width around it.
   void hull(std::span<const Disc> discs, Colour fill, double rim = 0.0);
   void ring(Disc disc, Colour colour, double width);
-  // A line through the points with round ends; `dash` is the length of dashes and gaps, 0 for none.
+  // Line through the points with round ends; `dash` is the length of dashes and gaps, 0 for none.
   void line(std::span<const Point> points, Colour colour, double width, double dash = 0.0);
-  // A disc in black and white quarters, as centres of mass are marked in drawings.
+  // Disc in black and white quarters, the usual mark of a centre of mass.
   void quartered(Disc disc, Colour colour);
   // `at` is on the base line.
   void text(Point at, const std::string& text, double size, Colour colour, Align align);
 
-  // The file's bytes; the canvas is of no use afterwards.
+  // Returns the file's bytes; the canvas must not be used afterwards.
   [[nodiscard]] std::string finish();
 
  private:
@@ -77,10 +76,10 @@ class Canvas {
   void end_texts();
 
   std::string svg_;
-  // the path that is not in svg_ yet: more of its look may follow
+  // pending path, not in svg_ yet: more of its look may follow
   std::string look_;
   std::string data_;
-  std::string text_look_;  // of the open group of texts; empty: none is open
+  std::string text_look_;  // of the open group of texts; empty: no group is open
 };
 
 }  // namespace shigusa::strip

@@ -7,7 +7,7 @@
 namespace shigusa::strip {
 namespace {
 
-// Keeps a figure's file below some tens of megabytes.
+// Limits that keep a figure's file below some tens of megabytes.
 constexpr std::size_t kMaxPieces = 65'536;
 constexpr std::size_t kMaxGoals = 64;
 constexpr std::size_t kMaxThings = 80;

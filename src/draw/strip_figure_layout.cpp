@@ -12,7 +12,7 @@
 namespace shigusa::strip {
 namespace {
 
-// As shares of the figure's size.
+// Shares of the figure's size.
 constexpr double kGap = 0.08;          // between neighbouring poses, at least
 constexpr double kOverlayReach = 0.6;  // goals and paths further than this from the body are cut
 constexpr double kStaysWithin = 0.5;  // the root's travel up to which the figure counts as standing
@@ -20,13 +20,13 @@ constexpr double kFloorGuess = 0.1;   // a lowest node within this of height 0 s
 constexpr double kStanding = 0.04;    // a foot whose lowest ball is within this of the floor
 constexpr double kMarkRoom = 0.06;    // around a goal
 constexpr double kThingRoom = 0.15;   // things further than this from all else are cut
-// The figure is at most this high, as a share of the page's width, however few the poses.
+// Greatest height of a figure as a share of the page's width, however few the poses.
 constexpr double kMaxHeight = 0.5;
-// Few poses on a wide page stand together rather than at its edges.
+// Greatest stretch of the steps: few poses on a wide page stand together rather than at its edges.
 constexpr double kMaxStretch = 1.5;
 constexpr int kPathPoints = 200;
 
-// The directions of the picture and the floor, all in the skeleton's world.
+// Directions of the picture, and the floor, in the skeleton's world.
 struct View {
   Vec3d right;
   Vec3d above;
@@ -99,7 +99,7 @@ View view_from(const StripSettings& settings, const Upright& upright, const Vec3
   return view;
 }
 
-// The longest diagonal of a posture: a size for figures without known limbs.
+// Longest diagonal of a posture: the size of figures with unknown limbs.
 double extent(const std::vector<Posture>& all) {
   double largest = 0.0;
   for (const Posture& posture : all) {
@@ -126,7 +126,7 @@ double find_floor(const StripSettings& settings, const std::vector<Posture>& all
   return abs(lowest) <= kFloorGuess * size ? 0.0 : lowest;
 }
 
-// The points of the floor that the slots are drawn about.
+// Points on the floor at which the slots are drawn.
 std::vector<Vec3d> anchors(const std::vector<Posture>& all, const FigureBody& body,
                            const View& view, double size) {
   std::vector<Vec3d> places;
@@ -141,7 +141,7 @@ std::vector<Vec3d> anchors(const std::vector<Posture>& all, const FigureBody& bo
   return places;
 }
 
-// Everything that goes into one slot.
+// Builder of a slot.
 class SlotBuilder {
  public:
   SlotBuilder(const View& view, const Vec3d& anchor, double size)
@@ -151,10 +151,10 @@ class SlotBuilder {
   void add_goal(const Vec3d& goal);
   void add_mass(const Vec3d& mass);
   void add_path(const std::vector<Vec3d>& path, int first, int last, int step);
-  // Call after all else: things reach only so far beyond it.
+  // Call last: the reach of things is limited by everything else.
   void add_things(const std::vector<StripThing>& things);
 
-  // Call between the body and the overlays: these may reach only so far beyond it.
+  // Call between the body and the overlays, whose reach it limits.
   void close_body() { body_ = slot.box; }
 
   Slot slot;
@@ -278,7 +278,7 @@ void measure(Strip& strip) {
   }
 }
 
-// From the left edge of the first slot to the right edge of the last one, but for the steps.
+// Width from the left edge of the first slot to the right edge of the last one, without the steps.
 double width_of_ends(const Strip& strip) {
   return strip.slots.back().box.right - strip.slots.front().box.left;
 }
@@ -292,7 +292,7 @@ double Strip::largest_scale(double width) const {
              kMaxHeight * width / height);
 }
 
-// Equal steps from slot to slot, so that the floor line is a time axis: as wide as the widest
+// Places slots at equal steps, so that the floor line is a time axis: as wide as the widest
 // neighbours need, and stretched to fill the width.
 void place_slots(Strip& strip, double width, double scale) {
   const double steps = static_cast<double>(strip.slots.size() - 1);

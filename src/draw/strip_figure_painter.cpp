@@ -9,7 +9,7 @@
 namespace shigusa::strip {
 namespace {
 
-// Tones differ in lightness alone, so that a grey print keeps them: the acting limb is the
+// Colours. Tones differ in lightness alone, so that a grey print keeps them: the acting limb is the
 // darkest, the near side darker than the far one.
 constexpr Colour kAccent{0xa32b19};
 constexpr Colour kNear{0x607387};
@@ -26,17 +26,16 @@ constexpr Colour kThing{0xf1ebdd};
 constexpr Colour kThingEdge{0xb5a684};
 constexpr Colour kInk{0x2f3942};
 
-// Points.
-// White around each piece keeps crossing limbs apart; thin pieces have less of it.
+// Width of the white rim (points) that separates crossing limbs; thin pieces have less of it.
 constexpr double kRim = 0.7;
-constexpr double kRimShare = 0.4;     // of the piece's thickest radius
-constexpr double kJointShare = 0.35;  // of a joint's mark, of the limb's thickness
+constexpr double kRimShare = 0.4;     // share of the piece's thickest radius
+constexpr double kJointShare = 0.35;  // size of a joint's mark, share of the limb's thickness
 constexpr double kThinnest = 0.3;
 constexpr double kEdge = 0.5;
 constexpr double kMassRadius = 2.6;
 constexpr double kGoalRadius = 3.2;
 
-// The longest of 1, 2, 5, 10, 20, … times 10^-20 that is not above `length`.
+// Largest of 1, 2, 5, 10, 20, … times 10^-20 that is not above `length`.
 double round_length(double length) {
   double result = 1e-20;
   for (double decade = result; decade <= length; decade *= 10.0) {
@@ -47,7 +46,7 @@ double round_length(double length) {
   return result;
 }
 
-// A goal's ringed cross.
+// Draws a goal's ringed cross.
 void draw_goal(Canvas& canvas, Point at) {
   canvas.ring({at, kGoalRadius}, {0xffffff}, 2.2);
   canvas.ring({at, kGoalRadius}, kGoal, 0.9);
@@ -60,7 +59,7 @@ void draw_goal(Canvas& canvas, Point at) {
 
 void draw_mass(Canvas& canvas, Point at) { canvas.quartered({at, kMassRadius}, kMass); }
 
-// Draws one strip of a page.
+// Painter of one strip of a page.
 class Painter {
  public:
   Painter(Canvas& canvas, const PlacedStrip& placed, double width)
@@ -133,7 +132,8 @@ Colour Painter::colour(const Shape& shape, double share) const {
   return mixed;
 }
 
-// Behind the figure all of them; of those in front of it the edges come once more.
+// Paints things: all of them behind the figure, and the edges of near ones once more in front of
+// it.
 void Painter::things(const Slot& slot) {
   for (const SeenThing& thing : slot.things) {
     std::vector<Disc> corners;
@@ -189,7 +189,7 @@ void Painter::slot(const Slot& slot) {
   }
 }
 
-// A goal beyond the slot: its ring, and where to look for it.
+// Mark of a goal beyond the slot: its ring, and an arrow towards it.
 void Painter::arrow(Point at, Point away) {
   canvas_.ring({at, kGoalRadius}, kGoal, 0.9);
   const auto point = [&](double ahead, double aside) {
@@ -202,7 +202,7 @@ void Painter::arrow(Point at, Point away) {
   canvas_.line(head, kGoal, 0.9);
 }
 
-// Every second, third, … time where poses stand closer than their labels are wide.
+// Times of the poses; every second, third, … where labels are wider than the steps.
 void Painter::time_labels(double base, double frame_time) {
   const int first = strip_.slots.front().frame;
   const int last = strip_.slots.back().frame;

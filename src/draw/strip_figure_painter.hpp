@@ -11,7 +11,7 @@ inline constexpr double kCaptionText = 8.0;
 inline constexpr double kLine = 1.4;  // height of a line of text as a multiple of its size
 inline constexpr double kTick = 3.0;  // of a pose's time, below the floor line
 
-// A strip on its page; heights in points from the page's top.
+// A strip placed on its page; heights in points from the page's top.
 struct PlacedStrip {
   // borrowed for the call
   const SkeletonMotion* motion = nullptr;
@@ -21,17 +21,17 @@ struct PlacedStrip {
   Strip strip;
   std::vector<std::string> caption;  // lines
   double floor = 0.0;
-  double times = 0.0;          // the base line of the time labels
-  double caption_above = 0.0;  // the caption's top
+  double times = 0.0;          // base line of the time labels
+  double caption_above = 0.0;  // top of the caption
 };
 
-// Floor, poses, times and caption.
+// Paints floor, poses, times and caption.
 void paint_strip(Canvas& canvas, const PlacedStrip& placed, double width);
 
-// Names the marks that any of the strips has.
+// Paints a legend of the marks used in any of the strips.
 void paint_legend(Canvas& canvas, const std::vector<PlacedStrip>& strips, double base);
 
-// At the right edge of the page; `metre` in points.
+// Paints a scale bar at the right edge of the page; `metre` in points.
 void paint_scale_bar(Canvas& canvas, double metre, double width, double base);
 
 }  // namespace shigusa::strip

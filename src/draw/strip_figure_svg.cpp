@@ -12,11 +12,11 @@
 namespace shigusa::strip {
 namespace {
 
-// The look of an element that states no other one: a white piece within the usual rim.
+// Default look stated by the group: a white piece within the usual rim.
 constexpr Colour kGroupColour{0xffffff};
 constexpr double kGroupWidth = 0.7;
 
-// A point as whole hundredths, which are finer than any printer.
+// A point in hundredths of a point, finer than any printer.
 struct GridPoint {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -26,7 +26,7 @@ std::int64_t hundredths(double x) { return static_cast<std::int64_t>(nearest_int
 
 GridPoint on_grid(Point p) { return {hundredths(p.x), hundredths(p.y)}; }
 
-// The shortest number that SVG reads as these hundredths: .5, -3, 12.34.
+// Shortest notation of a number of hundredths in SVG: .5, -3, 12.34.
 std::string number_of(std::int64_t units) {
   const std::int64_t size = std::abs(units);
   std::string text = units < 0 ? "-" : "";
@@ -47,7 +47,7 @@ std::string hex(Colour colour) {
   return "#" + text;
 }
 
-// A colour or a width, where it is not the group's.
+// Attribute of a colour or a width; empty if it is the group's.
 std::string stated(const char* name, Colour colour) {
   return colour.rgb == kGroupColour.rgb ? "" : fmt::format(" {}=\"{}\"", name, hex(colour));
 }
@@ -62,13 +62,13 @@ Point on_rim(const Disc& disc, double angle) {
   return {disc.centre.x + disc.radius * cosine, disc.centre.y + disc.radius * sine};
 }
 
-// The data of a path: an absolute point and steps from it. Each step leads from one rounded point
-// to the next, so that no error adds up.
+// Data of a path: an absolute point and relative steps. Each step leads between rounded points, so
+// that errors do not add up.
 class PathData {
  public:
   void move_to(Point p) { move_to(on_grid(p)); }
   void line_to(Point p) { line_to(on_grid(p)); }
-  // Along a disc's rim, from its point at one angle to that at a larger one.
+  // Adds an arc of a disc's rim, from one angle to a larger one.
   void arc(const Arc& arc);
   void circle(const Disc& disc);
   void close() { begin('z'); }
@@ -85,8 +85,8 @@ class PathData {
 
   std::string text_;
   GridPoint at_;
-  char command_ = 0;            // the last one, which is not repeated
-  bool with_fraction_ = false;  // whether the last number has a point in it
+  char command_ = 0;            // the last command, which is not repeated
+  bool with_fraction_ = false;  // whether the last number has a decimal point
 };
 
 void PathData::begin(char command) {
@@ -94,7 +94,7 @@ void PathData::begin(char command) {
   command_ = command;
 }
 
-// A sign starts a number, and so does a second point.
+// Appends a number, with a separator unless a sign or a second decimal point starts it.
 void PathData::append(std::int64_t units) {
   const std::string number = number_of(units);
   const bool after_digit = text_.back() >= '0' && text_.back() <= '9';
@@ -132,8 +132,8 @@ void PathData::arc_to(std::int64_t radius, GridPoint to) {
   step_to(to);
 }
 
-// In parts where it is long: of half a turn it could be either half, and near half a turn rounding
-// moves its centre far. As a line where that is less than rounding off.
+// Splits long arcs: half a turn is ambiguous, and near it rounding moves the centre far. Arcs
+// flatter than the rounding become lines.
 void PathData::arc(const Arc& arc) {
   constexpr double kLong = 0.75 * kPi;
   constexpr double kFlat = 0.005;
@@ -150,7 +150,7 @@ void PathData::arc(const Arc& arc) {
   }
 }
 
-// Two halves whose ends are a diameter apart even after rounding.
+// Adds a circle as two halves whose ends are a diameter apart even after rounding.
 void PathData::circle(const Disc& disc) {
   const std::int64_t radius = hundredths(disc.radius);
   const GridPoint centre = on_grid(disc.centre);
@@ -192,8 +192,8 @@ Canvas::Canvas(double width, double height)
           "stroke-linejoin=\"round\">\n",
           number(width), number(height), hex(kGroupColour), number(kGroupWidth))) {}
 
-// The rim is painted over the edge of a piece that is larger by half of it, so that each piece is
-// one element of any viewer's SVG.
+// Paints the rim as a stroke over a piece enlarged by half of it, so that each piece is one element
+// in any SVG viewer.
 void Canvas::hull(std::span<const Disc> discs, Colour fill, double rim) {
   if (discs.empty()) return;
   if (!(rim > 0.0)) {
@@ -211,7 +211,7 @@ void Canvas::hull(std::span<const Disc> discs, Colour fill, double rim) {
   end_path();
 }
 
-// A white disc within the group's rim.
+// Adds a white disc within the group's rim.
 void Canvas::dot(const Disc& disc) {
   end_texts();
   end_path();
@@ -267,7 +267,7 @@ void Canvas::text(Point at, const std::string& text, double size, Colour colour,
     svg_ += "<g" + look + ">\n";
     text_look_ = look;
   }
-  // other fonts are made to keep the width that the layout has taken
+  // other fonts are scaled to the width that the layout assumed
   const std::string length = has_known_width(text)
                                  ? fmt::format(" textLength=\"{}\"", number(text_width(text, size)))
                                  : std::string();
@@ -275,8 +275,7 @@ void Canvas::text(Point at, const std::string& text, double size, Colour colour,
                       kAnchor[static_cast<std::size_t>(align)], length, markup_text(text));
 }
 
-// Paths of one look become one path where that paints the same: fills that go around the same way,
-// and strokes.
+// Joins paths of one look if that paints the same: fills of the same orientation, and strokes.
 void Canvas::add(const std::string& look, const std::string& data) {
   end_texts();
   if (look != look_) end_path();

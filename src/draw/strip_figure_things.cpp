@@ -14,7 +14,7 @@ double cross(Point a, Point b, Point c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Once around all points, counter-clockwise from the leftmost one: Andrew's monotone chains.
+// Convex hull of points, counter-clockwise from the leftmost one (Andrew's monotone chains).
 std::vector<Point> outline_of(std::vector<Point> points) {
   const auto before = [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   const auto same = [](Point a, Point b) { return a.x == b.x && a.y == b.y; };
@@ -31,13 +31,13 @@ std::vector<Point> outline_of(std::vector<Point> points) {
       }
       around.push_back(p);
     }
-    around.pop_back();  // the other chain begins with it
+    around.pop_back();  // first point of the other chain
     if (below) std::reverse(points.begin(), points.end());
   }
   return around;
 }
 
-// The sides of a window: how far a point lies within each.
+// Signed distance of a point to a side of the window, positive inside.
 constexpr int kSides = 4;
 double inside(const Box& window, int side, Point p) {
   const double distance[kSides] = {p.x - window.left, window.right - p.x, p.y - window.bottom,
@@ -49,7 +49,7 @@ Point between(Point a, Point b, double share) {
   return {a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share};
 }
 
-// The part of a convex outline within the window (Sutherland and Hodgman).
+// Part of a convex outline within the window (Sutherland and Hodgman).
 std::vector<Point> cut(std::vector<Point> around, const Box& window) {
   for (int side = 0; side < kSides; ++side) {
     std::vector<Point> kept;
@@ -66,7 +66,7 @@ std::vector<Point> cut(std::vector<Point> around, const Box& window) {
   return around;
 }
 
-// The part of a line within the window.
+// Part of a line within the window.
 std::optional<Segment> cut(Segment line, const Box& window) {
   for (int side = 0; side < kSides; ++side) {
     const double from = inside(window, side, line[0]);
@@ -81,9 +81,9 @@ std::optional<Segment> cut(Segment line, const Box& window) {
   return line;
 }
 
-// The edges of a box's faces that face the viewer.
+// Edges of a box's faces towards the viewer.
 std::vector<Segment> box_edges(const std::vector<SeenCorner>& corners) {
-  // of the two faces across an axis the one at whose bit corners are nearer
+  // of the two faces across an axis, the one with the nearer corners
   const auto faces_viewer = [&corners](std::size_t corner, std::size_t axis) {
     const bool nearer = corners[axis].depth > corners[0].depth;
     return nearer == ((corner & axis) != 0);

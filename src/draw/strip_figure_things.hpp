@@ -8,7 +8,7 @@
 
 namespace shigusa::strip {
 
-// A rectangle that things are measured by and cut at.
+// A rectangle for bounds and clipping.
 struct Box {
   double left = 0.0;
   double right = 0.0;
@@ -28,14 +28,13 @@ using Segment = std::array<Point, 2>;
 
 // The picture of a thing.
 struct SeenThing {
-  std::vector<Point> face;     // once around it
-  std::vector<Segment> edges;  // of a box those that its own faces do not hide, else its outline
+  std::vector<Point> face;     // outline
+  std::vector<Segment> edges;  // visible edges of a box, else the outline
   bool near = false;           // nearer to the viewer than the figure
 };
 
-// The picture of a thing with these corners, as thick as a ball of `radius` about each, within the
-// window. Eight corners without thickness are a box's: a corner's number has a bit for each side
-// that it lies on.
+// Picture of a thing given by its corners, dilated by `radius`, within the window. Eight corners
+// without thickness are a box's: bits of a corner's number give its side along each axis.
 [[nodiscard]] SeenThing seen_thing(const std::vector<SeenCorner>& corners, double radius,
                                    const Box& window);
 

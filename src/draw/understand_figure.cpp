@@ -10,8 +10,8 @@
 namespace shigusa {
 namespace {
 
-// Metres per unit of a figure that is no whole person: nobody is 3 m tall, so it is in centimetres,
-// as animation tools expect of BVH and shigusa writes it.
+// Metres per unit of a figure that is no complete person: above 3 m it counts as centimetres, which
+// animation tools expect of BVH and shigusa writes.
 double guessed_unit(const std::vector<Transformd>& world, std::optional<double> stature) {
   constexpr double kTallest = 3.0;
   double low = world.front().translation.y;

@@ -11,8 +11,8 @@
 
 namespace shigusa {
 
-// A file or folder that is open, closed when this goes. Its number is never one of the standard
-// streams': with these closed, what is printed would go to a file.
+// Owner of an open file or folder. Its number is never that of a standard stream: if one of these
+// is closed, printed text would end up in the file.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -26,10 +26,10 @@ class Descriptor {
   [[nodiscard]] int number() const { return number_; }
   explicit operator bool() const { return number_ >= 0; }
 
-  // The number, for somebody else to close.
+  // Releases the number; the caller closes it.
   [[nodiscard]] int release() { return std::exchange(number_, -1); }
 
-  // 0, or the system's reason: a full disk may show only now.
+  // Closes it; returns 0 or errno, as a full disk may be reported only then.
   [[nodiscard]] int close();
 
  private:
@@ -39,31 +39,30 @@ class Descriptor {
   int number_ = -1;
 };
 
-// openat() of a name in a folder (AT_FDCWD: where the program stands), closed in other programs.
-// Where it fails the descriptor is none, and errno tells why. A pipe whose other end nobody has is
-// waited for, but with O_NONBLOCK. The flags are the system's: of other rooms open_to_read and
-// open_folder are asked.
+// openat() of a name in a folder (AT_FDCWD: the working directory), with close-on-exec. On failure
+// the descriptor is empty and errno is set. Waits for the other end of a pipe unless O_NONBLOCK is
+// given. The flags are the system's; other rooms use open_to_read and open_folder.
 [[nodiscard]] Descriptor open_at(int folder, const char* name, int flags);
 
-// A file, for reading; nothing is waited for.
+// Opens a file for reading, without waiting.
 [[nodiscard]] Descriptor open_to_read(const std::filesystem::path& path);
 
-// Writes all of it; 0, or the system's reason.
+// Writes all bytes; returns 0 or errno.
 [[nodiscard]] int write_all(const Descriptor& file, std::string_view bytes);
 
-// The next bytes of a file; none at its end, and a number below 0, with errno, where it fails.
+// Reads the next bytes of a file; 0 at its end, negative on failure, with errno.
 [[nodiscard]] std::ptrdiff_t read_some(const Descriptor& file, char* block, std::size_t size);
 
-// Reads bytes from a place in a file, all of them; false where it has fewer, or reading fails.
+// Reads bytes at an offset of a file; false if it has fewer, or on failure.
 [[nodiscard]] bool read_at(const Descriptor& file, std::uint64_t at, char* block, std::size_t size);
 
-// Goes to a place of a file, from which it is read and written; 0, or the system's reason.
+// Sets the file offset for reading and writing; returns 0 or errno.
 [[nodiscard]] int go_to(const Descriptor& file, std::uint64_t at);
 
-// Goes to the end of a file; its bytes, or none, with errno, where it fails.
+// Moves to the end of a file; returns its size, or empty on failure, with errno.
 [[nodiscard]] std::optional<std::uint64_t> go_to_end(const Descriptor& file);
 
-// "PATH: cannot ACTION: " and the system's reason (errno).
+// Message "PATH: cannot ACTION: " and the text of errno.
 [[nodiscard]] tl::unexpected<Error> refused(const std::filesystem::path& path, const char* action,
                                             int reason);
 

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A pipe that stands in a folder like a file may have nobody at its other end. The program's own
-// streams, /dev/stdin and what a shell hands over as /dev/fd/63, have somebody.
+// Whether a pipe in a folder has no process at its other end. The program's own streams, /dev/stdin
+// and a shell's /dev/fd/63, have one.
 bool waits_for_another(const fs::path& path, mode_t mode) {
   const std::string name = path.string();
   return S_ISFIFO(mode) && !name.starts_with("/dev/") && !name.starts_with("/proc/");
@@ -27,7 +27,7 @@ tl::unexpected<Error> refused_pipe(const fs::path& path) {
   return fail(ErrorCode::io, "is a pipe; a file is expected", path.string());
 }
 
-// To a device, or to a pipe that somebody reads.
+// Writes to a device, or to a pipe with a reader.
 Result<void> write_through(const fs::path& path, std::string_view bytes) {
   Descriptor file = open_at(AT_FDCWD, path.c_str(), O_WRONLY);
   if (!file) return refused(path, "write", errno);
@@ -43,7 +43,7 @@ Result<std::string> read_text_file(const fs::path& path, std::size_t max_bytes) 
   struct stat status {};
   if (!file || fstat(file.number(), &status) != 0) return refused(path, "open", errno);
   if (waits_for_another(path, status.st_mode)) return refused_pipe(path);
-  // of those that may be read it is right to wait for what comes
+  // waiting for readable ones is right
   if (fcntl(file.number(), F_SETFL, 0) != 0) return refused(path, "open", errno);
   std::string bytes;
   char block[1 << 16];
@@ -65,7 +65,7 @@ Result<void> write_file(const fs::path& path, std::string_view bytes) {
   if (exists && waits_for_another(path, old.st_mode)) return refused_pipe(path);
   if (exists && S_ISDIR(old.st_mode)) return refused(path, "write", EISDIR);
   if (exists && !S_ISREG(old.st_mode)) return write_through(path, bytes);
-  // renaming alone would also replace files that the user may not change
+  // a rename alone would also replace files that the user has no right to change
   if (exists && access(path.c_str(), W_OK) != 0) return refused(path, "write", errno);
 
   std::error_code error;

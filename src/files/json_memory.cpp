@@ -11,12 +11,12 @@
 namespace shigusa {
 namespace {
 
-// Blocks of the system's that are taken: few at a time, one for each value that is being destroyed.
+// Fallback blocks in use: few at a time, one per value under destruction.
 constexpr std::size_t kMostBlocks = 4096;
 std::array<std::atomic<void*>, kMostBlocks> blocks{};
 std::atomic<int> taken{0};
 
-// Notes a block; false where there is no room.
+// Records a block; false if the table is full.
 bool note(void* block) {
   for (std::atomic<void*>& place : blocks) {
     void* none = nullptr;
@@ -52,7 +52,7 @@ void* take_list_memory(std::size_t bytes) {
 }
 
 void give_list_memory(void* memory, std::size_t bytes) noexcept {
-  // the system's blocks begin with a page, and others hardly ever
+  // fallback blocks are page-aligned, and others hardly ever
   constexpr std::uintptr_t kPage = 4096;
   const bool page = reinterpret_cast<std::uintptr_t>(memory) % kPage == 0;
   if (page && memory != nullptr && taken.load(std::memory_order_relaxed) > 0 && forget(memory)) {

@@ -11,15 +11,15 @@
 #include <utility>
 #include <vector>
 
-// JSON of nlohmann's, by values that can always be destroyed. A value puts its parts into a list
-// before they are destroyed, and a destructor that gets no memory ends the program. So such a list
-// takes memory from the system itself where the C library has none.
+// nlohmann's JSON with values whose destruction never fails. A value moves its parts into a list
+// before destroying them, and a destructor that runs out of memory ends the program. So such a list
+// takes memory from the operating system if the C library has none.
 namespace shigusa {
 
 [[nodiscard]] void* take_list_memory(std::size_t bytes);
 void give_list_memory(void* memory, std::size_t bytes) noexcept;
 
-// An allocator of that memory.
+// Allocator with that fallback.
 template <class Value>
 struct ListAllocator {
   using value_type = Value;
@@ -38,9 +38,9 @@ struct ListAllocator {
 
 }  // namespace shigusa
 
-// The two kinds of values that there are. Sources of the library include this header and not
-// nlohmann's. Whoever has included that before goes without; memory of either kind is given back by
-// both, but for what the C library had not.
+// The two variants of JSON values. Sources of the library include this header rather than
+// nlohmann's. If that was included before, the fallback is missing; either variant frees the
+// other's memory, except for fallback blocks.
 #ifndef INCLUDE_NLOHMANN_JSON_HPP_
 #define SHIGUSA_LIST_ALLOCATOR(...)                                                                \
   template <>                                                                                      \
@@ -52,7 +52,7 @@ struct ListAllocator {
   }
 SHIGUSA_LIST_ALLOCATOR(nlohmann::json);
 SHIGUSA_LIST_ALLOCATOR(nlohmann::ordered_json);
-// a value that is about to become a list or an object says so before it has the memory for it
+// called by a value about to become a list or an object, before it has the memory
 SHIGUSA_LIST_ALLOCATOR(std::vector<nlohmann::json>);
 SHIGUSA_LIST_ALLOCATOR(std::vector<nlohmann::ordered_json>);
 SHIGUSA_LIST_ALLOCATOR(std::map<std::string, nlohmann::json, std::less<>,

@@ -11,7 +11,7 @@ namespace shigusa {
 // The SHA-256 of bytes (FIPS 180-4), as 64 hexadecimal digits.
 [[nodiscard]] std::string sha256(std::string_view bytes);
 
-// That of the rest of a file; empty, with errno, where reading fails.
+// SHA-256 of the rest of a file; empty on failure, with errno.
 [[nodiscard]] std::string sha256_of(const Descriptor& file);
 
 }  // namespace shigusa

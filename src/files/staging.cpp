@@ -19,7 +19,7 @@ constexpr std::string_view kPrefix = ".shigusa-";
 constexpr std::string_view kSuffix = ".tmp";
 constexpr std::size_t kDigits = 16;  // of a name, hexadecimal, at most
 
-// Not from a seed: two programs must not come upon the same name.
+// Not from a seed: two programs must not use the same name.
 std::string new_name() {
   std::random_device random;
   return fmt::format("{}{:08x}{:08x}{}", kPrefix, random(), random(), kSuffix);
@@ -37,8 +37,7 @@ bool is_staging_name(std::string_view name) {
 
 namespace {
 
-// Whether a folder or file that is open is nobody's any more. Where the file system has no locks,
-// age tells.
+// Whether an open folder or file is abandoned. On file systems without locks its age decides.
 bool abandoned(const Descriptor& entry) {
   constexpr std::time_t kOld = 24 * 60 * 60;  // s
   if (flock(entry.number(), LOCK_EX | LOCK_NB) == 0) return true;
@@ -49,7 +48,7 @@ bool abandoned(const Descriptor& entry) {
 
 }  // namespace
 
-// Staging folders, and the files that earlier versions made.
+// Names of staging folders, and of temporary files from earlier versions.
 void remove_leftovers(const Descriptor& folder) {
   using Type = std::filesystem::file_type;
   for (const std::string& name : names_in(folder)) {
@@ -80,14 +79,14 @@ int Staging::make() {
   return reason;
 }
 
-// EEXIST where another name must be tried.
+// EEXIST: another name must be tried.
 int Staging::make_locked(const std::string& name) {
   if (mkdirat(folder_.number(), name.c_str(), 0700) != 0) return errno;
   Descriptor made = open_at(folder_.number(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
   if (!made) {
     const int reason = errno;
     unlinkat(folder_.number(), name.c_str(), AT_REMOVEDIR);
-    // one that was not locked yet may have been taken for a leftover
+    // an unlocked one may have been removed as a leftover
     return reason == ENOENT ? EEXIST : reason;
   }
   (void)flock(made.number(), LOCK_EX);

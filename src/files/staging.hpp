@@ -10,17 +10,17 @@
 
 namespace shigusa {
 
-// Whether a name is one that a Staging has.
+// Whether a name is one of a Staging's.
 [[nodiscard]] bool is_staging_name(std::string_view name);
 
-// Removes what killed programs left in a folder, of what Staging makes there.
+// Removes staging folders that killed programs left in a folder.
 void remove_leftovers(const Descriptor& folder);
 
-// A new folder within another one, in which files are made whole before they take their names. It
-// has a name of its own each time, ".shigusa-5e0c….tmp", and is locked while it lives: one that
-// nobody holds is a killed program's. Goes with what is left in it.
+// A temporary folder within another one, in which files are completed before they are renamed. It
+// has a unique name, ".shigusa-5e0c….tmp", and is locked while it lives: an unlocked one is left
+// from a killed program. It is removed with its remaining files.
 //
-// Functions give 0, or the system's reason (errno).
+// Functions return 0 or errno.
 class Staging {
  public:
   Staging() = default;
@@ -28,26 +28,26 @@ class Staging {
   Staging& operator=(Staging&&) = delete;
   ~Staging();
 
-  // Opens the folder that it is to be in.
+  // Opens the parent folder.
   [[nodiscard]] int open(const std::filesystem::path& path);
 
-  // Removes what killed programs left in the folder, and makes this one.
+  // Removes leftovers of killed programs from the parent, and creates this folder.
   [[nodiscard]] int make();
 
-  // The folder that it is in.
+  // The parent folder.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const Descriptor& folder() const { return folder_; }
 
-  // A new file, for writing and reading; none, with errno, where it fails. Somebody else may write
-  // it by its path meanwhile.
+  // Creates a file for reading and writing; empty on failure, with errno. Other programs could
+  // write to it by its path.
   [[nodiscard]] Descriptor create(const std::string& name);
   [[nodiscard]] std::filesystem::path path_of(const std::string& name) const;
 
-  // A new file. `durable`: it is on the disk, and not on its way there, when this returns.
+  // Creates a file with contents. `durable`: it is flushed to the disk.
   [[nodiscard]] int add(const std::string& name, std::string_view bytes, bool durable);
 
-  // Gives a file of it its name in the folder, in the place of any file or link that has it, whose
-  // permissions it takes over.
+  // Moves a file to its name in the parent, replacing a file or link of that name and taking over
+  // its permissions.
   [[nodiscard]] int move_out(const std::string& name, const std::string& to);
 
  private:
@@ -55,9 +55,9 @@ class Staging {
 
   std::filesystem::path path_;
   Descriptor folder_;
-  Descriptor self_;  // none before it is made
+  Descriptor self_;  // empty before it is created
   std::string name_;
-  std::vector<std::string> files_;  // in it
+  std::vector<std::string> files_;  // files within
 };
 
 }  // namespace shigusa

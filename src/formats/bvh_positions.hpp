@@ -5,10 +5,10 @@
 
 namespace shigusa {
 
-// Some writers (MakeHuman) give joints position channels that count from the OFFSET, where most
-// write the whole place. The values of the first frame tell which: where nearly all joints below
-// the roots that have them, and at least kFewestPlaced of them, are at 0 although their OFFSET is
-// not, OFFSETs are added in all frames, and the channels are taken away: they tell nothing.
+// Adds OFFSETs to position channels of writers (MakeHuman) that count them from the OFFSET, where
+// most write the whole translation. The first frame decides: OFFSETs are added in all frames if
+// nearly all non-root joints with such channels, and at least kFewestPlaced, are at 0 although
+// their OFFSET is not. The channels, which hold no information, are then removed.
 inline constexpr int kFewestPlaced = 4;
 void add_offsets(BvhFile& file);
 

@@ -20,15 +20,15 @@
 namespace shigusa {
 namespace {
 
-// As the C locale has blanks.
+// Blanks as in the C locale.
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// Stands in the text and counts its lines. Tokens end at blanks; braces and colons are tokens.
+// Tokeniser that counts lines. Tokens end at blanks; braces and colons are tokens.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}
 
-  // The next token; empty at the end of the text.
+  // Next token; empty at the end of the text.
   std::string_view token() {
     skip_blanks();
     const char* start = at_;
@@ -37,7 +37,7 @@ class Cursor {
     return {start, static_cast<std::size_t>(at_ - start)};
   }
 
-  // The rest of the same line, up to a brace, without blanks around it.
+  // Rest of the same line, up to a brace, without surrounding blanks.
   std::string_view rest_of_line() {
     const auto stops = [](char c) { return c == '\n' || c == '\r' || c == '{' || c == '}'; };
     while (at_ != end_ && is_space(*at_) && !stops(*at_)) ++at_;
@@ -73,7 +73,7 @@ bool same_word(std::string_view a, std::string_view b) {
                     [](char x, char y) { return lower(x) == lower(y); });
 }
 
-// A token as it is shown in a message: short, and without bytes that a terminal may take amiss.
+// A token for a message: short, and without control bytes.
 std::string shown_token(std::string_view token) {
   constexpr std::size_t kLongest = 40;
   std::string text;
@@ -81,7 +81,7 @@ std::string shown_token(std::string_view token) {
   return token.size() > kLongest ? "'" + text + "…'" : "'" + text + "'";
 }
 
-// Whether a token is what programs write for a value that is none: nan(ind), -1.#IND.
+// Whether a token is a notation of NaN or infinity: nan(ind), -1.#IND.
 bool tells_no_number(std::string_view token) {
   if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
   return token.find('#') != token.npos || same_word(token.substr(0, 3), "nan") ||
@@ -96,7 +96,7 @@ std::optional<int> parse_integer(std::string_view token) {
   return value;
 }
 
-// One column of the motion: what a value does to its node.
+// One column of the motion: its effect on its node.
 struct Channel {
   int node;
   bool rotates;
@@ -111,7 +111,7 @@ constexpr double kMinFrameTime = 1e-6;          // s
 constexpr double kMaxFrameTime = 1e3;           // s
 constexpr double kUsualFrameTime = 1.0 / 30.0;  // s
 
-// Reads one text. Each step returns false after it has noted the error.
+// Parser of one text. Each step returns false after it has recorded an error.
 class BvhReader {
  public:
   BvhReader(std::string_view text, std::string_view name, BvhFaults faults)
@@ -145,7 +145,7 @@ class BvhReader {
     return fail_here(say("bvh_found", shown_token(token), expected));
   }
 
-  // Whether nothing more comes, in a file of which what it has is taken.
+  // Whether the text ends here, for a file that is read as far as it goes.
   [[nodiscard]] bool may_end() const { return lenient_ && Cursor(cursor_).token().empty(); }
 
   bool expect(std::string_view word) {
@@ -254,7 +254,7 @@ class BvhReader {
     return true;
   }
 
-  // `placed`: the axes that have their position channel.
+  // `placed`: axes with their position channel.
   bool channel(int index, bool (&placed)[3]) {
     const std::string_view token = cursor_.token();
     std::size_t kind = 0;
@@ -307,7 +307,7 @@ class BvhReader {
     return fail_here(say("bvh_cut", found, value_count(), motion_.clip.frames, channels_.size()));
   }
 
-  // before memory is taken: can the text hold the values, and the memory the result?
+  // checked before memory is taken: whether the text can hold the values, and memory the result
   bool values_fit() {
     if (channels_.empty() && motion_.clip.frames > 1) {
       return fail_here(say("no_channels", motion_.clip.frames));
@@ -350,7 +350,7 @@ class BvhReader {
     return true;
   }
 
-  // One frame more is left out: some writers count frames from 0.
+  // Tolerates one missing frame: some writers count frames from 0.
   bool nothing_follows() {
     std::string_view token = cursor_.token();
     if (token.empty()) return true;
@@ -394,7 +394,7 @@ class BvhReader {
       local.translation[static_cast<int>(channel.axis)] = value;
       return;
     }
-    // whole turns go first, exactly: sin_cos is for moderate angles
+    // full turns are removed first, exactly: sin_cos is for moderate angles
     constexpr double kTurn = 360.0;
     if (abs(value) > kTurn) value -= kTurn * static_cast<double>(static_cast<int>(value / kTurn));
     local.rotation = local.rotation * axis_rotation(channel.axis, radians(value));
@@ -402,7 +402,7 @@ class BvhReader {
 
   Cursor cursor_;
   std::string_view name_;
-  bool lenient_;      // what a damaged file still has is taken
+  bool lenient_;      // damaged files are read as far as possible
   bool cut_ = false;  // the text ended among the values
   int promised_ = 0;  // frames
   std::vector<Message> doubts_;
@@ -410,7 +410,7 @@ class BvhReader {
   SkeletonMotion motion_;
   NodeNames names_;
   std::vector<Seen> seen_;         // (nodes)
-  std::vector<int> open_;          // nodes whose } is still to come, outermost first
+  std::vector<int> open_;          // nodes with a pending }, outermost first
   std::vector<Channel> channels_;  // columns of the motion
   Error error_;
 };

@@ -17,22 +17,22 @@ namespace {
 
 constexpr int kAngleDecimals = 6;               // degrees: 9e-9 rad, 9e-9 m at the end of a metre
 constexpr double kLengthResolution = 1.001e-8;  // m; 1e-8 whatever the rounding of 0.01
-// A node that never leaves its offset by more (m) needs no position channels.
+// Distance (m) below which a node's deviation from its offset needs no position channels.
 constexpr double kStillness = 1e-9;
-// Below this cosine of the middle angle the outer two turn about one axis: gimbal lock.
+// Cosine of the middle angle below which the outer axes coincide: gimbal lock.
 constexpr double kGimbal = 1e-9;
 
-// The axes of three rotations in their order, R = Rot(a[0]) Rot(a[1]) Rot(a[2]).
+// Axes of three rotations in order, R = Rot(a[0]) Rot(a[1]) Rot(a[2]).
 using Order = std::array<int, 3>;
 constexpr Order kZxy{2, 0, 1};
 
-// Angles in degrees, by axis, with the product of rotations in that order R, given the first.
+// Euler angles in degrees, by axis, of R in that order, for a given first angle.
 Vec3d angles_after(const Mat3d& r, const Order& order, double first) {
   const auto [i, j, k] = order;
   const double s = (j - i + 3) % 3 == 1 ? 1.0 : -1.0;
   const auto at = [&r](int row, int column) { return r.column(column)[row]; };
-  // Rot(first)ᵀ R = Rot(a[1]) Rot(a[2]); in gimbal lock the first may be any angle, and the others
-  // make up for it
+  // Rot(first)ᵀ R = Rot(a[1]) Rot(a[2]); in gimbal lock the first angle is arbitrary, and the
+  // others compensate
   const SinCos<double> a = sin_cos(first);
   const double jj = a.cos * at(j, j) + s * a.sin * at(k, j);
   const double ji = a.cos * at(j, i) + s * a.sin * at(k, i);
@@ -44,7 +44,7 @@ Vec3d angles_after(const Mat3d& r, const Order& order, double first) {
   return angles;
 }
 
-// The angle equal to `angle` up to whole turns that is nearest to `near`.
+// Equivalent angle, up to full turns, that is nearest to `near`.
 double unwrapped(double angle, double near) {
   constexpr double kTurn = 360.0;
   const double turns = (near - angle) / kTurn;
@@ -56,7 +56,7 @@ double distance(const Vec3d& a, const Vec3d& b) {
   return max(abs(a.x - b.x), max(abs(a.y - b.y), abs(a.z - b.z)));
 }
 
-// Euler angles in degrees, by axis, of their two forms the one nearer to the frame before.
+// Euler angles in degrees, by axis, in the form nearer to the previous frame.
 Vec3d euler_angles(const Quatd& rotation, const Order& order, const Vec3d& before) {
   const Mat3d r = to_matrix(rotation);
   const auto [i, j, k] = order;
@@ -74,8 +74,8 @@ Vec3d euler_angles(const Quatd& rotation, const Order& order, const Vec3d& befor
   return best;
 }
 
-// A name without blanks within: of those three.js takes the first word alone, and Blender joins
-// the words so.
+// Name with blanks replaced: three.js takes only the first word, and Blender joins words in this
+// way.
 std::string one_word(std::string name) {
   const std::size_t last = name.find_last_not_of(' ');
   for (std::size_t i = name.find_first_not_of(' '); i < last && i < name.size(); ++i) {
@@ -112,7 +112,7 @@ class BvhWriter {
 
  private:
   [[nodiscard]] const SkeletonNode& node(std::size_t i) const { return motion_.skeleton.nodes[i]; }
-  // an end site that carries children is a joint by mistake
+  // an end site with children is in fact a joint
   [[nodiscard]] bool is_end(std::size_t i) const { return node(i).end_site && !has_child_[i]; }
 
   template <class... Args>
@@ -178,7 +178,7 @@ class BvhWriter {
     }
   }
 
-  // The order of a node's rotations, where that can tell any: three about different axes.
+  // Rotation order of a node, if its channels determine one: three about different axes.
   static std::optional<Order> order_of(const std::vector<BvhChannel>& channels) {
     std::vector<int> axes;
     for (const auto& [rotates, axis] : channels) {
@@ -231,7 +231,7 @@ class BvhWriter {
         }
       }
     }
-    // each number brings its blank; the first needs none
+    // each number includes its blank; the first needs none
     if (text_.size() > start) text_.erase(start, 1);
     append("\n");
   }
@@ -242,7 +242,7 @@ class BvhWriter {
 
   void write_length(double v) { write_number(v / unit_, decimals_, 0.5 * resolution_); }
 
-  // `half`: half of the last decimal; what lies below it is 0, never -0
+  // `half`: half of the last decimal; smaller values are 0, never -0
   void write_number(double value, int decimals, double half) {
     append(" {:.{}f}", abs(value) < half ? 0.0 : value, decimals);
   }
@@ -268,7 +268,7 @@ std::vector<int> bvh_order(const Skeleton& skeleton) {
   std::vector<std::vector<int>> children(skeleton.nodes.size());
   std::vector<int> open;
   std::vector<int> order;
-  // from behind, so that the first of those that wait is the last in the list
+  // in reverse, so that the first pending node is last in the list
   for (int i = count - 1; i >= 0; --i) {
     const int parent = skeleton.nodes[index(i)].parent;
     SHG_CHECK(parent < i, "parents come before their children");

@@ -6,9 +6,9 @@
 
 namespace shigusa {
 
-// The functions of a family that has one for each format with the property: by format, null for the
-// others. `family` gives the function of a format that it is called with as a template argument. A
-// format whose function nobody has defined is an error of the linker.
+// Table of a function family by format: one function for each format with the property, null for
+// the others. `family` returns the function of a format given as a template argument. An undefined
+// function is a linker error.
 template <class Function, bool FormatInfo::*property, class Family>
 constexpr std::array<Function*, kFileFormats.size()> by_format(Family family) {
   const auto of = [family]<std::size_t i>() -> Function* {

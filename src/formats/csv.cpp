@@ -10,8 +10,8 @@
 namespace shigusa {
 namespace {
 
-// The name as one field: in quotes where it holds a separator, a quote or a line break, or where
-// it is empty and would leave an empty line.
+// Name as one field, quoted if it holds a separator, a quote or a line break, or is empty, which
+// would give an empty line.
 std::string field(std::string_view name) {
   if (!name.empty() && name.find_first_of(",\"\r\n") == std::string_view::npos) {
     return std::string(name);

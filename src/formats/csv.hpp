@@ -8,16 +8,16 @@
 
 namespace shigusa {
 
-// One column of a table; the unit stands in the name: "right_knee.flexion [rad]".
+// One column of a table, with its unit in the name: "right_knee.flexion [rad]".
 struct CsvColumn {
   std::string name;
   std::vector<double> values;
 };
 
-// The columns as CSV text (RFC 4180, but lines end with LF alone): a header row of the names, then
-// one row per value. Names are quoted where needed; numbers have a decimal point in every locale
-// and the fewest digits that read back to the same double. Fails when there is no column, when the
-// columns differ in length, or at a value that is not finite.
+// Writes columns as CSV text (RFC 4180, but with LF line ends): a header row of the names, then one
+// row per value. Names are quoted if necessary; numbers have a decimal point in every locale and
+// the fewest digits that read back to the same double. Fails if there is no column, if columns
+// differ in length, or at a value that is not finite.
 [[nodiscard]] Result<std::string> format_csv(std::span<const CsvColumn> columns);
 
 }  // namespace shigusa

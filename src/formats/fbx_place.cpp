@@ -7,7 +7,7 @@
 namespace shigusa {
 namespace {
 
-// Degrees about x, y and z, turned one after the other in that order, as FBX numbers the orders.
+// Rotation by degrees about x, y and z, in one of FBX's numbered orders.
 Quatd turn(const Vec3d& degrees, std::int64_t order) {
   constexpr std::array<std::array<Axis, 3>, 6> kOrders{{{Axis::x, Axis::y, Axis::z},
                                                         {Axis::x, Axis::z, Axis::y},
@@ -28,7 +28,7 @@ Vec3d product(const Vec3d& a, const Vec3d& b) { return {a.x * b.x, a.y * b.y, a.
 }  // namespace
 
 FbxPlace place_of(const FbxProperties& p) {
-  // else there are no other turns, and x goes before y and z
+  // if inactive, there are no further rotations, and the order is x, y, z
   const bool active = p.number("RotationActive", 0.0) != 0.0;
   const auto order = static_cast<std::int64_t>(p.number("RotationOrder", 0.0));
   Quatd turned = turn(p.vector("Lcl Rotation"), active && order > 0 && order < 6 ? order : 0);

@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// Properties by their names: of a record, of its kind's template, of none.
+// Lookup of properties by name: in a record, in its kind's template, else the default.
 class FbxProperties {
  public:
   FbxProperties(const FbxRecord* own, const FbxRecord* kind) : lists_{own, kind} {}
@@ -36,22 +36,23 @@ class FbxProperties {
   std::array<const FbxRecord*, 2> lists_;
 };
 
-// A place in its parent: translation · rotation · scale.
+// Local transform: translation · rotation · scale.
 struct FbxPlace {
   Vec3d at;
   Quatd turned;
   Vec3d scale;
 };
 
-// The product of Autodesk's SDK: T · Roff · Rp · Rpre · R · Rpost⁻¹ · Rp⁻¹ · Soff · Sp · S · Sp⁻¹.
+// Local transform of Autodesk's SDK: T · Roff · Rp · Rpre · R · Rpost⁻¹ · Rp⁻¹ · Soff · Sp · S ·
+// Sp⁻¹.
 [[nodiscard]] FbxPlace place_of(const FbxProperties& properties);
 
-// The part of its parent's scale that a model takes over: all of it after its own turn, all of it
-// before, or what the parent itself took over. In the order of the file's numbers.
+// Scale inheritance of a model: its parent's whole scale applied after its own rotation, before it,
+// or only the scale that the parent inherited. In the order of the file's numbers.
 enum class FbxInherit { after_turn, before_turn, but_the_parents_own };
 [[nodiscard]] FbxInherit inherit_of(const FbxProperties& properties);
 
-// A model in the world, T · R · inherited · S, as Autodesk's SDK computes it.
+// Global transform of a model, T · R · inherited · S, as computed by Autodesk's SDK.
 struct FbxWorldPlace {
   Vec3d at{};
   Mat3d turned{};

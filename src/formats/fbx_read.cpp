@@ -25,7 +25,8 @@ struct Model {
   std::vector<int> children;
 };
 
-// "Model::Hips" of the text form, "Hips", a zero, a one and "Model" of the binary form.
+// Name of a model: "Model::Hips" in the text form, "Hips", bytes 0 and 1, and "Model" in the binary
+// form.
 std::string_view plain_name(std::string_view name) {
   if (const std::size_t end = name.find(std::string_view("\0\1", 2)); end != name.npos) {
     return name.substr(0, end);
@@ -97,7 +98,7 @@ class FbxReader {
     return !models_.empty() || wrong(say("fbx_no_model"));
   }
 
-  // A model that hangs on several ones is taken where it is connected first.
+  // Connects models; one with several parents gets the first.
   bool connect() {
     std::vector<bool> hung(models_.size(), false);
     for (const FbxRecord& section : root_.within) {
@@ -134,7 +135,7 @@ class FbxReader {
     return true;
   }
 
-  // Whether a model's own numbers are none, or beyond what is allowed.
+  // Whether a model has numbers that are not finite or exceed the limits.
   static bool is_damaged(const Model& model) {
     const FbxPlace place = place_of(model.properties);
     bool good = is_within(place.at, kFbxMaxValue) && is_within(place.scale, kFbxMaxValue);
@@ -144,7 +145,7 @@ class FbxReader {
     return !good;
   }
 
-  // (models) those that are damaged, or hang on such a one, and carry no limb.
+  // (models) damaged models and their descendants, if they carry no limb.
   [[nodiscard]] std::vector<bool> damaged_scenery() const {
     std::vector<bool> carries(models_.size(), false);
     bool limbs = false;
@@ -165,8 +166,8 @@ class FbxReader {
     return damaged;
   }
 
-  // Meshes, cameras and lights are no part of the skeleton, unless a bone hangs on them. Nodes
-  // keep the models' order.
+  // Selects the nodes, in the models' order. Meshes, cameras and lights are excluded unless they
+  // have bones below them.
   void choose_nodes() {
     node_.assign(models_.size(), -1);
     const std::vector<bool> damaged = damaged_scenery();
@@ -196,7 +197,7 @@ class FbxReader {
     return kind != "Mesh" && kind != "Camera" && kind != "Light" && kind != "CameraSwitcher";
   }
 
-  // The file's axes and unit, for nodes that hang on none.
+  // Axes and unit of the file, applied to root nodes.
   bool to_metres(FbxPlace& place) {
     const FbxRecord* settings = root_.find("GlobalSettings");
     const FbxProperties p(settings == nullptr ? nullptr : settings->find("Properties70"), nullptr);
@@ -220,15 +221,15 @@ class FbxReader {
       column = {};
       column[k] = p.number(sign, 1.0) < 0.0 ? -1.0 : 1.0;
     }
-    // nodes have rotations alone: the figure of a left-handed file is its mirror image
+    // nodes have proper rotations only: the figure of a left-handed file becomes its mirror image
     if (dot(cross(axes.cx, axes.cy), axes.cz) < 0.0) axes.cx = -axes.cx;
     const Quatd turned = to_quat(axes);
     place = {axes * place.at * unit, turned * place.turned, place.scale * unit};
     return true;
   }
 
-  // Places in the nodes' parents. Nodes of glTF scale all that hangs on them: where a model is told
-  // to inherit its scale otherwise, all stand where Autodesk's formula has them, and have no scale.
+  // Local transforms. Nodes of glTF scale all their descendants: if a model inherits its scale
+  // otherwise, all transforms come from Autodesk's formula, without scales.
   bool find_places() {
     places_.resize(models_.size());
     std::vector<FbxWorldPlace> world(models_.size());
@@ -255,7 +256,7 @@ class FbxReader {
     return model.parent < 0 ? FbxWorldPlace{} : world[index(model.parent)];
   }
 
-  // Scales that files round differently are the same.
+  // Whether scales are equal up to the rounding of files.
   static bool alike(const Mat3d& a, const Mat3d& b) {
     constexpr double kRounding = 1e-6;
     const double most = kRounding * max(norm(b.cx), max(norm(b.cy), norm(b.cz)));

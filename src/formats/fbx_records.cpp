@@ -23,7 +23,7 @@ constexpr int kWithIds = 7000;                // since this version models have 
 constexpr std::size_t kMaxRecordValues = 64;  // of a record that is read
 constexpr int kLongHeads = 7500;  // since this version records have heads of 64-bit numbers
 
-// Records that are read, each after the one that it stands in.
+// Records that are read, each after its parent.
 constexpr std::pair<std::string_view, std::string_view> kRead[] = {
     {"", "FBXHeaderExtension"},
     {"", "GlobalSettings"},
@@ -44,21 +44,21 @@ constexpr std::pair<std::string_view, std::string_view> kRead[] = {
     {"Properties60", "Property"},
     {"Connections", "C"},
     {"Connections", "Connect"}};
-// Properties that tell where a model stands, or of the file's units and axes.
+// Properties of a model's transform, or of the file's units and axes.
 constexpr std::string_view kProperties[] = {
     "Lcl Translation", "Lcl Rotation",  "Lcl Scaling",     "PreRotation",  "PostRotation",
     "RotationOffset",  "RotationPivot", "ScalingOffset",   "ScalingPivot", "RotationOrder",
     "RotationActive",  "InheritType",   "UnitScaleFactor", "UpAxis",       "UpAxisSign",
     "FrontAxis",       "FrontAxisSign", "CoordAxis",       "CoordAxisSign"};
 
-// Of properties and connections few are of use, and a file has very many.
+// Filter for properties and connections, of which a file has many and few are used.
 bool is_needed(const FbxRecord& record) {
   if (record.name == "C" || record.name == "Connect") return record.text(0) == "OO";
   const bool property = record.name == "P" || record.name == "Property";
   return !property || contains(kProperties, record.text(0));
 }
 
-// Both forms share the first error, and how many records are kept.
+// State shared by both forms: the first error, and the number of records kept.
 class Reader {
  public:
   Reader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
@@ -70,7 +70,7 @@ class Reader {
     if (!error_) error_ = Error{ErrorCode::parse, std::move(message), place + " of " + name_};
     return false;
   }
-  // Keeps a record that is complete, if it is needed; false where there are too many.
+  // Keeps a complete record if it is needed; false if there are too many.
   bool keep(FbxRecord&& record, FbxRecord& parent) {
     if (!is_needed(record)) return true;
     parent.within.push_back(std::move(record));
@@ -106,7 +106,7 @@ class BinaryReader : public Reader {
   [[nodiscard]] std::string here() const { return fmt::format("byte {}", at_); }
   bool cut() { return wrong(say("fbx_cut"), here()); }
 
-  // Little-endian, whatever the machine is.
+  // Little-endian on every machine.
   template <class T>
   bool take(T& value) {
     if (bytes_.size() - at_ < sizeof(T)) return false;
@@ -132,7 +132,7 @@ class BinaryReader : public Reader {
     return taken;
   }
 
-  // Records up to `end`, or to the empty one that closes them.
+  // Reads records up to `end`, or to the empty one that closes them.
   bool read_within(FbxRecord& parent, bool keeps, std::size_t end, int depth) {
     if (depth > kFbxMaxDepth) {
       return wrong(say("records_deep", kFbxMaxDepth), here());
@@ -261,7 +261,7 @@ class TextReader : public Reader {
     return fmt::format("line {}", 1 + std::count(bytes_.begin(), end, '\n'));
   }
 
-  // The next sign after blanks and comments, or 0 at the end.
+  // Next character after blanks and comments, or 0 at the end.
   char peek() {
     while (at_ < bytes_.size()) {
       if (bytes_[at_] == ';') {
@@ -284,7 +284,7 @@ class TextReader : public Reader {
     return bytes_.substr(begin, at_ - begin);
   }
 
-  // Records up to the brace that closes them, or to the end of the file.
+  // Reads records up to the closing brace, or to the end of the file.
   bool read_within(FbxRecord& parent, bool keeps, int depth) {
     if (depth > kFbxMaxDepth) {
       return wrong(say("records_deep", kFbxMaxDepth), here());
@@ -312,7 +312,7 @@ class TextReader : public Reader {
     return depth == 0 || wrong(say("fbx_cut"), here());
   }
 
-  // Values with commas between them, which may stand on several lines.
+  // Reads values separated by commas, possibly over several lines.
   bool read_values(FbxRecord& record, bool kept) {
     for (;;) {
       const char next = peek();
@@ -327,7 +327,7 @@ class TextReader : public Reader {
         const std::size_t begin = at_;
         const std::string_view word = bare();
         if (peek() == ':') {
-          // a record without values, and the next one's name
+          // a record without values, and the name of the next one
           at_ = begin;
           return true;
         }

@@ -14,16 +14,16 @@ namespace {
 using Known = Sentence<>;
 
 constexpr std::string_view kXmlBlanks = " \t\r\n";
-constexpr std::size_t kLooked = 65536;  // bytes in which a file tells its kind
+constexpr std::size_t kLooked = 65536;  // bytes that are examined for the kind
 
-// A kind of file by its first bytes, its name, and what to do with it.
+// A kind of file with its first bytes, its name, and the remedy.
 struct ForeignKind {
   std::string_view begin;
   Known called;
   Known advice;
 };
 
-// Kinds that nobody is read from.
+// Kinds that are not readable.
 const std::array kForeign{
     ForeignKind{"PK\x03\x04", "kind_zip", "advice_unpack"},
     ForeignKind{"7z\xBC\xAF\x27\x1C", "kind_archive", "advice_unpack"},
@@ -57,7 +57,7 @@ std::string_view without_mark(std::string_view text) {
   return begin == text.npos ? std::string_view{} : text.substr(begin);
 }
 
-// The name of a text's first element; "" where it is no XML.
+// Name of a text's first element; "" if it is no XML.
 std::string root_of_xml(std::string_view text) {
   for (;;) {
     if (!text.starts_with('<')) return {};
@@ -70,7 +70,7 @@ std::string root_of_xml(std::string_view text) {
   return std::string(text.substr(1, text.find_first_of(" \t\r\n/>", 1) - 1));
 }
 
-// A kind by its element, which the ending of another format reads.
+// Kind by the root element of a format with another ending.
 struct XmlKind {
   std::string_view root;
   Known called;
@@ -92,7 +92,7 @@ struct FoundKind {
   Message advice;
 };
 
-// Of formats that people and robots are read from, where the ending tells another.
+// Kind of a readable format whose ending is another's.
 std::optional<FoundKind> other_format(std::string_view bytes, std::string_view text,
                                       FileFormat format) {
   if (bytes.starts_with("glTF") && !is_gltf(format)) {

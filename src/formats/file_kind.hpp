@@ -7,9 +7,9 @@
 
 namespace shigusa {
 
-// Fails where the bytes of a file are clearly of another kind than its name's ending tells, by what
-// they begin with: an archive, a page of HTML, a pointer of Git LFS, another format. The error
-// names that kind and says what to do.
+// Fails if the first bytes of a file are clearly those of another kind than its name's ending: an
+// archive, an HTML page, a Git LFS pointer, another format. The error names that kind and suggests
+// a remedy.
 [[nodiscard]] Result<void> check_file_kind(std::string_view bytes, const std::string& name);
 
 }  // namespace shigusa

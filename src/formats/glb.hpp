@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// The little-endian 32-bit number at a place of the bytes, which must have it.
+// Little-endian 32-bit number at an offset within the bytes.
 [[nodiscard]] inline std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t word = 0;
   for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<std::uint8_t>(bytes[at + i]);
@@ -25,12 +25,12 @@ inline constexpr std::size_t kGlbChunkHeader = 8;  // and of each chunk's: lengt
 inline constexpr std::string_view kGlbJson = "JSON";
 inline constexpr std::string_view kGlbBinary{"BIN\0", 4};
 
-// A GLB file of these chunks. The JSON text is padded to whole words; the others must be made of
-// them.
+// Writes a GLB file of these chunks. The JSON text is padded to whole words; other chunks must
+// consist of whole words.
 [[nodiscard]] std::string glb_file(std::string json, std::optional<std::string_view> binary = {},
                                    std::string_view further = {});
 
-// A file's parts: chunks of a GLB, or the text of a .gltf.
+// Parts of a file: chunks of a GLB, or the text of a .gltf.
 struct GlbParts {
   std::string_view json;
   std::optional<std::string_view> binary;
@@ -38,11 +38,11 @@ struct GlbParts {
   bool glb = false;
 };
 
-// A file's JSON text: of a GLB its first chunk, else all of it. The one place where the header of a
-// GLB and that of its first chunk are checked. `name` stands for the file in errors.
+// JSON text of a file: the first chunk of a GLB, else all of it. Checks the headers of a GLB and of
+// its first chunk, for all readers. `name` stands for the file in errors.
 [[nodiscard]] Result<std::string_view> gltf_text(std::string_view bytes, std::string_view name);
 
-// The parts of any file, checked; its JSON text may be anything.
+// Parts of any file, checked; the content of the JSON text is not.
 [[nodiscard]] Result<GlbParts> glb_parts(std::string_view bytes, std::string_view name);
 
 }  // namespace shigusa

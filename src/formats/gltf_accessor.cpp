@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMaxValueBytes = std::size_t{16} << 20;
 constexpr int kMaxValueDepth = 16;
 
-// A whole number that may be missing, up to 2^53.
+// Optional whole number up to 2^53.
 std::optional<std::size_t> whole(const GltfJson& object, const char* key, std::size_t otherwise) {
   const auto found = object.find(key);
   if (found == object.end()) return otherwise;
@@ -75,7 +75,7 @@ double decoded(std::string_view bytes, std::size_t at, const AccessorComponent& 
 constexpr std::array kMeshopt{"EXT_meshopt_compression", "KHR_meshopt_compression"};
 constexpr std::array kDraco{"KHR_draco_mesh_compression"};
 
-// The first of these extensions that an object has.
+// First of these extensions that an object has.
 template <std::size_t N>
 const GltfJson* extension(const GltfJson& of, const std::array<const char*, N>& names) {
   const auto extensions = of.find("extensions");
@@ -157,9 +157,9 @@ Result<GltfJson> GltfAccessors::entry(const char* list, const GltfJson& index) {
   }
   const auto& value = entries[index.get<std::size_t>()];
   const std::string place = fmt::format("{}[{}]", list, index.get<std::size_t>());
-  // data in the text are not parsed but decoded
+  // embedded data are decoded without parsing
   if (const auto uri = json_.member(value, "uri"); uri) return GltfJson(json_.text_of(uri));
-  // one entry may be asked for many times
+  // one entry may be requested many times
   constexpr std::size_t kMaxEntryBytes = std::size_t{64} << 10;
   if (json_.text_of(value).size() > kMaxEntryBytes) {
     return wrong(place, say("json_bytes", json_.text_of(value).size(), kMaxEntryBytes));
@@ -251,7 +251,7 @@ Result<AccessorElements> GltfAccessors::elements(const std::string& place, const
   return AccessorElements{count == 0 ? std::string_view{} : found.bytes.substr(*offset), stride};
 }
 
-// Elements that stand elsewhere: their indices, rising, and their numbers.
+// Sparse elements: their indices, ascending, and their numbers.
 Result<void> GltfAccessors::read_sparse(const std::string& place, const GltfJson& sparse,
                                         std::size_t size, GltfNumbers& numbers) {
   const auto count = sparse.is_object() ? whole(sparse, "count", 0) : std::nullopt;
@@ -398,7 +398,7 @@ Result<std::vector<double>> GltfAccessors::numbers(const GltfJson& index, int co
 double GltfNumbers::at(std::size_t element, std::size_t component) const {
   const auto other = std::lower_bound(elsewhere_.begin(), elsewhere_.end(), element);
   const bool moved = other != elsewhere_.end() && *other == element;
-  // what a sparse accessor does not tell of is 0
+  // values missing from a sparse accessor are 0
   if (!moved && elements_.bytes.empty()) return 0.0;
   const AccessorElements& in = moved ? replaced_ : elements_;
   const std::size_t row = moved ? static_cast<std::size_t>(other - elsewhere_.begin()) : element;

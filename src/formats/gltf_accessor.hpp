@@ -17,25 +17,24 @@
 
 namespace shigusa {
 
-// All numbers that are read of one file, and what they are out of, are bounded.
+// Limits on the numbers read from one file, and on the data that contains them.
 inline constexpr std::size_t kAccessorMaxNumbers = 4'000'000;
 
-// The content that an accessor may have where it is used: floats and normalised integers; also
-// integers as they are, which the nodes' places scale; whole numbers without a sign.
+// Permitted content of an accessor, depending on its use: floats and normalised integers; also
+// plain integers, scaled by the nodes' transforms; unsigned integers.
 enum class AccessorContent { reals, coordinates, indices };
 
-// Elements one after the other.
+// Elements in sequence.
 struct AccessorElements {
   std::string_view bytes;  // from the first one on
   std::size_t stride = 0;  // bytes from one to the next
 };
 
-// The numbers of one accessor where they lie in the file, decoded one by one. They have been found
-// to lie in it.
+// Numbers of one accessor in the file, decoded on access. Their range has been checked.
 class GltfNumbers {
  public:
   [[nodiscard]] std::size_t count() const { return count_; }  // of elements
-  // A number as it is meant; it may be anything that a float can be.
+  // Decoded number; it may be any value of a float.
   [[nodiscard]] double at(std::size_t element, std::size_t component) const;
 
  private:
@@ -48,7 +47,7 @@ class GltfNumbers {
   AccessorElements replaced_;           // … that are these
 };
 
-// One of the attributes that a primitive is asked for, with its components and content.
+// An attribute requested of a primitive, with its components and content.
 struct GltfAttribute {
   std::string name;
   int components = 0;
@@ -56,26 +55,25 @@ struct GltfAttribute {
 };
 
 struct GltfPrimitive {
-  std::vector<std::optional<GltfNumbers>> attributes;  // as asked for; none where it has none
+  std::vector<std::optional<GltfNumbers>> attributes;  // as requested; empty if absent
   std::optional<GltfNumbers> indices;                  // of its vertices
 };
 
-// The numbers of a glTF file: accessors, by way of their buffer views, from the binary chunk of a
-// GLB or from data in the text, unpacked where meshopt or Draco packs them. Other files are not
-// opened. Reads what is asked for and nothing else; the file's JSON must have been parsed before.
+// Reader of a glTF file's numbers: accessors, through their buffer views, from the binary chunk of
+// a GLB or from embedded data, decoded if packed by meshopt or Draco. Other files are not opened,
+// and only requested data is read; the file's JSON must have been parsed before.
 class GltfAccessors {
  public:
   GltfAccessors(const GlbParts& parts, std::string_view name);
 
-  // An accessor whose elements have that number of components: 1, 3, 4, or 16 of a matrix. Errors
-  // name the accessor.
+  // Accessor with that number of components: 1, 3, 4, or 16 for a matrix. Errors name the accessor.
   [[nodiscard]] Result<GltfNumbers> open(const nlohmann::json& index, int components,
                                          AccessorContent content);
-  // Those of a primitive, from Draco's mesh where one packs it.
+  // Attributes of a primitive, from Draco's mesh if it is packed.
   [[nodiscard]] Result<GltfPrimitive> open(const nlohmann::json& primitive,
                                            std::span<const GltfAttribute> wanted);
-  // All numbers of an accessor of reals, element by element; `any`: also those that are none, or
-  // too large.
+  // All numbers of an accessor of reals, element by element; `any`: accepts NaN and values beyond
+  // the limits.
   [[nodiscard]] Result<std::vector<double>> numbers(const nlohmann::json& index, int components,
                                                     bool any = false);
 
@@ -87,7 +85,7 @@ class GltfAccessors {
   [[nodiscard]] Result<nlohmann::json> entry(const char* list, const nlohmann::json& index);
   [[nodiscard]] Result<View> view(const nlohmann::json& index);
   [[nodiscard]] Result<std::string_view> buffer(const nlohmann::json& index);
-  // The bytes that an object with buffer, byteOffset and byteLength names.
+  // Bytes referred to by an object with buffer, byteOffset and byteLength.
   [[nodiscard]] Result<std::string_view> slice(const nlohmann::json& of, const std::string& place);
   [[nodiscard]] Result<std::string_view> unpacked(std::size_t view, std::size_t length,
                                                   const nlohmann::json& packed,
@@ -113,13 +111,13 @@ class GltfAccessors {
   std::vector<JsonSplice::Value> views_;
   std::vector<JsonSplice::Value> buffers_;
   std::vector<std::string> decoded_;             // (buffers) of data in the text
-  std::map<std::size_t, std::string> unpacked_;  // (views) once they are asked for
+  std::map<std::size_t, std::string> unpacked_;  // (views) unpacked on first use
   std::deque<std::string> columns_;              // of Draco's meshes
-  std::size_t room_ = kUnpackedMaxBytes;         // for what is unpacked
+  std::size_t room_ = kUnpackedMaxBytes;         // left for unpacked data
   std::size_t taken_ = 0;                        // numbers so far
 };
 
-// A small value of a JSON text, parsed; larger or deeper ones are refused.
+// Parses a small value of a JSON text; larger or deeper ones are refused.
 [[nodiscard]] Result<nlohmann::json> parse_small_json(std::string_view text,
                                                       const std::string& place);
 

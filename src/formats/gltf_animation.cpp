@@ -21,7 +21,7 @@
 namespace shigusa {
 namespace {
 
-// VRM's own animations name their bones in the form that VRM characters have.
+// VRM animations name their bones in the same form as VRM characters.
 void take_animation_bones(const JsonSplice& json, const std::vector<int>& place, int nodes,
                           GltfMotion& result) {
   const auto extensions = json.member(json.root(), "extensions");
@@ -155,7 +155,7 @@ class AnimationReader {
     return {};
   }
 
-  // A track of a node that cannot be read.
+  // An unreadable track of a node.
   Result<void> lost(int node, const Message& why) {
     constexpr double kEver = std::numeric_limits<double>::infinity();
     gaps_.emplace_back(node, KeyGap{-1.0, kEver});
@@ -206,7 +206,7 @@ class AnimationReader {
     return {};
   }
 
-  // Nodes in their parents at that time.
+  // Local transforms of the nodes at a time.
   [[nodiscard]] std::vector<GltfPlace> places(double time) const {
     std::vector<GltfPlace> all = result_.character.places;
     for (std::size_t i = 0; i < tracks_.size(); ++i) {

@@ -67,7 +67,7 @@ std::size_t GltfAnimationLayout::add_accessor(std::size_t count, const char* typ
 std::size_t GltfAnimationLayout::add_times(const GltfAnimation& animation, int frames) {
   const double length = (animation.frames - 1) * animation.frame_time;
   const double step = frames == animation.frames ? animation.frame_time : length;
-  // the ends are stated as they stand in the data: as floats
+  // the ends are stated exactly as in the data: as floats
   const double last = static_cast<float>(length);
   const std::size_t times = add_accessor(static_cast<std::size_t>(frames), "SCALAR",
                                          fmt::format(R"(,"min":[0],"max":[{}])", last));

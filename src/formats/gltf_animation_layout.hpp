@@ -10,15 +10,15 @@
 
 namespace shigusa {
 
-// Lays out the numbers of animations, each in a buffer view of its own, and their JSON entries.
+// Lays out the data of animations, with a buffer view per accessor, and their JSON entries.
 class GltfAnimationLayout {
  public:
-  // How many accessors and buffer views there are before it, and where its data goes.
+  // Numbers of existing accessors and buffer views, and the data to which it appends.
   GltfAnimationLayout(std::size_t accessor, std::size_t view, std::size_t buffer,
                       std::size_t offset)
       : accessor_(accessor), view_(view), buffer_(buffer), offset_(offset) {}
 
-  // `held`: what keeps its value unless the animation has a track of it.
+  // `held`: properties that keep their values unless the animation has a track for them.
   void add(const GltfAnimation& animation, const std::vector<GltfKeyed>& held);
 
   std::string accessors;
@@ -27,9 +27,9 @@ class GltfAnimationLayout {
   std::string data;
 
  private:
-  // Begins where data ends now; `more` members.
+  // Adds a buffer view that begins at the present end of the data; `more`: further members.
   std::size_t add_accessor(std::size_t count, const char* type, const std::string& more = {});
-  // Of that many frames, evenly from the first to the last.
+  // Times of that many frames, evenly spaced from first to last.
   std::size_t add_times(const GltfAnimation& animation, int frames);
   void add_channel(int node, const char* path, std::size_t times, std::size_t output);
   void add_rotations(const GltfTrack& track);

@@ -11,7 +11,7 @@
 namespace shigusa {
 namespace {
 
-// Poses that differ by less (share of the figure's size) are one.
+// Difference of poses, as a share of the figure's size, below which they count as equal.
 constexpr double kSame = 0.01;
 
 std::optional<Transformd> inverse_affine(const Transformd& x) {
@@ -62,7 +62,7 @@ class BindPose {
   }
 
  private:
-  // The joints of one skin, in the space that their mesh was bound in.
+  // Joints of one skin, in the space of the bind pose.
   bool read(const JsonSplice::Value& skin) {
     const auto matrices = json_.member(skin, "inverseBindMatrices");
     const Result<GltfJson> joints =
@@ -86,9 +86,9 @@ class BindPose {
     return true;
   }
 
-  // All nodes in the bound pose, in the world: the space of the meshes is brought to where it, a
-  // node above the joints, or one that shows a mesh, is, of these the one that leaves bones as long
-  // as they are at rest, and joints nearest to where they rest.
+  // World transforms of all nodes in the bind pose. The meshes' space is placed at the origin, at a
+  // node above the joints, or at one that shows a mesh: the candidate that best preserves bone
+  // lengths, and then joint positions, of the rest pose.
   [[nodiscard]] std::vector<Transformd> bring_to_rest() const {
     std::vector<Transformd> candidates{Transformd{}};
     for (std::size_t i = 0; i < bound_.size(); ++i) {
@@ -119,7 +119,7 @@ class BindPose {
         bones += norm(world.back().translation - world[index(parent)].translation);
         resting_bones += norm(resting_[i].translation - resting_[index(parent)].translation);
       }
-      // bones keep their lengths, nearly
+      // bone lengths are nearly preserved
       constexpr double kScale = 1.5;
       const bool in_scale = bones < kScale * resting_bones && resting_bones < kScale * bones;
       const bool better = in_scale != best_in_scale ? in_scale : off < least;
@@ -136,7 +136,7 @@ class BindPose {
   const GltfCharacter& character_;
   const Skeleton& skeleton_;
   std::vector<Transformd> resting_;               // (nodes)
-  std::vector<std::optional<Transformd>> bound_;  // (nodes) of joints that a skin tells
+  std::vector<std::optional<Transformd>> bound_;  // (nodes) of joints in a readable skin
 };
 
 }  // namespace

@@ -20,11 +20,12 @@ namespace {
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kMaxNodeValues = 500'000;
 
-// Watches a text being parsed: keeps what the skeleton needs, and ends the parse by throwing what
-// passes a limit. A mesh may lie in the text, as long as all bones together a hundred times.
+// Parser callback that keeps the skeleton's data, and ends the parse by throwing at the first value
+// beyond the limits. A mesh embedded in the text may be a hundred times as long as all bones
+// together.
 class SkeletonFilter {
  public:
-  // `depth`: of an event, the number of objects and lists that are open around it
+  // `depth`: number of open objects and lists around an event
   bool keep(int depth, GltfJson::parse_event_t event, const GltfJson& parsed) {
     using Event = GltfJson::parse_event_t;
     if (depth >= kMaxDepth) throw say("nested_levels", kMaxDepth);
@@ -36,13 +37,13 @@ class SkeletonFilter {
       dropped_ = is_wanted ? std::numeric_limits<int>::max() : depth;
       return is_wanted;
     }
-    // of extras a member alone is wanted
+    // only one member of extras is needed
     if (event == Event::array_start && path_[1] == "nodes" && path_[level] == "extras") {
       dropped_ = depth;
       return false;
     }
     if (event == Event::object_start || event == Event::array_start) {
-      // nlohmann looks through all of a list when one of its members ends
+      // nlohmann scans a whole list when one of its members ends
       if (++members_[level] > kGltfMaxNodes) {
         throw say("entries_most", kGltfMaxNodes, path_[1]);
       }
@@ -90,7 +91,7 @@ Result<GltfJson> read_gltf_json(std::string_view bytes, std::string_view name) {
   const std::string place(name);
   if (bytes.empty()) return fail(ErrorCode::parse, say("empty_file"), place);
   SHG_TRY_ASSIGN(const std::string_view text, gltf_text(bytes, name));
-  // a parser takes some times the memory of the longest text in it
+  // a parser needs several times the memory of its longest text
   if (text.size() > kGltfMaxJsonBytes) {
     return fail(ErrorCode::parse, say("gltf_json_bytes", text.size(), kGltfMaxJsonBytes), place);
   }

@@ -11,20 +11,20 @@ namespace shigusa {
 
 using GltfJson = nlohmann::json;
 
-// Of a glTF, GLB or VRM file what tells of its skeleton, everything else left out: asset.version;
-// of nodes name, children, mesh, skin and place; of skins the joints and where their bind poses
-// are; of VRM the humanoid bones. Its size is bounded, but each value may still be of any kind.
-// Errors name the file.
+// Parses a glTF, GLB or VRM file, keeping only the members that describe its skeleton:
+// asset.version; name, children, mesh, skin and transform of nodes; joints and inverse bind
+// matrices of skins; the humanoid bones of VRM. The size is bounded, but values may still be of any
+// kind. Errors name the file.
 [[nodiscard]] Result<GltfJson> read_gltf_json(std::string_view bytes, std::string_view name);
 
-// Whether a value is that text. Compared with `==` a value would be made of the text, which takes
-// memory where nothing may be thrown.
+// Whether a value is that text. Unlike `==`, it takes no memory, so it may be used where nothing
+// may throw.
 [[nodiscard]] inline bool is_text(const GltfJson& value, std::string_view text) {
   const auto* const own = value.get_ptr<const std::string*>();
   return own != nullptr && *own == text;
 }
 
-// A value as it stands in a message: short, and ASCII only.
+// A value for a message: short, and ASCII only.
 [[nodiscard]] std::string json_shown(const GltfJson& value, std::size_t longest = 60);
 
 }  // namespace shigusa

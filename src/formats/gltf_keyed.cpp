@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostTargets = 1024;
 
-// A property's value where the node has none of that name.
+// Default of a property that the node lacks.
 struct Usual {
   std::string_view path;
   std::vector<double> values;
@@ -49,14 +49,14 @@ class KeyedFinder {
     return value ? Json::parse(json_.text_of(value), nullptr, false) : Json();
   }
 
-  // An index in a list of that many, or nothing.
+  // Index within a list of that size, or empty.
   [[nodiscard]] std::optional<std::size_t> index_in(std::size_t count, const Value& value) const {
     const Json json = parsed(value);
     if (!json.is_number_unsigned() || json.get<std::size_t>() >= count) return std::nullopt;
     return json.get<std::size_t>();
   }
 
-  // The numbers of a list of that many; nothing where it is another.
+  // Numbers of a list of that size; empty for another size.
   [[nodiscard]] std::optional<std::vector<double>> numbers(const Value& value,
                                                            std::size_t count) const {
     const Json json = parsed(value);
@@ -85,7 +85,7 @@ class KeyedFinder {
     return {};
   }
 
-  // Of a node's mesh, or the node's own.
+  // Morph weights of a node's mesh, or of the node itself.
   [[nodiscard]] std::vector<double> weights(const Value& node) const {
     const auto mesh = index_in(meshes_.size(), json_.member(node, "mesh"));
     if (!mesh) return {};

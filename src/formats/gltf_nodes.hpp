@@ -10,20 +10,20 @@
 
 namespace shigusa {
 
-// The member of a node's extras by which readers know one that add_nodes has added: it is of the
-// skeleton, though no skin binds it.
+// Member of a node's extras that marks nodes added by add_nodes: they belong to the skeleton
+// although no skin binds them.
 inline constexpr std::string_view kAddedNode = "shigusa_added";
 
-// A node to hang on one that a glTF file has.
+// A node to add below one of a glTF file.
 struct GltfNewNode {
   int parent = 0;  // index in the file
   std::string name;
   Vec3d translation{};       // in the parent
-  std::optional<Vec3d> tip;  // in the node: of another one that hangs on it
+  std::optional<Vec3d> tip;  // position of a further child node, in the node's frame
 };
 
-// The file with nodes added behind its own, GLB or JSON as it was; all else stays, byte for byte.
-// `bytes` are of a file that parse_gltf reads.
+// The file with nodes appended, GLB or JSON as before; everything else is kept byte for byte.
+// `bytes` must be readable by parse_gltf.
 [[nodiscard]] Result<std::string> add_nodes(std::string_view bytes, std::string_view name,
                                             std::span<const GltfNewNode> added);
 

@@ -25,7 +25,7 @@ std::vector<LocalTransform> turned_from_rest(const Skeleton& skeleton,
     const int parent = skeleton.nodes[i].parent;
     const Mat3d above = parent < 0 ? Mat3d{} : turned[index(parent)];
     const auto back = inverse_of(resting[i].rotation);
-    // a node that is scaled to nothing goes with its parent
+    // a node with scale 0 moves with its parent
     const bool flat = !back || !inverse_of(world[i].rotation);
     turned.push_back(flat ? above : orthonormal(world[i].rotation * *back));
     const Vec3d from = parent < 0 ? Vec3d{} : world[index(parent)].translation;

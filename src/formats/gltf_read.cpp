@@ -20,7 +20,7 @@
 namespace shigusa {
 namespace {
 
-// One node as the file has it.
+// A node of the file.
 struct FileNode {
   std::string name;
   int parent = -1;
@@ -28,22 +28,22 @@ struct FileNode {
   Transformd place;     // in its parent; with the scale in its matrix
   GltfPlace parts;      // the same in parts
   bool uneven = false;  // scaled differently along its axes
-  bool mesh = false;    // shows one, whatever its index says
+  bool mesh = false;    // shows a mesh, even if its index is invalid
   int mesh_index = -1;
   int skin_index = -1;
   bool joint = false;     // of a skin or of VRM
   bool needed = false;    // stands in the skeleton
   bool added = false;     // by add_nodes
-  bool left_out = false;  // it is damaged, or hangs on one that is
+  bool left_out = false;  // damaged, or a descendant of a damaged node
 };
 
-// A node that is damaged, or a skin: -1.
+// Replaces a damaged node, or a skin, by -1.
 struct Fault {
   int node = -1;
   Error error;
 };
 
-// An index of another list of the file, or -1 where there is none that can be one.
+// Index in another list of the file, or -1 if absent or invalid.
 int index_or_none(const GltfJson& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_number_unsigned()) return -1;
@@ -51,7 +51,7 @@ int index_or_none(const GltfJson& json, const char* key) {
   return index <= std::numeric_limits<int>::max() ? static_cast<int>(index) : -1;
 }
 
-// Reads one file. Each step returns false after it has noted the error.
+// Reader of one file. Each step returns false after it has recorded an error.
 class GltfReader {
  public:
   GltfReader(const GltfJson& json, std::string_view name) : json_(json), name_(name) {}
@@ -81,7 +81,7 @@ class GltfReader {
 
   FileNode& node(int i) { return nodes_[index(i)]; }
   [[nodiscard]] int count() const { return static_cast<int>(nodes_.size()); }
-  // "node 3 'hips'"
+  // Name for messages, "node 3 'hips'".
   std::string described(int i) {
     return node(i).name.empty() ? fmt::format("node {}", i)
                                 : fmt::format("node {} '{}'", i, node(i).name);
@@ -130,7 +130,7 @@ class GltfReader {
     return indices(json, "children", described(index), read.children) && read_place(json, index);
   }
 
-  // A list of nodes; their range is checked when all are read.
+  // Reads a list of nodes; ranges are checked at the end.
   bool indices(const GltfJson& json, const char* key, const std::string& place,
                std::vector<int>& into) {
     const auto list = json.find(key);
@@ -193,7 +193,8 @@ class GltfReader {
     return true;
   }
 
-  // Each node hangs on one other at most, and all on roots: else `children` does not make a forest.
+  // Checks that each node has at most one parent and all have roots, so that `children` is a
+  // forest.
   bool parents() {
     for (int i = 0; i < count(); ++i) {
       for (const int child : node(i).children) {
@@ -204,7 +205,7 @@ class GltfReader {
         node(child).parent = i;
       }
     }
-    // depth first, as BVH has it; the order stays when nodes are left out
+    // depth first, as in BVH; the order is kept when nodes are removed
     for (int root = 0; root < count(); ++root) {
       if (node(root).parent >= 0) continue;
       std::vector<int> open{root};
@@ -245,7 +246,7 @@ class GltfReader {
     return true;
   }
 
-  // Leaves damaged nodes and what hangs on them out of the skeleton; fails where joints do.
+  // Removes damaged nodes and their descendants from the skeleton; fails if they include joints.
   bool leave_out_faulty() {
     for (const Fault& fault : faults_) {
       if (fault.node < 0) continue;
@@ -280,8 +281,8 @@ class GltfReader {
     }
   }
 
-  // Rigid limbs may hang on the joints of a skin that binds the trunk alone. Where the joints make
-  // no person and all nodes do, these are the skeleton.
+  // Chooses between joints and all nodes: rigid limbs may be children of the joints of a skin that
+  // binds only the trunk. If only all nodes make a person, they are the skeleton.
   bool complete() {
     if (result_.skins.empty() || !vrm_.all.empty() || is_person()) return true;
     const std::size_t joints = result_.file_node.size();
@@ -301,7 +302,7 @@ class GltfReader {
     return find_humanoid(rest.skeleton, world_transforms(rest.skeleton, rest.clip, 0)).has_value();
   }
 
-  // All nodes but those that only show meshes.
+  // All nodes except those that only show meshes.
   void mark_all() {
     for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
       FileNode& each = node(*i);
@@ -325,7 +326,7 @@ class GltfReader {
       world[own] = parent < 0 ? node(i).place : world[above] * node(i).place;
       const Vec3d& at = world[own].translation;
       for (int k = 0; k < 3; ++k) {
-        if (abs(at[k]) <= kGltfMaxValue) continue;  // false for what is no number
+        if (abs(at[k]) <= kGltfMaxValue) continue;  // false for NaN
         return wrong(described(i), say("far_from_origin", at[k], kGltfMaxValue));
       }
       place[own] = static_cast<int>(result_.file_node.size());
@@ -341,7 +342,7 @@ class GltfReader {
     return true;
   }
 
-  // Which nodes show meshes, all indices now of the skeleton's own nodes.
+  // Finds the nodes that show meshes; all indices are now those of the skeleton.
   void take_meshes() {
     for (GltfSkin& skin : result_.skins) {
       for (int& joint : skin.joints) joint = place_[index(joint)];

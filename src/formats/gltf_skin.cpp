@@ -17,7 +17,7 @@
 namespace shigusa {
 namespace {
 
-// A part of a mesh: where its numbers are. Sets of joints and weights that it lacks are absent.
+// Locations of the numbers of a mesh part. Missing sets of joints and weights are absent.
 struct Part {
   GltfNumbers positions;
   std::vector<GltfNumbers> joints;
@@ -25,13 +25,13 @@ struct Part {
   std::optional<GltfNumbers> indices;
   bool triangles = true;  // three indices each
 
-  // vertices that are drawn, at most
+  // largest number of drawn vertices
   [[nodiscard]] std::size_t most() const {
     return indices ? std::min(indices->count(), positions.count()) : positions.count();
   }
 };
 
-// The nodes that show a mesh, and its parts that can be read.
+// Nodes that show a mesh, and its readable parts.
 struct Mesh {
   std::vector<const GltfMeshNode*> shown_by;
   std::vector<Part> parts;
@@ -85,7 +85,7 @@ class SkinReader {
     return fail(ErrorCode::parse, why, "mesh of " + name_);
   }
 
-  // Opens all parts, and from how many vertices there are finds how many are taken.
+  // Opens all parts, and determines the sampling of vertices from their number.
   std::vector<Mesh> meshes() {
     const auto list = json_.elements(json_.member(json_.root(), "meshes"));
     std::vector<Mesh> meshes(list.size());
@@ -127,7 +127,7 @@ class SkinReader {
   }
 
   Result<Part> open_part(const JsonSplice::Value& text) {
-    // of what a primitive may hold beside, such as morph targets, there can be much
+    // further data of a primitive, such as morph targets, may be large
     GltfJson primitive = GltfJson::object();
     for (const char* key : {"attributes", "indices", "extensions"}) {
       const auto value = json_.member(text, key);
@@ -158,7 +158,7 @@ class SkinReader {
     return part;
   }
 
-  // Joints of a part's vertices and their weights.
+  // Joints of a part's vertices with their weights.
   Result<void> add_set(GltfNumbers&& joints, GltfNumbers&& weights, Part& part) {
     if (joints.count() != part.positions.count() || weights.count() != part.positions.count()) {
       return wrong(say("sets_of_joints", part.positions.count(), joints.count(), weights.count()));
@@ -168,7 +168,7 @@ class SkinReader {
     return {};
   }
 
-  // Where a joint takes what is bound to it: place · inverse bind pose.
+  // Skinning matrix of a joint: transform · inverse bind matrix.
   Result<const std::vector<Transformd>*> bound(int skin) {
     std::vector<Transformd>& moves = bound_[index(skin)];
     const GltfSkin& of = character_.skins[index(skin)];
@@ -223,7 +223,7 @@ class SkinReader {
     return done ? done : not_read(done.error());
   }
 
-  // The faces of a part whose vertices were added in the order of each_drawn, from `first` on.
+  // Faces of a part whose vertices were added in the order of each_drawn, from `first` on.
   void keep_triangles(const Part& part, std::size_t first) {
     if (!part.triangles || stride_ > 1 || part.positions.count() > kSkinMaxVertices) return;
     const std::size_t steps = part.indices ? part.indices->count() : part.positions.count();
@@ -246,7 +246,7 @@ class SkinReader {
     return tl::unexpected<Error>(why);
   }
 
-  // Each vertex that is drawn, once.
+  // Visits each drawn vertex once.
   template <class Take>
   Result<void> each_drawn(const Part& part, Take&& take) {
     const std::size_t count = part.positions.count();
@@ -271,7 +271,7 @@ class SkinReader {
     return {};
   }
 
-  // A vertex of a skin.
+  // A skinned vertex.
   Result<SkinVertex> bent(const Part& part, std::size_t vertex, const Vec3d& at,
                           const GltfSkin& skin, const std::vector<Transformd>& moves) const {
     std::array<std::size_t, 8> joint{};
@@ -282,14 +282,14 @@ class SkinReader {
       const double given = part.weights[k / 4].at(vertex, k % 4);
       weight[k] = given > 0.0 ? given : 0.0;  // NaN is none
       joint[k] = static_cast<std::size_t>(part.joints[k / 4].at(vertex, k % 4));
-      // files fill unused places with any number
+      // unused entries of files may hold any number
       if (weight[k] > 0.0 && joint[k] >= moves.size()) {
         return wrong(say("vertex_bound", vertex, joint[k], moves.size()));
       }
       sum += weight[k];
     }
     if (!(sum > 0.0)) {
-      // viewers take the first joint
+      // viewers use the first joint
       if (joint[0] >= moves.size()) return wrong(say("vertex_no_joint", vertex));
       weight[0] = sum = 1.0;
     }
@@ -313,7 +313,7 @@ class SkinReader {
   JsonSplice json_;
   GltfAccessors accessors_;
   std::vector<Transformd> world_;               // (nodes of the skeleton)
-  std::vector<std::vector<Transformd>> bound_;  // (skins × joints) once they are asked for
+  std::vector<std::vector<Transformd>> bound_;  // (skins × joints) computed on first use
   Skin skin_;
   std::vector<std::array<std::size_t, 3>> triangles_;  // indices of vertices kept
   std::size_t stride_ = 1;

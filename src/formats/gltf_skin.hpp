@@ -9,27 +9,27 @@
 
 namespace shigusa {
 
-// Of a mesh of more vertices every second, third, … is taken, so that no more than these are kept.
+// Largest number of vertices kept; of larger meshes every second, third, … vertex is taken.
 inline constexpr std::size_t kSkinMaxVertices = 1'000'000;
-// More than these indices, and parts of meshes shown by nodes, are not read.
+// Largest number of indices, and of mesh parts shown by nodes, that are read.
 inline constexpr std::size_t kSkinMaxIndices = 50'000'000;
 inline constexpr std::size_t kSkinMaxParts = 20'000;
-// Of a mesh of more triangles vertices alone are taken.
+// Largest number of triangles; of larger meshes only vertices are taken.
 inline constexpr std::size_t kSkinMaxFaces = 200'000;
 
-// The vertices of a file's meshes as viewers show them where the nodes of its skeleton stand at
-// `places` (nodes; character.places for the rest pose, or GltfMotion::posed). Metres, in the file's
-// axes. `bytes` must be those that the character was parsed from; `name` stands for the file.
+// Vertices of a file's meshes as viewers show them, with the skeleton's nodes at `places` (nodes;
+// character.places for the rest pose, or GltfMotion::posed). Metres, in the file's axes. `bytes`
+// must be those that the character was parsed from; `name` stands for the file.
 //
-// - A vertex of a skin stands at Σ wᵢ · joint place · inverse bind pose · position, by the weights
-//   of both sets, which need not add up to 1; its node is the joint of the largest weight, of equal
-//   ones the first. Other vertices go with their mesh's node.
-// - Large triangles have further points between their vertices (skin_faces.hpp): coarse meshes have
-//   their vertices at their edges alone.
-// - Vertices that no index names are not shown, so they are left out. Morph targets are at rest.
-// - Numbers are floats or integers (KHR_mesh_quantization), sparse or not, and come from the binary
-//   chunk or from data in the text, unpacked where Draco or meshopt packs them (a build with
-//   SHIGUSA_PACKED_MESHES). Other files are not opened: each part of a mesh that is left out is
+// - A skinned vertex is at Σ wᵢ · joint transform · inverse bind matrix · position, with the
+//   weights of both sets, which need not add up to 1; its node is the joint of the largest weight,
+//   the first of equal ones. Other vertices belong to their mesh's node.
+// - Large triangles get further points between their vertices (skin_faces.hpp), as coarse meshes
+//   have vertices only at their edges.
+// - Vertices without an index are not shown and left out. Morph targets are at rest.
+// - Numbers are floats or integers (KHR_mesh_quantization), sparse or not, from the binary chunk or
+//   from embedded data, decoded if packed by Draco or meshopt (in a build with
+//   SHIGUSA_PACKED_MESHES). Other files are not opened: parts of a mesh that are left out are
 //   counted in the doubts, with the reason of the first.
 [[nodiscard]] Skin read_gltf_skin(std::string_view bytes, std::string_view name,
                                   const GltfCharacter& character,

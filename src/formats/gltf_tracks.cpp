@@ -19,7 +19,7 @@ double length_of(const Quatd& q) { return sqrt(q.x * q.x + q.y * q.y + q.z * q.z
 
 Quatd scaled(const Quatd& q, double by) { return {q.x * by, q.y * by, q.z * by, q.w * by}; }
 
-// Along the shorter arc, at a constant speed.
+// Interpolation along the shorter arc, at a constant speed.
 Quatd slerp(const Quatd& a, Quatd b, double share) {
   double cosine = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
   if (cosine < 0.0) {
@@ -49,7 +49,7 @@ Result<void> check_times(const std::vector<double>& times) {
   return {};
 }
 
-// Whether a key has numbers, and of a rotation one that turns.
+// Whether a key is finite, and a rotation not zero.
 bool is_good(const double* values, std::size_t per, bool rotation) {
   for (std::size_t k = 0; k < per; ++k) {
     if (!(abs(values[k]) <= kGltfMaxValue)) return false;
@@ -58,7 +58,7 @@ bool is_good(const double* values, std::size_t per, bool rotation) {
   return !rotation || length_of({v[0], v[1], v[2], v[3]}) >= kShortestQuat;
 }
 
-// Takes the keys that have numbers, `per` of them each, in the order of their times.
+// Takes the valid keys, `per` numbers each, in the order of their times.
 void take_good_keys(const std::vector<double>& times, const std::vector<double>& values,
                     std::size_t per, bool rotation, GltfTrackKeys& keys,
                     std::vector<KeyGap>& gaps) {

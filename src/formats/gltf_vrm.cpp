@@ -13,14 +13,14 @@
 namespace shigusa {
 namespace {
 
-// The member of that name, or null where there is none or `json` is no object.
+// Member by name, or null if absent or if `json` is no object.
 const GltfJson& member(const GltfJson& json, const char* key) {
   static const GltfJson none;
   const auto found = json.is_object() ? json.find(key) : json.end();
   return json.is_object() && found != json.end() ? *found : none;
 }
 
-// "leftUpperLeg" as "left_upper_leg".
+// Bone name in snake case: "left_upper_leg" for "leftUpperLeg".
 std::string snake_case(std::string_view camel) {
   std::string snake;
   for (const char c : camel) {
@@ -35,7 +35,7 @@ class BoneReader {
   explicit BoneReader(int nodes) : nodes_(nodes) {}
 
   void bone(const GltfJson& name, const GltfJson& node) {
-    // some writers give the node -1 to bones that a character has not
+    // some writers give missing bones the node -1
     if (node.is_number_integer() && node == -1) return;
     if (!node.is_number_unsigned() || node >= static_cast<std::uint64_t>(nodes_)) {
       return wrong(

@@ -36,7 +36,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// Adds to one file. Each step returns an error or goes on.
+// Adds animations to one file.
 class AnimationAdder {
  public:
   AnimationAdder(const GlbParts& parts, std::string_view name)
@@ -99,7 +99,7 @@ class AnimationAdder {
     return fail(ErrorCode::parse, std::move(message), std::string(name_));
   }
 
-  // The binary chunk is the first buffer's, if that has no address.
+  // The binary chunk is the first buffer's if that has no URI.
   [[nodiscard]] bool in_chunk() const {
     return buffers_.empty() || (parts_.glb && !json_.member(buffers_[0], "uri"));
   }
@@ -127,7 +127,7 @@ class AnimationAdder {
     return shown;
   }
 
-  // glTF lets only translation, rotation and scale be animated.
+  // glTF animates only translation, rotation and scale.
   void free_matrices(const GltfAnimation& animation) {
     if (nodes_.empty()) nodes_ = json_.elements(json_.member(root_, "nodes"));
     freed_.resize(nodes_.size());

@@ -11,13 +11,13 @@
 
 namespace shigusa {
 
-// How one node of a glTF file moves.
+// Animation of one node of a glTF file.
 struct GltfTrack {
   int node = 0;                     // index in the file
-  GltfPlace rest;                   // where it stands: what a matrix is replaced by
-  std::vector<Quatd> rotations;     // (frames), or empty where it does not turn
-  std::vector<Vec3d> translations;  // (frames) in its parent, or empty where it does not move
-  std::vector<Vec3d> scales{};      // (frames), or empty where it has that of rest
+  GltfPlace rest;                   // rest transform, which replaces a matrix
+  std::vector<Quatd> rotations;     // (frames), or empty if it does not turn
+  std::vector<Vec3d> translations;  // (frames) in its parent, or empty if it does not move
+  std::vector<Vec3d> scales{};      // (frames), or empty if it keeps its rest scale
 };
 
 struct GltfAnimation {
@@ -27,31 +27,31 @@ struct GltfAnimation {
   std::vector<GltfTrack> tracks;  // one for each node
 };
 
-// The fate of the animations that a file has.
+// Treatment of the animations that a file already has.
 enum class OwnAnimations { kept, left_out };
 
 // The file with animations added before its own, as GLB; `bytes` are of a .glb, .vrm or .gltf file
-// that parse_gltf reads. All else stays as it is, byte for byte: the JSON text but for the entries
-// added, the binary chunk, to which the animations' numbers are appended, and further chunks. Of a
-// node that moves a matrix becomes translation, rotation and scale, as glTF asks. Rotations go on
-// without a jump from q to -q; tracks are interpolated linearly.
+// readable by parse_gltf. Everything else is kept byte for byte: the JSON text except for the added
+// entries, the binary chunk, to which the animations' data is appended, and further chunks. The
+// matrix of a moving node becomes translation, rotation and scale, as glTF requires. Rotations are
+// continuous, without a change from q to -q; tracks are interpolated linearly.
 //
-// A property that the file's own animations have keys of and an added one has not, is held at rest
-// by two keys: players leave it as the animation before had it.
+// A property that is animated by the file's own animations but not by an added one is held at rest
+// by two keys, as players would otherwise leave it at the previous animation's value.
 //
-// Fails where the file is none that parse_gltf reads, and where it refers to other files, which
-// would be lost: `name` stands for the file in messages.
+// Fails if parse_gltf cannot read the file, and if it refers to other files, which would be lost:
+// `name` stands for the file in messages.
 [[nodiscard]] Result<std::string> add_animations(std::string_view bytes, std::string_view name,
                                                  std::span<const GltfAnimation> animations,
                                                  OwnAnimations own = OwnAnimations::kept);
 
-// Whether add_animations can take a file that parse_gltf has read: an error tells what it cannot
-// keep.
+// Whether add_animations can process a file that parse_gltf has read; the error states what would
+// be lost.
 [[nodiscard]] Result<void> check_animations_fit(std::string_view bytes, std::string_view name);
 
-// A VRM animation (VRMC_vrm_animation 1.0), for any VRM character.
+// A VRM animation (VRMC_vrm_animation 1.0), applicable to any VRM character.
 struct VrmAnimation {
-  // One humanoid bone at rest, all unturned; parents first, the hips at the root.
+  // A humanoid bone at rest without rotation; parents first, the hips as the root.
   struct Bone {
     std::string name;  // VRM 1.0's: "leftUpperLeg"
     int parent = -1;

@@ -16,9 +16,8 @@
 
 namespace shigusa {
 
-// Reads one JSON object member by member and remembers the first thing that is wrong with it, so
-// that a caller reads everything and asks once. Every member must be asked for: finish() names
-// those that were not.
+// Reads a JSON object member by member and keeps its first error, so that a caller reads everything
+// and checks once. Every member must be requested: finish() reports the others.
 class JsonReader {
  public:
   JsonReader(const Json& object, std::string place) : object_(&object), place_(std::move(place)) {
@@ -73,7 +72,7 @@ class JsonReader {
     into = value(key).get<bool>();
   }
 
-  // Adds to the texts.
+  // Appends to the texts.
   void texts(const char* key, std::vector<std::string>& into) {
     if (!has(key)) return;
     const Json& list = value(key);
@@ -149,7 +148,7 @@ class JsonReader {
     }
   }
 
-  // a member that must be there
+  // a required member
   void require(const char* key) {
     if (!object_->is_object() || object_->contains(key) || missing_) return;
     missing_ = Error{ErrorCode::parse, say("is_missing"), place_of(key)};
@@ -164,8 +163,8 @@ class JsonReader {
     if (!error_) error_ = nested;
   }
 
-  // The first error, if any; members that nobody asked for are errors too, and come before those
-  // that are missing, which may be the same ones misspelt.
+  // The first error, if any. Unrequested members are errors too, reported before missing ones,
+  // since they may be misspellings of these.
   [[nodiscard]] const std::optional<Error>& finish() {
     if (!object_->is_object()) return error_;
     for (const auto& item : object_->items()) {
@@ -188,12 +187,12 @@ class JsonReader {
     return valid;
   }
 
-  // the object itself; the outermost has its name alone
+  // the object itself; the outermost one has only its name
   [[nodiscard]] std::string place() const {
     return place_.ends_with(": ") ? place_.substr(0, place_.size() - 2) : place_;
   }
 
-  // a value as it stands in a message, cut short
+  // a value for a message, shortened
   static std::string shown(const Json& value) {
     std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
     if (text.size() > 60) text = text.substr(0, 57) + "...";

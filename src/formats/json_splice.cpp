@@ -11,7 +11,7 @@
 namespace shigusa {
 namespace {
 
-// The key that a text between quotes writes, escapes included.
+// Key decoded from a quoted text, escapes included.
 std::string key_of(std::string_view quoted) {
   if (quoted.size() < 2) return {};
   if (quoted.find('\\') == quoted.npos) return std::string(quoted.substr(1, quoted.size() - 2));
@@ -52,7 +52,7 @@ std::size_t JsonSplice::end_of_value(std::size_t at) const {
     } else if (c == '{' || c == '[') {
       ++depth;
     } else if (c == '}' || c == ']') {
-      if (depth == 0) return at;  // of what holds a number
+      if (depth == 0) return at;  // end of a number
       if (--depth == 0) return at + 1;
     } else if (depth == 0 && (c == ',' || is_blank(c))) {
       return at;

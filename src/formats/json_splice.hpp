@@ -9,39 +9,39 @@
 
 namespace shigusa {
 
-// A text as JSON writes it, with its quotes, and a list of finite numbers that read back exactly.
+// JSON notation of a text, quoted, and of a list of finite numbers that read back exactly.
 [[nodiscard]] std::string json_quoted(const std::string& text);
 [[nodiscard]] std::string json_numbers(std::initializer_list<double> values);
 
-// Changes places of a JSON text and leaves every other byte as it is. The text must have been
-// parsed before, so nothing is checked but that no place lies beyond it.
+// Edits parts of a JSON text and keeps every other byte. The text must have been parsed before;
+// only ranges are checked.
 class JsonSplice {
  public:
   explicit JsonSplice(std::string_view text);
 
-  // A value of the text.
+  // A value within the text.
   struct Value {
     std::size_t begin = 0;
     std::size_t end = 0;
-    std::size_t key_begin = 0;  // of an object's member: where its key begins
+    std::size_t key_begin = 0;  // for an object's member: where its key begins
     explicit operator bool() const { return end > begin; }
   };
 
   [[nodiscard]] Value root() const;
   [[nodiscard]] std::string_view text_of(const Value& value) const;
-  // Of an object the member of that name, the last where it comes twice; else nothing.
+  // Member of an object by name, the last one if repeated; empty if absent.
   [[nodiscard]] Value member(const Value& object, std::string_view key) const;
-  // Of a list its elements, kMostElements at most, or how many there are; of anything else none.
+  // Elements of a list, at most kMostElements, or their number; empty for other values.
   static constexpr std::size_t kMostElements = 65'536;
   [[nodiscard]] std::vector<Value> elements(const Value& list) const;
   [[nodiscard]] std::size_t count(const Value& list) const;
 
   void replace(std::size_t begin, std::size_t end, std::string text);
-  // Adds to the list that is the root's member of that name, and makes it where there is none.
-  // `items`: elements, with commas between them.
+  // Appends to the list that is the root's member of that name, creating it if absent. `items`:
+  // elements separated by commas.
   void append(std::string_view key, const std::string& items);
   void prepend(std::string_view key, const std::string& items);
-  // Puts them in the place of that list's.
+  // Replaces the contents of that list.
   void assign(std::string_view key, const std::string& items);
 
   // The text with all changes, which must not overlap.
@@ -49,10 +49,10 @@ class JsonSplice {
 
  private:
   [[nodiscard]] std::size_t skip_blanks(std::size_t at) const;
-  // Behind the colon or comma that comes next.
+  // Position behind the next colon or comma.
   [[nodiscard]] std::size_t after_mark(std::size_t at) const;
   [[nodiscard]] std::size_t end_of_value(std::size_t at) const;
-  // Where the list of that name is; makes it of the items where there is none.
+  // The list of that name; creates it with the items if absent.
   Value list_or_make(std::string_view key, const std::string& items);
   template <class Action>
   void each(const Value& list, Action&& action) const;

@@ -15,7 +15,7 @@
 namespace shigusa {
 namespace {
 
-// Watches a text being parsed and ends it by throwing what is wrong.
+// Parser callback that ends the parse by throwing at an error.
 class JsonLimits {
  public:
   void see(int depth, Json::parse_event_t event, const Json& parsed) {
@@ -27,7 +27,7 @@ class JsonLimits {
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key) see_key(parsed.get_ref<const std::string&>());
-    // of an event, `depth` counts the objects and lists that are open around it
+    // `depth` of an event: number of open objects and lists around it
     const auto level = index(depth);
     if (event == Event::array_start || event == Event::object_start) objects_[level + 1] = 0;
     if (event == Event::object_start && ++objects_[level] > kJsonMaxObjects) {
@@ -47,7 +47,7 @@ class JsonLimits {
 
   std::size_t values_ = 0;
   std::vector<std::set<std::string>> keys_;               // of the objects that are open
-  std::array<std::size_t, kJsonMaxDepth + 2> objects_{};  // in what is open at a depth
+  std::array<std::size_t, kJsonMaxDepth + 2> objects_{};  // number of objects, by depth
 };
 
 }  // namespace

@@ -8,12 +8,12 @@
 
 namespace shigusa {
 
-// {"text", "key", "values"} of a sentence, {"text", "number", "unit" (of lengths)} of a number, and
-// of anything else its text.
+// JSON of a message: {"text", "key", "values"} for a sentence, {"text", "number", "unit" (of
+// lengths)} for a number, the text for anything else.
 [[nodiscard]] Json message_to_json(const Message& message);
 [[nodiscard]] Json messages_to_json(std::span<const Message> messages);
 
-// Their English texts.
+// English texts of messages.
 [[nodiscard]] Json texts_to_json(std::span<const Message> messages);
 
 }  // namespace shigusa

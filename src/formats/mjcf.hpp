@@ -13,7 +13,7 @@
 
 namespace shigusa {
 
-// Limits of an MJCF model; more is refused before memory is taken.
+// Limits of an MJCF model, checked before memory is taken.
 inline constexpr std::size_t kMjcfMaxBytes =
     info_of(FileFormat::mjcf).max_bytes;             // of each of its files
 inline constexpr std::size_t kMjcfMaxTags = 50'000;  // of all of them
@@ -21,37 +21,36 @@ inline constexpr int kMjcfMaxFiles = 32;
 inline constexpr int kMjcfMaxDepth = 64;     // of bodies and frames in one another
 inline constexpr int kMjcfMaxNesting = 100;  // of elements
 inline constexpr int kMjcfMaxLinks = 1024;
-// Lengths, masses, moments and angles beyond this are refused.
+// Largest length, mass, moment and angle.
 inline constexpr double kMjcfMaxValue = 1e6;
 
-// Gives the text of a file that a model includes, by its path from the model's: a file is looked
-// for beside the one that includes it, then beside the main one. A model without such a file is
-// read without it, with a doubt, where the error is ErrorCode::not_found.
+// Loader of included files, by their path relative to the model's. A file is searched for beside
+// the including one, then beside the main one. On ErrorCode::not_found the model is read without
+// it, with a doubt.
 using MjcfInclude = std::function<Result<std::string>(const std::string& file)>;
 
-// The error of a model, after the doubt among those that tells which files it includes were not
-// here.
+// The error of a model, preceded by the doubt that names absent included files.
 [[nodiscard]] Error after_absent(const std::vector<Message>& doubts, Error error);
 
-// Files of that folder and of folders in it; any other is an error.
+// Loader of files in a folder and its subfolders; other paths are an error.
 [[nodiscard]] MjcfInclude included_from(std::filesystem::path folder);
 
 // Parses the text of an MJCF file, MuJoCo's own format. `name` stands for the file in errors, which
-// tell the line, the value seen and what is allowed.
+// state the line, the value seen and the allowed range.
 //
-// - The robot is the body of the world with the most joints; its own joints, the free one mostly,
-//   are left out: a robot's root is free.
-// - Each hinge is a joint. Of several hinges of one body each but the last gets a link of its own,
-//   without mass, called as the hinge; a ball is three hinges, NAME_x, NAME_y and NAME_z. A link's
-//   frame has the body's axes and stands where its last hinge is, else where the body is.
-// - A shape that is called a hand, of a forearm that no body follows, is a link.
-// - Efforts are what actuators and actuatorfrcrange allow; a joint that no actuator drives, or one
+// - The robot is the body of the world with the most joints; that body's own joints, usually a free
+//   one, are left out: a robot's root is free.
+// - Each hinge is a joint. Of several hinges of one body each but the last gets a massless link of
+//   its own, named after the hinge; a ball is three hinges, NAME_x, NAME_y and NAME_z. A link's
+//   frame has the body's axes and is at its last hinge, else at the body's origin.
+// - A shape named as a hand, on a forearm without a child body, becomes a link.
+// - Efforts are the limits of actuators and actuatorfrcrange; a joint without an actuator, or
 //   without a limit, has none.
-// - Masses are the file's or by the density of its shapes, of shapes the simple ones are kept, what
-// collides apart from what does not. Meshes,
-//   height fields, sites, tendons, sensors, key frames and skins are left out.
-// - What is not given is as in MuJoCo 3: angles in degrees, limits wherever there is a range.
-// - Sliding joints, and those that an equality makes follow another, are kept at 0, with a doubt.
+// - Masses are the file's, or from the density of its shapes. Simple shapes are kept, colliding
+//   ones separately from visual ones. Meshes, height fields, sites, tendons, sensors and skins are
+//   left out.
+// - Defaults are those of MuJoCo 3: angles in degrees, and limits wherever there is a range.
+// - Sliding joints, and joints that follow another by an equality, are fixed at 0, with a doubt.
 [[nodiscard]] Result<Robot> parse_mjcf(std::string_view text, std::string_view name,
                                        const MjcfInclude& include = {});
 

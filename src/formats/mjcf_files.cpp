@@ -81,7 +81,7 @@ void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_fi
   if (file == nullptr || *file == '\0') return wrong(element, say("include_no_file"));
   const XmlElement*& root = included_[&element];
   if (!include_file) return absent_.push_back(file);
-  // beside the file that includes, then beside the main one
+  // relative to the including file, then to the main one
   std::filesystem::path path = (folder / file).lexically_normal();
   Result<std::string> text = include_file(path.generic_string());
   if (!text && text.error().code == ErrorCode::not_found && !folder.empty()) {

@@ -15,16 +15,16 @@
 
 namespace shigusa {
 
-// A model's XML files, with those that they include, and the first error that was met in them.
+// XML files of a model, including included ones, and the first error in them.
 class MjcfFiles {
  public:
-  // Parses the file and all that it includes.
+  // Parses the file and all files that it includes.
   MjcfFiles(std::string_view text, std::string_view name, const MjcfInclude& include);
 
-  // <mujoco>, or null where an error was met.
+  // The <mujoco> element, or null after an error.
   [[nodiscard]] const XmlElement* root() const { return root_; }
 
-  // Calls visit(element) for each element below, what is included in its place; stops at an error.
+  // Calls visit(element) for each child element, with included files in place; stops at an error.
   template <class Visit>
   void each(const XmlElement& parent, const Visit& visit) {
     for (const XmlElement& e : parent.children) {
@@ -38,19 +38,19 @@ class MjcfFiles {
     }
   }
 
-  // Notes an error, if it is the first; its place is the element's line.
+  // Records an error, unless there is one; its place is the element's line.
   void wrong(const XmlElement& at, Message message) {
     if (!error_) error_ = Error{ErrorCode::parse, std::move(message), place_of(at)};
   }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
-  // The files that are included and were not there.
+  // Included files that were absent.
   [[nodiscard]] const std::vector<std::string>& absent() const { return absent_; }
-  // A sentence of them; there must be one.
+  // Doubt about absent files; there must be one.
   [[nodiscard]] Message doubt_of_absent() const;
 
  private:
   const XmlElement* parse(std::string_view text, const std::string& name);
-  // `folder`: where the file that has the element stands, from the main file's.
+  // `folder`: folder of the file that contains the element, relative to the main file's.
   void follow(const XmlElement& element, const MjcfInclude& include,
               const std::filesystem::path& folder);
   void include(const XmlElement& element, const MjcfInclude& include,

@@ -6,14 +6,14 @@
 namespace shigusa {
 namespace {
 
-constexpr double kDensity = 1000.0;  // kg/m³, where the file tells none
+constexpr double kDensity = 1000.0;  // kg/m³, the default density
 
 enum class Shape { sphere, capsule, cylinder, ellipsoid, box };
 
 struct NamedShape {
   std::string_view name;
   Shape shape;
-  std::size_t sizes;  // how many numbers tell its size
+  std::size_t sizes;  // number of size values
 };
 constexpr NamedShape kShapes[] = {{"sphere", Shape::sphere, 1},
                                   {"capsule", Shape::capsule, 2},
@@ -21,14 +21,14 @@ constexpr NamedShape kShapes[] = {{"sphere", Shape::sphere, 1},
                                   {"ellipsoid", Shape::ellipsoid, 3},
                                   {"box", Shape::box, 3}};
 
-// A shape's volume (m³), and for one kilogram its moments about its own axes (m²).
+// Volume (m³) of a shape, and its moments about its own axes per kilogram (m²).
 struct Solid {
   double volume;
   Vec3d moments;
 };
 
-// `s`: m, radius and half the length of what is round, else half the sizes. The capsule is a
-// cylinder and two half balls, of the same density.
+// `s`: m, radius and half the length of round shapes, else half sizes. A capsule is a cylinder with
+// two hemispheres of the same density.
 Solid solid(Shape shape, const Vec3d& s) {
   const double r2 = s.x * s.x;
   switch (shape) {
@@ -79,7 +79,7 @@ Mat3d diagonal(const Vec3d& d) { return {{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}};
 
 Mat3d turned(const Mat3d& r, const Mat3d& inertia) { return r * inertia * transpose(r); }
 
-// Sizes and place of a shape; two points may give its length and place.
+// Size and transform of a shape; two end points may define its length and axis.
 Vec3d read_size(MjcfFiles& files, MjcfValues& values, const MjcfPart& part, const NamedShape& kind,
                 MjcfGeom& geom) {
   std::array<double, 3> size{};
@@ -123,7 +123,7 @@ MjcfGeom read_geom(MjcfFiles& files, MjcfValues& values, const MjcfPart& part) {
   const double density = values.number(part, "density", kDensity);
   if (density < 0.0) files.wrong(part.element, say("density_range", density));
   for (const NamedShape& kind : kShapes) {
-    // a mesh that a plain shape was fitted to has no size here
+    // a mesh fitted by a primitive shape has no size here
     if (kind.name != type || values.has(part, "mesh")) continue;
     const Vec3d size = read_size(files, values, part, kind, geom);
     geom.solid = true;

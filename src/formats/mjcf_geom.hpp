@@ -9,10 +9,10 @@
 
 namespace shigusa {
 
-// A shape of a body, in the frame that its element stands in.
+// A shape of a body, in the frame of its element's parent.
 struct MjcfGeom {
   bool solid = false;     // a shape that is read: no mesh, plane or height field
-  bool mesh = false;      // a mesh, whose shape would have a mass
+  bool mesh = false;      // a mesh with mass, whose shape is unknown
   bool collides = false;  // with anything
   Robot::Shape shape;  // in the frame of its element; a capsule is a cylinder, an ellipsoid a box
   LinkMass mass;       // in the frame of its element
@@ -20,7 +20,7 @@ struct MjcfGeom {
 
 [[nodiscard]] MjcfGeom read_geom(MjcfFiles& files, MjcfValues& values, const MjcfPart& part);
 
-// The mass of an <inertial>, in the frame that it stands in.
+// Mass properties of an <inertial>, in the frame of its parent.
 [[nodiscard]] LinkMass read_inertial(MjcfFiles& files, MjcfValues& values, const MjcfPart& part);
 
 }  // namespace shigusa

@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::size_t kMostKeys = 100;  // that are read
 
-// A joint with the place of its numbers among those of a key frame.
+// A joint with the index of its first number in a key frame.
 struct Placed {
   const XmlElement* joint;
   std::size_t begin;
   std::size_t numbers;  // 7 of a free joint, 4 of a ball, else 1
 };
 
-// The joints of all bodies in MuJoCo's order: those of a body before those of bodies in it.
+// Joints of all bodies in MuJoCo's order: those of a body before those of its children.
 class Layout {
  public:
   Layout(MjcfFiles& files, const MjcfValues& values) : files_(files), values_(values) {
@@ -66,14 +66,14 @@ class Layout {
   const MjcfValues& values_;
 };
 
-// The turn of a ball by its quaternion, w first; none where that is none.
+// Rotation of a ball from its quaternion, w first; empty if that is zero.
 std::optional<Mat3d> turn_of_ball(const double* q) {
   const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   if (!(length > 1e-9)) return std::nullopt;
   return to_matrix(Quatd{q[1] / length, q[2] / length, q[3] / length, q[0] / length});
 }
 
-// Angles (rad) about x, y and z, one after the other in the frame turned so far, that make a turn.
+// Intrinsic rotation angles (rad) about x, y and z, in sequence, of a rotation.
 std::array<double, 3> about_each(const Mat3d& turn) {
   return {atan2(-turn.cz.y, turn.cz.z), asin(clamp(turn.cz.x, -1.0, 1.0)),
           atan2(-turn.cy.x, turn.cx.x)};

@@ -8,9 +8,9 @@
 
 namespace shigusa {
 
-// The key frames of a model that have as many numbers as its joints take, by the robot's joints;
-// one without a name is called by its index. `joint_of`: the robot's joint that an element is, of a
-// ball the first of three.
+// Key frames of a model whose size matches its joints, in terms of the robot's joints; an unnamed
+// one is named by its index. `joint_of`: the robot's joint of an element, for a ball the first of
+// three.
 [[nodiscard]] std::vector<Robot::Keyframe> read_keyframes(
     MjcfFiles& files, const MjcfValues& values,
     const std::map<const XmlElement*, std::size_t>& joint_of, const Robot& robot);

@@ -24,13 +24,13 @@ bool is_tame(std::span<const Vec3d> points) {
                      [](const Vec3d& v) { return is_within(v, kMjcfMaxValue); });
 }
 
-// An element that may name the class of what stands in it, within one of that class.
+// An element that may set the default class of its contents, within one of that class.
 MjcfPart in_class(const XmlElement& element, std::string_view childclass) {
   const char* named = element.attribute("childclass");
   return {element, named != nullptr ? named : childclass};
 }
 
-// An element that stands in a body, in its own frame or in those of <frame>s within it.
+// An element of a body, in the body's frame or in that of a nested <frame>.
 struct Inside {
   MjcfPart part;
   Transformd frame;  // in the body
@@ -55,7 +55,7 @@ class ModelReader {
   }
 
  private:
-  // A body and what of its parent is needed to hang it there.
+  // A body with the data of its parent needed to attach it.
   struct Hung {
     Inside inside;
     int parent = -1;     // link
@@ -94,7 +94,7 @@ class ModelReader {
   std::vector<std::string> root_held_by_;
   std::vector<std::string> sliding_;
   std::vector<std::string> following_;
-  std::vector<std::string> meshes_;   // bodies whose masses are meshes'
+  std::vector<std::string> meshes_;   // bodies with masses from meshes
   std::vector<std::string> unknown_;  // elements that make bodies and are not read
   std::map<std::string, std::size_t> joints_by_name_;
   std::map<const XmlElement*, std::size_t> joint_of_;  // the first of an element's
@@ -112,7 +112,7 @@ void ModelReader::read_robot() {
   if (root_ && !files_.error()) take_body({*root_, -1, {}, 0});
 }
 
-// Of all bodies of the world the one with the most joints.
+// The body of the world with the most joints.
 void ModelReader::find_root(const Inside& world, int depth) {
   if (too_deep(world.part.element, depth)) return;
   files_.each(world.part.element, [&](const XmlElement& e) {
@@ -145,7 +145,7 @@ int ModelReader::count_joints(const XmlElement& body, int depth) {
   return count;
 }
 
-// Lists the elements of a body, with those of its frames.
+// Lists the elements of a body, including those in its frames.
 void ModelReader::list(const Inside& inside, int depth, std::vector<Inside>& content) {
   constexpr std::string_view kMakers[] = {"attach", "composite", "flexcomp", "replicate"};
   files_.each(inside.part.element, [&](const XmlElement& e) {
@@ -193,7 +193,7 @@ void ModelReader::take_body(const Hung& body) {
 }
 
 std::string ModelReader::free_name(std::set<std::string>& taken, std::string name) {
-  // names go through XML and tables
+  // names are written to XML and tables
   for (char& c : name) {
     const bool odd = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
     if (odd || std::string_view("&<>\"'").find(c) != std::string_view::npos) c = '_';
@@ -223,7 +223,8 @@ std::string ModelReader::name_of(const XmlElement& element, const std::string& o
   return name;
 }
 
-// Links and joints from the parent to the body; returns where the body's link has its frame in it.
+// Adds links and joints from the parent to the body; returns the origin of the body's link in the
+// body's frame.
 Vec3d ModelReader::add_joints(const Hung& body, const std::vector<Inside>& joints,
                               const std::string& name) {
   Transformd place = body.inside.frame * values_.place(body.inside.part);
@@ -274,7 +275,7 @@ std::vector<Robot::Joint> ModelReader::read_ball(const Inside& inside, Robot::Jo
   return three;
 }
 
-// A hinge or a slide, or the three hinges of a ball; the origin is turned to the angle 0.
+// A hinge or a slide, or the three hinges of a ball; the origin is that at angle 0.
 std::vector<Robot::Joint> ModelReader::read_joint(const Inside& inside, const std::string& body) {
   const MjcfPart& part = inside.part;
   const std::string name = name_of(part.element, body + "_joint");
@@ -317,7 +318,7 @@ void ModelReader::read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball
     return;
   }
   if (!joint.slides) *ends = {values_.angle((*ends)[0]), values_.angle((*ends)[1])};
-  // the range of a ball is how far it turns, about any axis
+  // the range of a ball is its largest rotation about any axis
   if (ball) (*ends)[0] = -(*ends)[1];
   constexpr double kFarthest = 1000.0;  // rad, m
   const bool endless = !is_finite((*ends)[1] - (*ends)[0]);
@@ -329,7 +330,7 @@ void ModelReader::read_ends(const MjcfPart& part, Robot::Joint& joint, bool ball
     joint.lower = (*ends)[0];
     joint.upper = (*ends)[1];
   }
-  // a joint that can be at one angle only
+  // a joint with a single possible angle
   if (joint.limited && length < 1e-6) joint.turns = false;
 }
 
@@ -373,7 +374,7 @@ void ModelReader::add_masses(const std::vector<Inside>& content, const Vec3d& sh
   link.inertia = own.inertia;
 }
 
-// A forearm that no body follows has its hand as a shape, called so, in many a model.
+// Gives a forearm without a child body a hand if it has a shape with that name, as in many models.
 void ModelReader::add_hand(const std::vector<Inside>& content, const Vec3d& shift, int forearm) {
   const auto is_body = [](const Inside& each) { return is(each.part.element, "body"); };
   const std::string& name = robot_.links[index(forearm)].name;
@@ -421,7 +422,7 @@ void ModelReader::scale_masses() {
   }
 }
 
-// Numbers that the file's own came to.
+// Checks numbers derived from those of the file.
 Result<void> ModelReader::check_numbers() const {
   const auto tame = [](const Vec3d& v) { return is_within(v, kMjcfMaxValue); };
   const auto beyond = [&](const Sentence<std::string, double>& sentence, const std::string& link) {

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShortest = 1e-9;  // of a direction or a quaternion
-// Each attribute is looked up in all classes around an element.
+// Attributes are looked up in all surrounding classes.
 constexpr int kMaxClassDepth = 10;
 constexpr std::size_t kMaxClassElements = 24;
 
-// All actuators share their classes' words.
+// All actuators share the defaults of their classes.
 bool is_actuator(std::string_view tag) {
   constexpr std::string_view kTags[] = {"general",  "motor",       "position",
                                         "velocity", "intvelocity", "damper",
@@ -128,7 +128,7 @@ MjcfValues::Found MjcfValues::find(const MjcfPart& part, const char* attribute) 
   const char* own = element.attribute("class");
   std::string_view name = own != nullptr ? own : part.childclass;
   if (name.empty()) name = main_;
-  // a class that is named again within itself has no end
+  // a class that contains itself has no end
   for (int distance = 1; distance <= kMaxClassDepth && !name.empty(); ++distance) {
     const auto found = classes_.find(name);
     if (found == classes_.end()) {
@@ -227,7 +227,7 @@ Mat3d MjcfValues::orientation(const MjcfPart& part) {
   Found nearest;
   for (const char* each : kForms) {
     const Found found = find(part, each);
-    // of one element's own, MuJoCo takes quat last
+    // within one element, MuJoCo applies quat last
     const bool nearer = nearest.text == nullptr || found.distance <= nearest.distance;
     if (found.text == nullptr || !nearer) continue;
     nearest = found;

@@ -15,25 +15,25 @@
 
 namespace shigusa {
 
-// An element of a model, and the class of the bodies around it.
+// An element of a model, with the default class of the surrounding bodies.
 struct MjcfPart {
   const XmlElement& element;
   std::string_view childclass;
 };
 
-// The settings of <compiler>, for all the model.
+// Settings of <compiler>, for the whole model.
 struct MjcfSettings {
   bool degrees = true;
   bool autolimits = true;           // a range is a limit
   bool from_inertial = true;        // a body's <inertial> counts …
-  bool from_geoms = true;           // … and where it has none, its shapes do
+  bool from_geoms = true;           // whether missing ones come from the shapes
   std::array<int, 2> groups{0, 5};  // of shapes that have mass
   double total_mass = 0.0;          // kg; 0: as it is
   std::string euler = "xyz";        // order of the angles; capitals: about fixed axes
 };
 
-// Reads the attributes of a model's elements, by their own words, their class's and those of the
-// classes around it. Errors are noted in the files; a wrong value leaves the one that was given.
+// Reader of attributes: from the element, its class, and surrounding classes. Errors are recorded
+// in the files; a malformed value keeps the given one.
 class MjcfValues {
  public:
   // Reads settings and classes.
@@ -41,22 +41,23 @@ class MjcfValues {
 
   [[nodiscard]] const MjcfSettings& settings() const { return settings_; }
 
-  // The text of an attribute; "" where there is none.
+  // Text of an attribute; "" if absent.
   [[nodiscard]] std::string_view word(const MjcfPart& part, const char* attribute) const;
   [[nodiscard]] bool has(const MjcfPart& part, const char* attribute) const;
 
-  // Fills as many numbers as there are, `least` at least; how many, 0 where there is no attribute.
+  // Reads up to the given number of values, at least `least`; returns their number, 0 if the
+  // attribute is absent.
   std::size_t numbers(const MjcfPart& part, const char* attribute, std::span<double> values,
                       std::size_t least);
   double number(const MjcfPart& part, const char* attribute, double otherwise);
   Vec3d vector(const MjcfPart& part, const char* attribute, const Vec3d& otherwise = {});
 
-  // The two ends of a range, where it limits: by `limited`, or by being there. Infinite ends are
-  // none.
+  // Both ends of a limiting range, by `limited` or by its presence; none if they are infinite.
   std::optional<std::array<double, 2>> range(const MjcfPart& part, const char* attribute,
                                              const char* limited);
 
-  // By pos and by quat, axisangle, euler, xyaxes or zaxis; the nearest class with one decides.
+  // From pos and from quat, axisangle, euler, xyaxes or zaxis, of the nearest class with one of
+  // them.
   Transformd place(const MjcfPart& part);
 
   // rad
@@ -90,13 +91,13 @@ class MjcfValues {
   std::string main_ = "main";  // the outermost class
 };
 
-// How much the actuators of a model can do about the axes of its joints.
+// Forces of a model's actuators on its joints' axes.
 class MjcfActuators {
  public:
   MjcfActuators(MjcfFiles& files, MjcfValues& values);
 
-  // N·m, or N: what the actuators of a joint come to about its axis of that index, no more than
-  // actuatorfrcrange allows; 0 where there is no limit, or nothing that drives it.
+  // Largest actuator torque (N·m) or force (N) about an axis of a joint, limited by
+  // actuatorfrcrange; 0 without a limit or without an actuator.
   [[nodiscard]] double effort(const std::string& joint, const MjcfPart& part, std::size_t axis);
 
  private:
@@ -106,10 +107,10 @@ class MjcfActuators {
   std::map<std::string, std::array<double, 3>> sums_;  // by joint; infinite: no limit
 };
 
-// The rotation about a unit vector.
+// Rotation about a unit vector.
 [[nodiscard]] Mat3d turned_about(const Vec3d& axis, double angle);
 
-// The shortest rotation of +z to a direction, a unit vector.
+// Shortest rotation from +z to a unit vector.
 [[nodiscard]] Mat3d turned_to(const Vec3d& z);
 
 }  // namespace shigusa

@@ -6,7 +6,7 @@
 namespace shigusa {
 namespace {
 
-// Readers of BVH take the rest of a line for a name, without the blanks around it.
+// Readers of BVH use the rest of a line, trimmed, as the name.
 std::string_view trimmed(std::string_view name) {
   while (name.starts_with(' ')) name.remove_prefix(1);
   while (name.ends_with(' ')) name.remove_suffix(1);

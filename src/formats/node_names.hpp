@@ -8,14 +8,14 @@
 
 namespace shigusa {
 
-// The longest name; longer ones are cut. A number that is added fits in what BVH allows.
+// Longest name; longer ones are cut. A number that is added fits within BVH's limit.
 inline constexpr std::size_t kNodeNameBytes = 240;
 
-// Gives out joint names, each once.
+// Generator of unique joint names.
 class NodeNames {
  public:
-  // The name as it may stand in a file: valid UTF-8 without control characters, braces and blanks
-  // around it, "joint" if empty, and with "_2", "_3", … where it was taken before.
+  // The name made valid for files: UTF-8 without control characters, braces and surrounding blanks,
+  // "joint" if empty, and with "_2", "_3", … if it is taken.
   [[nodiscard]] std::string take(std::string_view name);
 
  private:

@@ -9,13 +9,13 @@
 
 namespace shigusa {
 
-// Points lie this near to one another on a figure's faces, as a share of its extent.
+// Spacing of points on a figure's faces, as a share of its extent.
 inline constexpr double kFaceSpacing = 1.0 / 60.0;
-// No more points than these are added.
+// Largest number of added points.
 inline constexpr std::size_t kFacePointsMost = 200'000;
 
-// Adds points on the triangles (indices of vertices) whose edges are longer than kFaceSpacing of
-// the mesh's extent, each with the node of its nearest corner.
+// Adds points on the triangles (vertex indices) with edges longer than kFaceSpacing of the mesh's
+// extent, each with the node of its nearest corner.
 void add_faces(std::vector<SkinVertex>& vertices,
                const std::vector<std::array<std::size_t, 3>>& triangles);
 

@@ -10,17 +10,17 @@
 
 namespace shigusa {
 
-// The bytes that the packed parts of one file may unpack to.
+// Limit on the unpacked bytes of one file.
 inline constexpr std::size_t kUnpackedMaxBytes = std::size_t{512} << 20;
 
-// How a component of an accessor is stored.
+// Storage type of an accessor's component.
 struct AccessorComponent {
   std::size_t bytes = 4;
-  double largest = 0.0;  // of a normalised integer what stands for 1; 0: a float
+  double largest = 0.0;  // integer that stands for 1 if normalised; 0: a float
   bool has_sign = true;
 };
 
-// How EXT_meshopt_compression or KHR_meshopt_compression packs a buffer view.
+// Packing of a buffer view by EXT_meshopt_compression or KHR_meshopt_compression.
 struct MeshoptView {
   std::size_t count = 0;   // of elements
   std::size_t stride = 0;  // bytes of each, unpacked
@@ -28,12 +28,12 @@ struct MeshoptView {
   std::string filter;      // NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL
 };
 
-// The bytes of a view: count x stride of them. Fails for what is damaged, and for what a version
-// packs that the library does not know. `place` stands for the view in errors.
+// Unpacked bytes of a view: count x stride. Fails on damaged data, and on a version that the
+// library does not support. `place` stands for the view in errors.
 [[nodiscard]] Result<std::string> unpack_meshopt(const MeshoptView& view, std::string_view packed,
                                                  const std::string& place);
 
-// Values of a mesh of KHR_draco_mesh_compression that are asked for.
+// Values requested of a mesh in KHR_draco_mesh_compression.
 struct DracoAttribute {
   std::uint32_t id = 0;  // in the mesh
   int components = 0;
@@ -46,7 +46,8 @@ struct DracoMesh {
   std::string corners;               // (triangles x 3) of 32 bits
 };
 
-// Takes what it unpacks to from `room`, in bytes, and fails before more than that is taken.
+// Memory taken for unpacked data is subtracted from `room` (bytes); fails beforehand if it would be
+// exceeded.
 [[nodiscard]] Result<DracoMesh> unpack_draco(std::string_view packed,
                                              std::span<const DracoAttribute> attributes,
                                              std::size_t& room, const std::string& place);

@@ -14,8 +14,7 @@ struct Counts {
   std::size_t faces = 0;
 };
 
-// How much a mesh declares itself to be, read before memory is taken for it. Of version 2.2, which
-// is glTF's.
+// Declared size of a mesh, read before memory is taken for it. For Draco 2.2, the version of glTF.
 class DracoHeader {
  public:
   explicit DracoHeader(std::string_view bytes) : bytes_(bytes) {}
@@ -28,7 +27,7 @@ class DracoHeader {
     const std::size_t low = byte();
     constexpr std::size_t kMetadata = 0x8000;
     if (((low | byte() << 8) & kMetadata) != 0) skip_metadata();
-    if (!sequential) byte();  // the way that edges are told
+    if (!sequential) byte();  // the edge decoder
     const std::size_t first = number();
     const std::size_t second = number();
     if (!whole_) return std::nullopt;
@@ -41,7 +40,7 @@ class DracoHeader {
     return whole_ ? static_cast<unsigned char>(bytes_[at_++]) : 0;
   }
 
-  // In pieces of seven bits.
+  // Variable-length integer in groups of seven bits.
   std::size_t number() {
     std::size_t value = 0;
     for (int shift = 0; shift < 63; shift += 7) {
@@ -84,8 +83,8 @@ class DracoHeader {
   bool whole_ = true;  // so far
 };
 
-// A mesh whose attributes are counted before the decoder fills them: a few bytes can declare values
-// of gigabytes.
+// Mesh that checks declared attribute sizes before the decoder allocates them: a few bytes can
+// declare gigabytes.
 class CountedMesh : public draco::Mesh {
  public:
   explicit CountedMesh(std::size_t& room) : room_(room) {}
@@ -93,7 +92,7 @@ class CountedMesh : public draco::Mesh {
   void SetAttribute(int id, std::unique_ptr<draco::PointAttribute> attribute) override {
     const auto each = static_cast<std::size_t>(std::max<std::int64_t>(attribute->byte_stride(), 4));
     const std::size_t points = num_points();
-    // as they are coded, as they are, and which point has which
+    // encoded values, decoded values, and the map from points to values
     constexpr std::size_t kCopies = 3;
     if (points > room_ / (kCopies * each)) throw say("unpacked_bytes", kUnpackedMaxBytes);
     room_ -= points * kCopies * each;
@@ -166,7 +165,7 @@ Result<DracoMesh> unpack_draco(std::string_view packed, std::span<const DracoAtt
   const auto wrong = [&](const Message& why) { return fail(ErrorCode::parse, why, place); };
   const std::optional<Counts> counts = DracoHeader(packed).read();
   if (!counts) return wrong(say("draco_version"));
-  // what the decoder knows of a corner and of a vertex while it finds the triangles
+  // the decoder's state per corner and vertex during decoding of triangles
   constexpr std::size_t kOfFace = 96;
   constexpr std::size_t kOfVertex = 32;
   const auto costs = [&](std::size_t count, std::size_t each) {

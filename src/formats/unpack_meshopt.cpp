@@ -32,7 +32,7 @@ constexpr std::array kFilters{
     Filter{"QUATERNION", &meshopt_decodeFilterQuat, 1 << 8, false},
     Filter{"EXPONENTIAL", &meshopt_decodeFilterExp, 0, true}};
 
-// The row of a table that has this name and takes this stride; the library itself does not look.
+// Table row of this name that supports this stride; the library itself does not check.
 template <class Row, std::size_t N>
 const Row* row_of(const std::array<Row, N>& rows, std::string_view name, std::size_t stride) {
   for (const Row& row : rows) {
@@ -64,7 +64,7 @@ Result<std::string> unpack_meshopt(const MeshoptView& view, std::string_view pac
   std::string bytes(view.count * view.stride, '\0');
   const auto* from = reinterpret_cast<const unsigned char*>(packed.data());
   if (mode->unpack(bytes.data(), view.count, view.stride, from, packed.size()) != 0) {
-    // the low half of the first byte is the version of what follows
+    // the low half of the first byte is the version of the remaining data
     const unsigned version = packed.empty() ? 0U : from[0] & 15U;
     return fail(ErrorCode::parse,
                 version > mode->newest ? say("meshopt_version", version, mode->newest)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of a build without the libraries that unpack meshes.
+// Used in builds without the libraries that unpack meshes.
 #include "core/say.hpp"
 #include "unpack.hpp"
 

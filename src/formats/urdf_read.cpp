@@ -55,7 +55,7 @@ class UrdfReader {
   }
 
  private:
-  // A joint with the links that it holds together.
+  // A joint with the links that it connects.
   struct Hung {
     const XmlElement* joint;
     std::string parent;
@@ -69,7 +69,7 @@ class UrdfReader {
     return name;
   }
 
-  // As many numbers as `count` of an attribute; those of `otherwise` where there is none.
+  // Numbers of an attribute, `count` of them; `otherwise` if it is absent.
   Result<void> read_numbers(const XmlElement& element, const char* attribute, std::size_t count,
                             double* numbers) const {
     const char* text = element.attribute(attribute);
@@ -102,7 +102,7 @@ class UrdfReader {
     return value;
   }
 
-  // By the <origin> in an element; where its parent is without one.
+  // Transform of an element's <origin>; the identity if absent.
   [[nodiscard]] Result<Transformd> place_of(const XmlElement& element) const {
     const XmlElement* origin = element.child("origin");
     if (origin == nullptr) return Transformd{};
@@ -114,7 +114,7 @@ class UrdfReader {
     return Transformd{turned(rpy), at};
   }
 
-  // Named postures, as SRDF has them; those that are not whole are left out.
+  // Reads named postures in the form of SRDF; incomplete ones are left out.
   void take_states(const XmlElement& robot) {
     for (const XmlElement& element : robot.children) {
       if (element.name != "group_state") continue;
@@ -132,7 +132,7 @@ class UrdfReader {
     }
   }
 
-  // Links and joints by name. Each link hangs on one joint at most.
+  // Indexes links and joints by name. Each link has at most one parent joint.
   Result<void> gather(const XmlElement& robot) {
     std::map<std::string, const XmlElement*> joints;
     for (const XmlElement& element : robot.children) {
@@ -156,7 +156,7 @@ class UrdfReader {
     return {};
   }
 
-  // The link that a joint hangs on, or carries.
+  // Parent or child link of a joint.
   [[nodiscard]] Result<std::string> link_of(const XmlElement& joint, const char* end) const {
     const XmlElement* found = nullptr;
     for (const XmlElement& child : joint.children) {
@@ -174,7 +174,7 @@ class UrdfReader {
     return link;
   }
 
-  // The links, parents first.
+  // Orders the links, parents first.
   Result<void> take_tree() {
     std::map<std::string, std::vector<std::string>> below;
     for (const Hung& joint : joints_) below[joint.parent].push_back(joint.child);
@@ -207,7 +207,7 @@ class UrdfReader {
     to.name = name;
     for (const XmlElement& child : link.children) {
       if (child.name == "visual") {
-        // what a robot looks like refuses nothing
+        // errors in visual shapes are ignored
         const Result<Robot::Shape> shape = shape_of(child);
         if (shape && is_tame(*shape)) to.shown.push_back(*shape);
       } else if (child.name == "collision") {
@@ -222,7 +222,7 @@ class UrdfReader {
     return inertial == nullptr ? Result<void>{} : take_mass(*inertial, to);
   }
 
-  // The shape of a <collision> or <visual>.
+  // Shape of a <collision> or <visual>.
   [[nodiscard]] Result<Robot::Shape> shape_of(const XmlElement& element) const {
     const XmlElement& shape = element.child("geometry")->children[0];
     using Kind = Robot::Shape::Kind;
@@ -268,7 +268,7 @@ class UrdfReader {
     }
     SHG_TRY_ASSIGN(const Transformd at, place_of(inertial));
     to.com = at.translation;
-    // without mass there is nothing to turn
+    // a massless link needs no inertia
     to.inertia = scaled(at.rotation * moments * transpose(at.rotation), to.mass > 0.0 ? 1.0 : 0.0);
     return {};
   }
@@ -339,7 +339,7 @@ class UrdfReader {
     if (!to.limited) return {};
     to.lower = lower;
     to.upper = upper;
-    // a joint that can be at one angle only
+    // a joint with a single possible angle
     if (to.upper - to.lower < 1e-6) to.turns = false;
     return {};
   }
@@ -347,7 +347,7 @@ class UrdfReader {
   const std::string name_;
   std::map<std::string, const XmlElement*> links_;
   std::vector<Hung> joints_;                  // in the file's order
-  std::map<std::string, std::string> above_;  // the link that a link hangs on
+  std::map<std::string, std::string> above_;  // parent link of each link
   std::map<std::string, int> index_;          // of links in the robot
   std::vector<std::string> sliding_;
   std::vector<std::string> mimics_;

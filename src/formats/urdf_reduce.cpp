@@ -10,7 +10,7 @@
 namespace shigusa {
 namespace {
 
-// Elements that are kept, each after the one that it stands in.
+// Elements that are kept, each after its parent.
 constexpr std::pair<std::string_view, std::string_view> kKept[] = {
     {"robot", "link"},       {"robot", "joint"},       {"link", "inertial"},
     {"inertial", "origin"},  {"inertial", "mass"},     {"inertial", "inertia"},
@@ -21,7 +21,7 @@ constexpr std::pair<std::string_view, std::string_view> kKept[] = {
     {"joint", "child"},      {"joint", "axis"},        {"joint", "limit"},
     {"joint", "mimic"},      {"robot", "group_state"}, {"group_state", "joint"}};
 
-// "inf", "nan" and such words in any case, and numbers of kUrdfMaxValue or more.
+// Whether a value is infinite, NaN or at least kUrdfMaxValue.
 bool is_no_limit(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n+-");
   if (begin == text.npos) return false;
@@ -31,7 +31,7 @@ bool is_no_limit(std::string_view text) {
   return read && abs(read->front()) >= kUrdfMaxValue;
 }
 
-// A joint's limits. A word for none, "inf" or a number beyond all others, is no limit.
+// Copies a joint's limits. Infinite, NaN and huge values mean no limit.
 XmlElement reduced_limit(const XmlElement& limit) {
   XmlElement reduced{limit.name, {}, {}, limit.line};
   for (const char* name : {"lower", "upper", "effort", "velocity"}) {
@@ -52,7 +52,7 @@ class Reducer {
 
   Result<XmlElement> reduce(const XmlElement& element) {
     if (element.name == "limit") return reduced_limit(element);
-    // without its round ends a capsule is a cylinder
+    // a capsule without its round ends is a cylinder
     XmlElement reduced{element.name == "capsule" ? "cylinder" : element.name,
                        element.attributes,
                        {},
@@ -65,7 +65,7 @@ class Reducer {
         continue;
       if (element.name == "robot") SHG_TRY(count(child));
       SHG_TRY_ASSIGN(XmlElement kept, reduce(child));
-      // a mesh is not read
+      // meshes are not read
       const bool shape = kept.name == "collision" || kept.name == "visual";
       const XmlElement* geometry = shape ? kept.child("geometry") : nullptr;
       if (shape && (geometry == nullptr || geometry->children.empty())) continue;

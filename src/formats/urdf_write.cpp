@@ -11,8 +11,8 @@ namespace {
 
 std::string numbers(const Vec3d& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
 
-// Roll, pitch and yaw: R = Rz(yaw) Ry(pitch) Rx(roll). The yaw is taken out before the others are
-// read, so that where the pitch is a right angle the three still tell R to the last digits.
+// Roll, pitch and yaw: R = Rz(yaw) Ry(pitch) Rx(roll). The yaw is removed before the others are
+// computed, so that at a pitch of 90° the three still determine R to the last digits.
 Vec3d roll_pitch_yaw(const Mat3d& r) {
   const double yaw = atan2(r.cx.y, r.cx.x);
   const SinCos<double> turn = sin_cos(yaw);
@@ -27,7 +27,7 @@ std::string origin(const Transformd& x) {
                      numbers(roll_pitch_yaw(x.rotation)));
 }
 
-// A shape as what it is for: "collision" or "visual"; nothing of one without a size.
+// Writes a shape as "collision" or "visual"; nothing for a shape without a size.
 std::string element(const char* name, const Robot::Shape& shape) {
   using Kind = Robot::Shape::Kind;
   const Vec3d& half = shape.half;
@@ -64,7 +64,7 @@ void write_link(const Robot::Link& link, std::string& text) {
 
 void write_joint(const Robot& robot, const Robot::Joint& joint, std::string& text) {
   const auto out = std::back_inserter(text);
-  // limits tell a joint that can be at one angle only
+  // such limits mark a joint with a single possible angle
   const bool rigid = joint.limited && joint.upper - joint.lower < 1e-6;
   const bool follows = joint.moves && !joint.slides && !joint.turns && !rigid;
   const char* type = !joint.moves               ? "fixed"

@@ -11,13 +11,13 @@
 
 namespace shigusa {
 
-// Parses JSON text while `watch`, nlohmann's callback, sees each event: it may throw a Message,
-// which ends the parse and is the error's message. `wrong`: what the text is not ("glTF"), for
-// text that is no JSON; errors name the place.
+// Parses JSON text with nlohmann's callback `watch`, which sees each event and may throw a Message
+// to end the parse with that error. `wrong`: the expected format ("glTF"), for text that is no
+// JSON; errors state the place.
 template <class Json, class Watch>
 [[nodiscard]] Result<Json> parse_watched(std::string_view text, const Watch& watch,
                                          const std::string& wrong, const std::string& place) {
-  // it reads numbers by strtod
+  // it parses numbers with strtod
   const WithinCLocale point;
   try {
     return Json::parse(text, watch);

@@ -24,7 +24,7 @@ struct Entity {
 constexpr Entity kEntities[] = {
     {"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};
 
-// A character by its number, in UTF-8; nothing where there is none of that number.
+// Character of a code point in UTF-8; empty if invalid.
 std::string utf8(std::uint32_t code) {
   if (code == 0 || (code >= 0xD800 && code < 0xE000) || code > 0x10FFFF) return {};
   const auto tail = [&](int shift) { return static_cast<char>(0x80 | ((code >> shift) & 0x3F)); };
@@ -37,7 +37,7 @@ std::string utf8(std::uint32_t code) {
   return {head(0xF0, 18), tail(12), tail(6), tail(0)};
 }
 
-// The character of an entity by what stands between & and ;, or nothing where that is none.
+// Character of an entity from the text between & and ;, or empty if unknown.
 std::string resolved(std::string_view entity) {
   for (const auto& [name, character] : kEntities) {
     if (entity == name) return std::string(1, character);
@@ -69,7 +69,7 @@ std::string unescaped(std::string_view text) {
   return out;
 }
 
-// Walks over the tags of a text, and hangs each element into the one that is open.
+// Parser of tags that attaches each element to the open one.
 class XmlReader {
  public:
   XmlReader(std::string_view text, const XmlLimits& limits, std::string_view name)
@@ -110,7 +110,7 @@ class XmlReader {
       }
       return skip_to(">", "<!");
     }
-    // the tag's end is the first > outside quotes
+    // the end of a tag is the first > outside quotes
     std::size_t end = at_ + 1;
     char quote = 0;
     for (; end < text_.size() && (quote != 0 || text_[end] != '>'); ++end) {
@@ -143,7 +143,7 @@ class XmlReader {
     if (static_cast<int>(open_.size()) >= limits_.depth) {
       return wrong(say("xml_deep", shortened(name), limits_.depth));
     }
-    // no element that is open has siblings behind it, so none moves when one is added
+    // open elements have no later siblings, so adding one moves none
     XmlElement& above = open_.empty() ? top_ : *open_.back();
     XmlElement& element = above.children.emplace_back();
     element.name = name;
@@ -198,7 +198,7 @@ class XmlReader {
   std::size_t at_ = 0;
   std::size_t counted_ = 0;  // lines are counted as far as here
   int line_ = 1;
-  XmlElement top_;  // what the one element stands in
+  XmlElement top_;  // parent of the root element
   std::vector<XmlElement*> open_;
 };
 

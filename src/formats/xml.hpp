@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-// Limits of an XML text; more is refused before memory is taken.
+// Limits of an XML text, checked before memory is taken.
 struct XmlLimits {
   std::size_t bytes = 0;
   std::size_t tags = 0;
@@ -27,33 +27,32 @@ struct XmlElement {
   std::vector<XmlElement> children;
   int line = 0;  // of the text, from 1
 
-  // Its value, or null where there is none.
+  // Value of an attribute, or null.
   [[nodiscard]] const char* attribute(std::string_view name) const;
-  // The first of that name, or null.
+  // First child of that name, or null.
   [[nodiscard]] const XmlElement* child(std::string_view name) const;
 };
 
-// Parses the one element of an XML text, in UTF-8. `name` stands for the file in errors, which name
-// the line. Only the five entities that XML has and characters by number are resolved: a document
-// type with definitions is refused, and any other entity stays as it is written.
+// Parses the root element of an XML text in UTF-8. `name` stands for the file in errors, which
+// state the line. Only XML's five entities and numeric characters are resolved: a document type
+// with definitions is refused, and other entities are kept as written.
 [[nodiscard]] Result<XmlElement> parse_xml(std::string_view text, const XmlLimits& limits,
                                            std::string_view name);
 
-// The place of an element for errors: its line of the file that `name` stands for.
+// Place of an element for errors: its line in the file that `name` stands for.
 [[nodiscard]] std::string place_of(const XmlElement& element, std::string_view name);
 
-// An error of what is wrong with an element of that file.
+// Error about an element of that file.
 [[nodiscard]] tl::unexpected<Error> fail_at(const XmlElement& element, std::string_view name,
                                             Message message);
 
-// The element as a text that parse_xml reads as the same element, each of its children on a line.
+// Text that parse_xml reads as the same element, with one child per line.
 [[nodiscard]] std::string write_xml(const XmlElement& element);
 
-// A text as an attribute's value within double quotes.
+// Text escaped for an attribute value in double quotes.
 [[nodiscard]] std::string xml_escaped(std::string_view text);
 
-// The numbers that stand in a text between blanks; nothing where one is none, or too many are
-// there.
+// Numbers of a text, separated by blanks; empty if one is malformed or there are too many.
 [[nodiscard]] std::optional<std::vector<double>> xml_numbers(std::string_view text,
                                                              std::size_t most);
 

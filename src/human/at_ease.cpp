@@ -14,27 +14,27 @@
 namespace shigusa {
 namespace {
 
-// Arms at ease are that far (m) from the body, raised outwards by this (rad) at the most.
+// Clearance (m) of arms at ease from the body, and the most (rad) that they are raised outwards.
 constexpr double kArmsClear = 0.005;
 constexpr double kArmsOutMost = radians(40.0);
 
-// Where along the soles (0 heel, 1 tip) the mass of who stands at ease may be: people's stands some
-// 5 cm ahead of the ankles. It is brought there by leaning ahead this far (statures) at the most.
+// Range along the soles (0 heel, 1 tip) of the centre of mass at ease: people's is some 5 cm ahead
+// of the ankles. Leaning ahead, by at most kAheadMost (statures), brings it there.
 constexpr double kMassOnSolesLeast = 0.38;
 constexpr double kMassOnSolesMost = 0.55;
 constexpr double kAheadMost = 0.05;
 
-// How far hips that are moved come down for one leg (m, ≥ 0).
+// Descent (m, ≥ 0) of moved hips that one leg requires.
 double drop_for(const Landmarks::Leg& leg, const Vec3d& moved) {
   const double span = LegLengths(leg).span(kKneesAtEase);
   const Vec3d rise = leg.hip + moved - leg.ankle;
   const double across = rise.x * rise.x + rise.z * rise.z;
-  // hips that no drop brings near enough, or that are near enough, stay
+  // hips out of reach of any descent, or near enough, stay
   if (rise.y <= 0.0 || across >= span * span || dot(rise, rise) <= span * span) return 0.0;
   return rise.y - sqrt(span * span - across);
 }
 
-// The leg from a moved hip to its old foot, bent about the axis that it has.
+// Moves a leg's hip while its foot stays; it keeps its bending axis.
 void move_hip(Landmarks::Leg& leg, const Vec3d& by, const Vec3d& axis) {
   const LegLengths length(leg);
   leg.hip += by;
@@ -47,7 +47,7 @@ void move_hip(Landmarks::Leg& leg, const Vec3d& by, const Vec3d& axis) {
   leg.knee = leg.hip + down * along + normalized(cross(down, axis)) * ahead;
 }
 
-// The body above the ankles moved ahead (m), the hips down until no knee is straighter than
+// The body above the ankles moved ahead (m), with hips lowered until no knee is straighter than
 // kKneesAtEase.
 Landmarks moved_ahead(const Landmarks& person, double ahead) {
   const HumanFrames before = human_frames(person);
@@ -62,7 +62,7 @@ Landmarks moved_ahead(const Landmarks& person, double ahead) {
   return result;
 }
 
-// Where along the soles (0 heel, 1 tip) the centre of mass stands, and how long they are (m).
+// Position of the centre of mass along the soles (0 heel, 1 tip), and their length (m).
 struct OnSoles {
   double share;
   double length;
@@ -79,9 +79,9 @@ OnSoles mass_on_soles(const Landmarks& person, double stature) {
   return {(centre_of_mass(person, stature).z - heel) / length, length};
 }
 
-// The body leaning at the ankles until its mass stands where people's does.
+// The body leaning at the ankles until its centre of mass is where people's is.
 Landmarks balanced(const Landmarks& person, double stature) {
-  constexpr int kSteps = 3;  // what leans is not all of the mass
+  constexpr int kSteps = 3;  // iterated, as only a part of the mass leans
   const double most = kAheadMost * stature;
   double ahead = 0.0;
   Landmarks result = moved_ahead(person, ahead);
@@ -94,8 +94,8 @@ Landmarks balanced(const Landmarks& person, double stature) {
   return result;
 }
 
-// How deep (m, less than 0: that far apart) the arms are in trunk and legs, from the middle of the
-// upper arms on.
+// Penetration depth (m) of the arms in trunk and legs, from the middle of the upper arms on;
+// negative: their distance.
 double depth_of_arms(const Landmarks& person, double stature) {
   const HumanFrames frames = human_frames(person);
   std::vector<Capsule> body;

@@ -14,9 +14,9 @@ namespace {
 
 Side other(Side side) { return side == Side::left ? Side::right : Side::left; }
 
-// Women's part of a man's lumbar bend: in reaches to low targets their backs and hips share it as
-// 0.2 : 1, men's as 1.2 : 1 (Thomas, Corcos and Hasan, J. Motor Behavior 30 (1998) 98); in a full
-// bend they are much nearer.
+// Women's share of a man's lumbar bend. In reaches to low targets the ratio of back to hip flexion
+// is 0.2 : 1 for women and 1.2 : 1 for men (Thomas, Corcos and Hasan, J. Motor Behavior 30 (1998)
+// 98); in a full bend they are much closer.
 constexpr double kWomensBack = 0.85;
 
 bool joint_is_leg(const std::string& joint) {
@@ -91,8 +91,8 @@ HumanBuilder::Part HumanBuilder::add_joint(const std::string& joint, const Part&
   return part;
 }
 
-// The joints of a leg from the pelvis down; of who sits, its one. A leg that is climbed has their
-// freedoms in reverse order, and they turn the other way.
+// Joints of a leg from the pelvis down; one for a seated person. For a leg that is the base of the
+// chain, the degrees of freedom are in reverse order with opposite signs.
 std::vector<HumanBuilder::LegJoint> HumanBuilder::leg_joints(Side side) const {
   const double s = side_sign(side);
   const Landmarks::Leg& leg = person_.leg(side);
@@ -101,7 +101,7 @@ std::vector<HumanBuilder::LegJoint> HumanBuilder::leg_joints(Side side) const {
     return climbs(side) ? -hinge_angle(below, above) : hinge_angle(above, below);
   };
   JointLimits hip_bends = whole() ? kFreeHipFlexion : kHipFlexion;
-  // a seated person's hip bends as far as with a bent knee
+  // a seated person's hip has the range that it has with a bent knee
   if (settings_.sits) hip_bends.upper += whole() ? kFreeHipFlexionGain : kHipFlexionGain;
   const BallAngles hip = ball_angles(transpose(frames_.trunk) * thigh, side);
   std::vector<LegJoint> joints{{"hip",
@@ -130,8 +130,8 @@ std::vector<HumanBuilder::LegJoint> HumanBuilder::leg_joints(Side side) const {
   return joints;
 }
 
-// A leg hangs from the pelvis, or is climbed from the floor or the seat and carries the trunk,
-// which hangs on no joint yet. A seated person's leg is all one piece.
+// Adds a leg, hanging from the pelvis or, as the base of the chain, rising from the floor or the
+// seat to the trunk. A seated person's leg is rigid.
 void HumanBuilder::add_leg(Side side) {
   const bool up = climbs(side);
   LegParts& parts = legs_[index_of(side)];
@@ -236,7 +236,7 @@ void HumanBuilder::set_mass(const Part& part, const LinkMass& mass) {
   link = mass.in_frame(part.frame, part.origin);
 }
 
-// widens limits to the start posture
+// Widens limits to the start posture.
 void HumanBuilder::hold_start_posture() {
   for (std::size_t i = 0; i < body_.dofs.size(); ++i) {
     Dof& dof = body_.dofs[i];

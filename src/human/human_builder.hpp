@@ -16,7 +16,7 @@ namespace shigusa {
 
 [[nodiscard]] inline std::size_t index_of(Side side) { return side == Side::left ? 0 : 1; }
 
-// Builds a person's definition link by link; each step adds what hangs on the links before it.
+// Builds a person's body definition link by link, each attached to those before it.
 class HumanBuilder {
  public:
   HumanBuilder(const Landmarks& person, const HumanSettings& settings, std::vector<Message> doubts);
@@ -28,9 +28,9 @@ class HumanBuilder {
     int link = kBaseLink;
     Mat3d frame;        // R_WL
     Vec3d origin{};     // m, world
-    double from = 0.0;  // of a piece of the trunk: where it begins, as a share of hips – C7
+    double from = 0.0;  // for a piece of the trunk: where it begins, as a share of hips – C7
   };
-  // A freedom of a joint.
+  // A degree of freedom of a joint.
   struct Freedom {
     const char* name;
     Axis axis;
@@ -49,7 +49,7 @@ class HumanBuilder {
   };
 
   [[nodiscard]] bool whole() const { return settings_.extent == BodyExtent::human; }
-  // whether the chain begins at the far end of that leg
+  // whether the chain begins at the distal end of that leg
   [[nodiscard]] bool climbs(Side side) const { return side == base_side_; }
 
   // a joint at a point of the part; its link's frame in the start posture is `frame`
@@ -66,7 +66,7 @@ class HumanBuilder {
   [[nodiscard]] Vec3d to_below_ankle(const SoleOutline& sole, Side side, const Part& part) const;
   [[nodiscard]] Heel heel_of(Side side, const Part& part) const;
   [[nodiscard]] int freedom(const std::string& name) const;
-  // a point of the start posture in the part's frame
+  // transforms a point of the start posture to the part's frame
   [[nodiscard]] static Vec3d in_link(const Vec3d& point, const Part& part);
 
   // trunk and head
@@ -75,7 +75,7 @@ class HumanBuilder {
   void add_neck();
   [[nodiscard]] Part add_clavicle(Side side);
 
-  // what is drawn and written
+  // skeleton nodes, for drawing and export
   void add_nodes();
   [[nodiscard]] int add_trunk_nodes(int hips);
   void add_stubs(int hips, int chest);
@@ -84,7 +84,7 @@ class HumanBuilder {
   int add_node(const std::string& name, int parent, const Part& part, const Vec3d& point,
                bool end_site = false);
 
-  // a part of the person, that moves with `on`
+  // adds the collision shape of a part of the person, fixed to `on`
   void add_capsule(BodyPart part, const Part& on);
   void add_trunk_capsules();
   void add_leg_capsules(Side side);
@@ -102,7 +102,7 @@ class HumanBuilder {
   bool other_stands_ = false;
   double strength_ = 1.0;
   double leg_strength_ = 1.0;
-  std::vector<Part> trunk_;  // from the pelvis to what carries arms and neck: one where it is rigid
+  std::vector<Part> trunk_;  // from the pelvis to the part with arms and neck: one if rigid
   Part neck_;
   Part head_;
   struct ArmParts {
@@ -110,11 +110,11 @@ class HumanBuilder {
   };
   struct LegParts {
     Part thigh, shank, foot;
-    Part toes;  // the foot, or its forefoot where heels lift
+    Part toes;  // the foot, or its forefoot if heels lift
   };
   ArmParts arms_[2];
   LegParts legs_[2];
-  Vec3d shift_{};  // from the right leg to the left leg's mass (half extent)
+  Vec3d shift_{};  // from the right leg's mass to the left leg's (half extent)
 };
 
 }  // namespace shigusa

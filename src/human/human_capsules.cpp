@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shapes that limbs must not pass through.
+// Collision shapes of the body's parts.
 #include "human_builder.hpp"
 
 namespace shigusa {
@@ -33,7 +33,7 @@ void HumanBuilder::add_leg_capsules(Side side) {
   add_capsule(of_side(BodyPart::left_shank, side), parts.shank);
   add_capsule(of_side(BodyPart::left_foot, side), parts.foot);
   if (settings_.heels) {
-    // the foot bends at the toes' joint: what is ahead of it goes with the toes
+    // the foot bends at the toes' joint: the part ahead of it belongs to the toes
     const Vec3d bend = toes_joint(person_.leg(side));
     Capsule& foot = body_.capsules.back();
     const Vec3d line = foot.to - foot.from;
@@ -65,7 +65,7 @@ void HumanBuilder::add_arm_capsules(Side side) {
   if (whole()) {
     add_capsule(of_side(BodyPart::left_hand, side), parts.hand);
   } else {
-    // a hand without a wrist is a part of its forearm
+    // a hand without a wrist belongs to its forearm
     body_.capsules.back().to = in_link(person_.arm(side).fingertip, parts.fore);
   }
 }

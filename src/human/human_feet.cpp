@@ -9,14 +9,14 @@
 namespace shigusa {
 namespace {
 
-// How far to a sole's edge its pressure goes.
+// Share of the distance to the sole's edge that the centre of pressure may reach.
 constexpr double kAcrossSole = 0.8;
-// The part of a thigh that lies on the seat: from behind the hip joint (share of the stature) to a
-// share of the way to the knee, and half as broad as this (share of the stature).
+// Contact area of a thigh on the seat: from behind the hip joint (share of the stature) to a share
+// of the thigh's length, and its half breadth (share of the stature).
 constexpr double kBehindHip = 0.06;
 constexpr double kToKnee = 0.7;
 constexpr double kHalfBreadth = 0.045;
-// Soles that are higher than this (m) bear nothing.
+// Height (m) above which soles bear no load.
 constexpr double kOnTheFloor = 0.02;
 
 }  // namespace
@@ -31,7 +31,7 @@ void HumanBuilder::add_foot(Side side, const Part& part) {
   const SoleOutline sole = sole_outline(person_.leg(side), settings_.stature);
   std::vector<Vec3d> corners(sole.begin(), sole.end());
   if (settings_.extent == BodyExtent::half) {
-    // the sole of the foot that is not drawn carries weight too
+    // the other foot, which is not drawn, carries weight too
     for (const Vec3d& corner : sole) corners.push_back(corner + shift_);
   }
   Vec3d sum{};
@@ -48,8 +48,8 @@ void HumanBuilder::add_foot(Side side, const Part& part) {
   body_.feet.push_back(std::move(foot));
 }
 
-// From the middle of a sole across it to below the ankle, as far as the sole goes: a person presses
-// there, where that asks nothing of the ankle.
+// Vector from the middle of a sole, across it, to below the ankle, limited to the sole. Pressure
+// there needs no lateral ankle torque.
 Vec3d HumanBuilder::to_below_ankle(const SoleOutline& sole, Side side, const Part& part) const {
   const Vec3d middle = (sole[0] + sole[1] + sole[2] + sole[3]) * 0.25;
   const Vec3d half = (sole[0] + sole[1] - sole[2] - sole[3]) * 0.25;

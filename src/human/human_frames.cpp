@@ -8,21 +8,19 @@
 namespace shigusa {
 namespace {
 
-// Below the first angle a limb's own bend says nothing of its hinge axis; above the second it
-// decides alone.
+// Bend below which a limb's own hinge axis is ignored, and above which it is used alone.
 constexpr double kBendIgnored = radians(5.0);
 constexpr double kBendTrusted = radians(20.0);
-// Cosine of the angle by which a bend's axis may be turned from the expected one. Beyond it the
-// joint is past straight: a knee's axis goes with its foot, an arm turns by some 120° at most.
+// Cosine of the largest angle between a bend's axis and the expected one, beyond which the joint is
+// hyperextended: a knee's axis follows its foot, an arm turns by some 120° at most.
 constexpr double kKneeTurns = 0.0;
 constexpr double kElbowTurns = -0.5;
-// Sine of the angle between shank and foot, about the trunk's left, below which the foot says
-// nothing of the knee's axis, and above which it decides alone: one that hangs points along the
-// shank.
+// Sine of the angle between shank and foot, about the trunk's left, below which the foot is ignored
+// for the knee's axis, and above which it is used alone: a hanging foot points along the shank.
 constexpr double kFootIgnored = 0.2;
 constexpr double kFootTrusted = 0.5;
 
-// The frame with x exactly along `x` and y as near to `y` as that allows.
+// Frame with x exactly along `x` and y as near to `y` as possible.
 Mat3d frame_x_y(const Vec3d& x, const Vec3d& y) {
   const Vec3d ex = normalized(x, {1, 0, 0});
   const Vec3d ez = normalized(cross(ex, y), {0, 0, 1});
@@ -33,9 +31,9 @@ double share(double value, double from, double to) {
   return clamp((value - from) / (to - from), 0.0, 1.0);
 }
 
-// Hinge axis of a bent limb, from its two segment directions where they are bent enough, else the
-// expected one; `bent` is the cross product whose direction is the axis when flexed, and `turns`
-// the least cosine between the two.
+// Hinge axis of a bent limb, blended between the axis of its two segments if they are bent enough
+// and the expected one. `bent`: cross product of the segments, in the direction of the axis when
+// flexed; `turns`: least cosine between the two axes.
 Vec3d hinge_axis(const Vec3d& bent, const Vec3d& expected, double turns) {
   const double sine = norm(bent);
   const double trust =
@@ -43,8 +41,8 @@ Vec3d hinge_axis(const Vec3d& bent, const Vec3d& expected, double turns) {
   return normalized(normalized(bent, expected) * trust + expected * (1.0 - trust), expected);
 }
 
-// The axis that a straight knee has: square to shank and foot. Where the foot hangs along the
-// shank, or the other way round, it is the trunk's left as far as the shank lets it.
+// Axis of a straight knee: perpendicular to shank and foot. With a foot along the shank, in either
+// direction, it is the trunk's left, made perpendicular to the shank.
 Vec3d knee_axis(const Vec3d& up, const Vec3d& ahead, const Vec3d& trunk_left) {
   const Vec3d across = cross(up, ahead);
   const double sine = dot(across, trunk_left) / max(norm(ahead), 1e-9);
@@ -73,7 +71,7 @@ LegFrames leg_frames(const Landmarks::Leg& leg, const Vec3d& trunk_left, bool li
   const Vec3d axis = hinge_axis(cross(thigh_down, shank_down), expected, kKneeTurns);
   LegFrames frames{frame_x_y(axis, -thigh_down), frame_x_y(axis, -shank_down), {}};
   if (lifted) {
-    // the line from ankle to toe tip falls by the angle that it has in a standing foot
+    // the slope of the line from ankle to toe tip is that of a standing foot
     using F = StatureFractions;
     const double slope = atan2(F::kAnkleHeight, (1.0 - kHeelShare) * F::kFootLength);
     frames.foot = rotated(frame_x_y(axis, cross(ahead, axis)), Axis::x, sin_cos(-slope));
@@ -86,7 +84,7 @@ LegFrames leg_frames(const Landmarks::Leg& leg, const Vec3d& trunk_left, bool li
 ArmFrames arm_frames(const Landmarks::Arm& arm, const Mat3d& trunk) {
   const Vec3d upper_down = normalized(arm.elbow - arm.shoulder);
   const Vec3d fore_down = normalized(arm.wrist - arm.elbow);
-  // a straight arm's hinge axis: the trunk's left, carried by the shortest swing from hanging
+  // a straight arm's hinge axis: the trunk's left, rotated by the shortest swing from hanging
   const Vec3d hanging = -trunk.cy;
   const Vec3d swing = cross(hanging, upper_down);
   const double cosine = dot(hanging, upper_down);
@@ -129,9 +127,9 @@ BallAngles ball_angles(const Mat3d& relative, Side side) {
     return BallAngles{flexion, s * atan2(-rest.cy.x, rest.cy.y), s * atan2(-rest.cx.z, rest.cz.z)};
   };
   const double across = sqrt(relative.cy.y * relative.cy.y + relative.cy.z * relative.cy.z);
-  // a limb straight out to the side: flexion and rotation turn about one line; call it rotation
+  // a limb straight out to the side: flexion and rotation share an axis, and rotation is used
   const double flexion = across < 1e-6 ? 0.0 : -atan2(relative.cy.z, relative.cy.y);
-  // a limb raised sideways is abducted by more than 90° rather than turned about and over
+  // a limb raised sideways is abducted by more than 90° rather than flexed and rotated
   const BallAngles plain = with_flexion(flexion);
   const BallAngles over = with_flexion(flexion > 0.0 ? flexion - kPi : flexion + kPi);
   const auto size = [](const BallAngles& b) {

@@ -5,7 +5,7 @@
 
 namespace shigusa {
 
-// +1 for the left side, -1 for the right: abduction and lateral rotation turn opposite ways.
+// +1 for the left side, -1 for the right: the sign of abduction and lateral rotation.
 [[nodiscard]] constexpr double side_sign(Side side) { return side == Side::left ? 1.0 : -1.0; }
 
 // Segment frames (R_WL) of a person in one posture: y along the segment upwards, x to the left
@@ -36,14 +36,13 @@ struct HumanFrames {
 
 [[nodiscard]] HumanFrames human_frames(const Landmarks& person);
 
-// A segment's frame with y exactly along it, from its far joint to the joint that it hangs on, and
-// x as near to the anatomical frame's as this allows. Two postures of a segment take the far joint
-// to the far joint so, whatever shape a limb has.
+// Segment frame with y exactly along the segment, from its far joint to its near joint, and x as
+// near as possible to that of the anatomical frame. It maps the far joint of one posture to that of
+// another, whatever the shape of the limb.
 [[nodiscard]] Mat3d along_segment(const Mat3d& frame, const Vec3d& joint, const Vec3d& far);
 
-// Flexion, abduction and lateral rotation (rad) of a ball joint:
-// R = Rx(-flexion) · Rz(side · abduction) · Ry(side · rotation), of the two ways to write a
-// rotation so the one with the smaller angles.
+// Flexion, abduction and lateral rotation (rad) of a ball joint: R = Rx(-flexion) · Rz(side ·
+// abduction) · Ry(side · rotation). Of the two solutions the one with the smaller angles.
 struct BallAngles {
   double flexion = 0.0;
   double abduction = 0.0;
@@ -51,7 +50,7 @@ struct BallAngles {
 };
 [[nodiscard]] BallAngles ball_angles(const Mat3d& relative, Side side);
 
-// Angle (rad) by which b is turned from a about their common x axis.
+// Angle (rad) from a to b about their common x axis.
 [[nodiscard]] double hinge_angle(const Mat3d& a, const Mat3d& b);
 
 }  // namespace shigusa

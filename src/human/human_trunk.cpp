@@ -8,7 +8,7 @@ namespace shigusa {
 namespace {
 
 constexpr std::array kSpineNames{"spine", "chest", "upper_chest"};
-// Where the chest's node of a trunk without joints stands, between hips and shoulders.
+// Position of the chest's node in a rigid trunk, as a share of the line from hips to shoulders.
 constexpr double kRigidChest = 0.6;
 
 JointLimits part_of_range(const JointLimits& all, double share) {
@@ -17,7 +17,7 @@ JointLimits part_of_range(const JointLimits& all, double share) {
 
 }  // namespace
 
-// what stands on the pelvis, which is there already
+// Adds the trunk to the existing pelvis.
 void HumanBuilder::add_trunk() {
   if (whole()) {
     add_spine();
@@ -31,7 +31,7 @@ void HumanBuilder::add_trunk() {
   add_trunk_capsules();
 }
 
-// Fewer joints than three have the range of all of them.
+// Adds the spine's joints; if they are fewer than three, they share the range of all of them.
 void HumanBuilder::add_spine() {
   const std::size_t joints = std::min(person_.spine.size(), kSpineJoints);
   const Vec3d trunk = person_.neck - mid_hip(person_);
@@ -69,7 +69,7 @@ void HumanBuilder::add_neck() {
   set_mass(head_, masses_.head());
 }
 
-// The part that carries the arm: its clavicle, or else the trunk.
+// Part that carries the arm: its clavicle, or else the trunk.
 HumanBuilder::Part HumanBuilder::add_clavicle(Side side) {
   const Landmarks::Arm& arm = person_.arm(side);
   if (!whole() || !arm.clavicle) return trunk_.back();
@@ -98,7 +98,7 @@ void HumanBuilder::add_nodes() {
   }
 }
 
-// the node that carries arms and neck
+// Adds the trunk's nodes; returns the one that carries arms and neck.
 int HumanBuilder::add_trunk_nodes(int hips) {
   int chest = hips;
   for (std::size_t j = 1; j < trunk_.size(); ++j) {
@@ -115,7 +115,7 @@ int HumanBuilder::add_trunk_nodes(int hips) {
   return chest;
 }
 
-// the still limbs are not shown (paper, section 4), but the trunk that they hang on is
+// Adds stubs of the fixed limbs, which are not shown (paper, section 4), on the trunk, which is.
 void HumanBuilder::add_stubs(int hips, int chest) {
   const Vec3d stub = (mid_hip(person_) - mid_shoulder(person_)) * 0.05;
   for (const auto& [name, parent, at] :

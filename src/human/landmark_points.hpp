@@ -7,7 +7,7 @@
 
 namespace shigusa {
 
-// The bones of a limb from the trunk outwards.
+// Bones of a limb from the trunk outwards.
 using LimbBones = std::array<HumanoidBone, 3>;
 
 // Left leg, right leg, left arm, right arm.
@@ -24,7 +24,7 @@ inline constexpr std::array<LimbBones, 4> kLimbBones{{
   return kLimbBones[side == Side::left ? 2 : 3];
 }
 
-// All bones, in their order.
+// All bones in their order.
 inline constexpr std::array<HumanoidBone, kHumanoidBoneCount> kHumanoidBones = [] {
   std::array<HumanoidBone, kHumanoidBoneCount> bones{};
   for (std::size_t i = 0; i < bones.size(); ++i) bones[i] = static_cast<HumanoidBone>(i);
@@ -40,7 +40,7 @@ inline constexpr std::array kBothSides{Side::left, Side::right};
   return (p.left_arm.shoulder + p.right_arm.shoulder) * 0.5;
 }
 
-// Thigh, shank, upper arm and forearm.
+// Lengths of thigh, shank, upper arm and forearm.
 [[nodiscard]] inline std::array<double, 4> segment_lengths(const Landmarks& p, Side side) {
   const Landmarks::Leg& leg = p.leg(side);
   const Landmarks::Arm& arm = p.arm(side);
@@ -48,7 +48,7 @@ inline constexpr std::array kBothSides{Side::left, Side::right};
           norm(arm.elbow - arm.wrist)};
 }
 
-// Landmarks by name, in the order in which files hold them.
+// Visits landmarks by name, in their order in files.
 template <class Person, class Visit>
 void for_each_landmark(Person& p, Visit&& visit) {
   visit("left_hip", p.left_leg.hip);
@@ -71,7 +71,7 @@ void for_each_landmark(Person& p, Visit&& visit) {
   visit("head_top", p.head_top);
 }
 
-// Points that a person may lack.
+// Visits the points that a person may lack.
 template <class Person, class Visit>
 void for_each_further_landmark(Person& p, Visit&& visit) {
   visit("head", p.head);
@@ -83,7 +83,7 @@ void for_each_further_landmark(Person& p, Visit&& visit) {
   visit("right_grip", p.right_arm.grip);
 }
 
-// Every point of a person, shapes of parts excepted: these go with their parts.
+// Visits every point of a person except shapes of parts, which are relative to their parts.
 template <class Person, class Visit>
 void for_each_point(Person& p, Visit&& visit) {
   for_each_landmark(p, [&](const char*, auto& point) { visit(point); });

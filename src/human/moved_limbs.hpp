@@ -7,7 +7,7 @@ namespace shigusa {
 
 // Parts of a person brought elsewhere, in their own lengths.
 
-// A triangle of thigh and shank seen from the ankle.
+// Thigh and shank of a leg as a triangle with the line from hip to ankle.
 struct LegLengths {
   double thigh;
   double shank;
@@ -15,20 +15,20 @@ struct LegLengths {
   explicit LegLengths(const Landmarks::Leg& leg)
       : thigh(norm(leg.hip - leg.knee)), shank(norm(leg.knee - leg.ankle)) {}
 
-  // From hip to ankle (m) when the knee is bent by an angle (rad).
+  // Distance from hip to ankle (m) with the knee bent by an angle (rad).
   [[nodiscard]] double span(double bend) const {
     return sqrt(thigh * thigh + shank * shank + 2.0 * thigh * shank * sin_cos(bend).cos);
   }
 };
 
-// The body above the hips, arms included, moved by a vector (m).
+// Translates the body above the hips, arms included, by a vector (m).
 void move_upper_body(Landmarks& person, const Vec3d& by);
 
-// The foot moved along with an ankle that was elsewhere.
+// Moves the foot along with an ankle that was at `was`.
 void move_foot(Landmarks::Leg& leg, const Vec3d& was);
 
-// The arms laid along these directions, raised outwards by an angle (rad), each hand on its forearm
-// as it was in `before`.
+// Lays the arms along these directions, raised outwards by an angle (rad); each hand keeps its
+// orientation to its forearm from `before`.
 void lay_arms(Landmarks& person, const Landmarks& before, const Vec3d& upper_arm,
               const Vec3d& forearm, double outwards = 0.0);
 

@@ -14,7 +14,7 @@ using F = StatureFractions;
 
 Vec3d middle(const Vec3d& a, const Vec3d& b) { return (a + b) * 0.5; }
 
-// Of parts that come in pairs: whose it is, and the left one's name.
+// A paired part: its side, and its left counterpart.
 struct Sided {
   Side side;
   BodyPart left;
@@ -60,13 +60,13 @@ Transformd limb_frame(const Sided& part, const Landmarks& person, const HumanFra
   return {along_segment(s.frame, s.from, s.to), hand ? s.to : s.from};
 }
 
-// A line between two points of the world.
+// Capsule between two points of the world.
 PartShape between(const Transformd& frame, const Vec3d& from, const Vec3d& to, double radius) {
   const Transformd to_part = inverse(frame);
   return {to_part * from, to_part * to, radius};
 }
 
-// From heel to tip at half the height of its back.
+// Foot from heel to tip, at half the height of its back.
 PartShape foot_shape(const Transformd& frame, const Landmarks::Leg& leg, double stature) {
   const SoleOutline sole = sole_outline(leg, stature);
   const Vec3d tip = middle(sole[0], sole[3]);
@@ -194,7 +194,7 @@ std::vector<Capsule> part_capsules(BodyPart part, const Landmarks& person,
   const Transformd frame = part_frame(part, person, frames);
   const PartShape shape = part_shape(part, person, frames, stature);
   std::vector<Capsule> capsules;
-  // without a mesh shapes are rough, and give nothing
+  // shapes without a mesh are rough, and have no compliance
   const bool soft = person.parts[part] && part >= BodyPart::trunk && part <= BodyPart::right_thigh;
   const auto add = [&](const Vec3d& aside) {
     capsules.push_back({.name = std::string(body_part_name(part)),

@@ -8,7 +8,7 @@
 
 namespace shigusa {
 
-// The part of that side of two such as BodyPart::left_thigh.
+// Part of a pair on that side, given the left one, such as BodyPart::left_thigh.
 [[nodiscard]] constexpr BodyPart of_side(BodyPart left, Side side) {
   return side == Side::left ? left : static_cast<BodyPart>(static_cast<int>(left) + 1);
 }
@@ -17,29 +17,29 @@ namespace shigusa {
 [[nodiscard]] Transformd part_frame(BodyPart part, const Landmarks& person,
                                     const HumanFrames& frames);
 
-// Where a person's head has its joint: their own, or at kHeadJointShare of the way to the vertex.
+// Head joint of a person: their own, or at kHeadJointShare of the way to the vertex.
 [[nodiscard]] Vec3d head_joint(const Landmarks& person);
 
-// How long (m) a limb's part is, from its joint to the next, or of a hand to the fingertip.
+// Length (m) of a limb's part: to the next joint, or for a hand to the fingertip.
 [[nodiscard]] double limb_length(BodyPart part, const Landmarks& person);
 
-// A part's shape: that of the person's mesh, or else by stature (m) and the tables of
-// anthropometry.hpp; a foot has that of its sole.
+// Shape of a part: from the person's mesh, or else by stature (m) and the tables of
+// anthropometry.hpp; for a foot from its sole.
 [[nodiscard]] PartShape part_shape(BodyPart part, const Landmarks& person,
                                    const HumanFrames& frames, double stature);
 
-// The same as capsules in the world: of a flat part two. Their link is not told.
+// Shape of a part as capsules in the world, two for a flat part. Their link is not set.
 [[nodiscard]] std::vector<Capsule> part_capsules(BodyPart part, const Landmarks& person,
                                                  const HumanFrames& frames, double stature);
 
-// Of a capsule along an upper arm the outer part, which is out of the trunk for certain.
+// Outer part of a capsule along an upper arm, which is certainly outside the trunk.
 [[nodiscard]] Capsule beyond_trunk(Capsule upper_arm);
 
-// The pieces that a person's trunk is, from below: one where the spine has no joints.
+// Pieces of a person's trunk, from below: one if the spine has no joints.
 [[nodiscard]] std::vector<BodyPart> trunk_parts(const Landmarks& person);
 
-// The lengthwise ends of a piece of the trunk (m, world): the joints below and above it, or for the
-// last one the middle of the shoulders.
+// Ends of a piece of the trunk (m, world): the joints below and above it, or for the last piece the
+// midpoint of the shoulders.
 struct TrunkPiece {
   Vec3d from{};
   Vec3d to{};

@@ -6,9 +6,9 @@
 namespace shigusa {
 namespace {
 
-// The leg from a lowered hip: shank upright over a flat foot, thigh ahead of the hip to where the
-// knee is then. A thigh that would slope too much for that has its limit instead: from a high seat
-// the foot hangs, at a low one it stands farther ahead.
+// Bends a leg for a lowered hip: shank vertical over a flat foot, and the thigh to the resulting
+// knee. A thigh that would slope too much is put at its limit: on a high seat the foot hangs, on a
+// low one it stands farther ahead.
 void bend_over_seat(Landmarks::Leg& leg, const Vec3d& hip) {
   constexpr double kDown = 0.5;  // of the thigh's length, from hip to knee
   constexpr double kUp = 0.8;
@@ -42,7 +42,7 @@ Landmarks seated(const Landmarks& person, double stature, double seat) {
   move_upper_body(result, {0.0, -drop, 0.0});
   const SinCos<double> slope = sin_cos(kSeatedForearms);
   lay_arms(result, person, {0, -1, 0}, {0.0, -slope.sin, slope.cos});
-  // the feet stay where they stood
+  // the feet stay in place
   const Vec3d back = between_feet(person) - between_feet(result);
   move_upper_body(result, back);
   for (const Side side : kBothSides) {

@@ -30,7 +30,7 @@ SoleOutline forefoot_outline(const Landmarks::Leg& leg, double stature) {
   SoleOutline sole = sole_outline(leg, stature);
   const Vec3d back = sole[1] - sole[0];
   const Vec3d tip = (sole[0] + sole[3]) * 0.5;
-  // a file may say anything of the joint: both parts of the foot have some length
+  // the joint of a file may lie anywhere: both parts of the foot keep some length
   const double share = clamp(dot(toes_joint(leg) - tip, back) / dot(back, back), 0.05, 0.95);
   sole[1] = sole[0] + back * share;
   sole[2] = sole[3] + back * share;
@@ -57,12 +57,12 @@ LinkMass SegmentMasses::foot(Side side) const {
   const SoleOutline sole = sole_outline(person_.leg(side), stature_);
   const Vec3d toe = (sole[0] + sole[3]) * 0.5;
   const Vec3d heel = (sole[1] + sole[2]) * 0.5;
-  // the segment's axis runs at half the ankle's height, through the flesh of the foot
+  // the segment's axis is at half the ankle's height, inside the foot
   const Vec3d rise{0.0, 0.5 * StatureFractions::kAnkleHeight * stature_, 0.0};
   return segment(table_.foot, heel + rise, toe + rise, frames_.leg(side).foot.cx);
 }
 
-// A round rod as thick as the foot.
+// Mass of the forefoot, as a round rod as thick as the foot.
 LinkMass SegmentMasses::forefoot(Side side) const {
   const Landmarks::Leg& leg = person_.leg(side);
   const SoleOutline sole = sole_outline(leg, stature_);
@@ -102,8 +102,8 @@ LinkMass SegmentMasses::head() const {
   return segment(table_.head, person_.head_top, person_.neck, frames_.trunk.cx);
 }
 
-// A part of even density that is cut shorter keeps the spread of its cross section: its radii of
-// gyration less a rod's, length / √12.
+// Mass of a slice. A shortened part of uniform density keeps the spread of its cross section: its
+// radii of gyration less a rod's, length / √12.
 LinkMass SegmentMasses::trunk_slice(double from, double to) const {
   const Vec3d hips = mid_hip(person_);
   const Vec3d trunk = person_.neck - hips;

@@ -10,19 +10,19 @@
 
 namespace shigusa {
 
-// A leg's own sole, or that of a person of that stature (m).
+// Sole of a leg, or an average sole for that stature (m).
 [[nodiscard]] SoleOutline sole_outline(const Landmarks::Leg& leg, double stature);
 
-// The part of that sole ahead of the toes' joint.
+// Part of that sole ahead of the toes' joint.
 [[nodiscard]] SoleOutline forefoot_outline(const Landmarks::Leg& leg, double stature);
 
-// A head longer than this many times a person's says nothing of the body below it.
+// Multiple of an average head length above which a head is not to scale with the body.
 inline constexpr double kBigHead = 1.5;
-// The stature (m) of a person whose trunk and legs are these: by it go mass and strength, which the
-// big head of a figure of `stature` (m) does not raise.
+// Stature (m) of an average person with this trunk and these legs; mass and strength are scaled by
+// it, so that the big head of a figure of `stature` (m) does not raise them.
 [[nodiscard]] double stature_of_limbs(const Landmarks& person, double stature);
 
-// The segments of a person as masses (de Leva's fractions on the measured lengths).
+// Mass properties of a person's segments (de Leva's fractions on the measured lengths).
 class SegmentMasses {
  public:
   SegmentMasses(const Landmarks& person, const HumanFrames& frames, const SegmentTable& table,
@@ -37,7 +37,7 @@ class SegmentMasses {
   [[nodiscard]] LinkMass trunk_and_head() const;
   // with the neck
   [[nodiscard]] LinkMass head() const;
-  // The trunk between two shares (0..1, rising) of the way from between the hips to C7.
+  // Trunk between two shares (0..1, ascending) of the line from mid-hip to C7.
   [[nodiscard]] LinkMass trunk_slice(double from, double to) const;
   [[nodiscard]] LinkMass upper_arm(Side side) const;
   [[nodiscard]] LinkMass forearm(Side side) const;

@@ -29,8 +29,8 @@ bool alike(double left, double right, double most_deg) {
 
 double trunk_lean(const Landmarks& person) { return from_hanging(mid_hip(person) - person.neck); }
 
-// How far (m) the centre of mass is inside the soles' hull, less than 0 beside it: of the ways out,
-// the shortest among some directions.
+// Distance (m) of the centre of mass inside the hull of the soles, negative outside: the least over
+// a set of directions.
 double inside_feet(const Landmarks& person, double stature) {
   constexpr int kDirections = 32;
   const Vec3d centre = centre_of_mass(person, stature);
@@ -69,8 +69,8 @@ bool spreads_arms(const Landmarks& person) {
   constexpr double kLeastAhead = radians(60.0);
   constexpr double kMost = radians(125.0);
   constexpr double kStraight = radians(25.0);
-  constexpr double kAhead = 0.5;     // sine of what an arm may point ahead or back: 30°
-  constexpr double kOutwards = 0.5;  // and of what one that points ahead may point aside
+  constexpr double kAhead = 0.5;     // sine of an arm's largest angle ahead or back: 30°
+  constexpr double kOutwards = 0.5;  // the same to the side, for an arm that points ahead
   const auto sideways = [&](const Vec3d& reach, double out) {
     return from_hanging(reach) >= kLeast && out > 0.0 && abs(reach.z) <= kAhead;
   };
@@ -99,7 +99,7 @@ bool stands_at_rest(const Landmarks& person, double stature) {
   constexpr double kLeg = radians(30.0);
   constexpr double kElbow = radians(70.0);
   constexpr double kTrunk = radians(20.0);
-  constexpr double kApart = 0.12;  // feet, ahead and up, in statures
+  constexpr double kApart = 0.12;  // distance between the feet, ahead and up, in statures
   for (const Side side : kBothSides) {
     const Landmarks::Leg& leg = person.leg(side);
     if (knee_bend(leg) > kKnee || from_hanging(leg.ankle - leg.hip) > kLeg) return false;
@@ -117,7 +117,7 @@ bool stands_on_both_feet(const Landmarks& person, double stature) {
   constexpr double kKnee = radians(60.0);
   constexpr double kLeg = radians(28.0);
   constexpr double kTrunk = radians(30.0);
-  // in statures
+  // in statures, height differences
   constexpr double kAnkles = 0.02;  // one over the other
   constexpr double kToes = 0.03;    // one over the other
   constexpr double kTiptoe = 0.09;  // an ankle over its toes

@@ -6,30 +6,30 @@
 
 namespace shigusa {
 
-// How a person carries themselves in one posture, by joints and soles alone. The person may face
-// any way and be at any height.
+// Measures and classification of one posture, by joints and soles alone. The person may face any
+// way and be at any height.
 
 // Centre of mass (m) of a person of average build.
 [[nodiscard]] Vec3d centre_of_mass(const Landmarks& person, double stature);
 
-// Whether a person holds both arms straight and alike out to the sides, 30° to 125° from hanging,
-// or ahead, 60° to 125°, on straight legs: a T, an A or a robot's zero, in which people are
-// modelled and recordings begin.
+// Whether the arms are straight and symmetric, 30° to 125° from hanging to the sides or 60° to 125°
+// ahead, on straight legs: a T, an A or a robot's zero posture, as used for modelling and
+// calibration.
 [[nodiscard]] bool spreads_arms(const Landmarks& person);
 
-// Whether a person stands as one who has not begun to move: upright on both feet, knees no more
-// than a little bent, left and right alike. A person who leaps or is ready to fight does not.
+// Whether a person stands as before a motion: upright on both feet, knees at most slightly bent,
+// left and right alike. A leap or a fighting stance does not count.
 [[nodiscard]] bool stands_at_rest(const Landmarks& person, double stature);
 
-// Whether a person stands on both feet: both soles level and at one height, legs, trunk and centre
-// of mass over them. Arms do as they like. Somebody who walks stands so for moments.
+// Whether a person stands on both feet: soles level and at one height, with legs, trunk and centre
+// of mass over them. Arms are ignored. A walking person stands so for moments.
 [[nodiscard]] bool stands_on_both_feet(const Landmarks& person, double stature);
 
-// The height (m, over the lower sole) of the seat below a person who sits on one: thighs rather
-// level, trunk rather upright, and the centre of mass beside the feet. Nothing below others.
+// Height (m, over the lower sole) of the seat under a sitting person: thighs fairly level, trunk
+// fairly upright, and centre of mass beside the feet. Empty for other postures.
 [[nodiscard]] std::optional<double> seat_below(const Landmarks& person, double stature);
 
-// Whether a person lies or crawls: head, trunk and legs close to one level.
+// Whether a person lies or crawls: head, trunk and legs at nearly one height.
 [[nodiscard]] bool lies(const Landmarks& person, double stature);
 
 }  // namespace shigusa

@@ -9,21 +9,21 @@ namespace {
 
 using F = StatureFractions;
 
-// At ease: the shank leans forward by 4.5°, the thigh back by 0.5°, so the knee is bent by 5° and
-// the centre of mass stands a few centimetres ahead of the ankles, as people's does.
+// Angles at ease: with 4.5° forward lean of the shank and 0.5° backward lean of the thigh the knee
+// is bent by 5°, and the centre of mass is a few centimetres ahead of the ankles, as people's is.
 constexpr double kShankLean = radians(4.5);
 constexpr double kThighLean = radians(-0.5);
 constexpr double kElbowBend = radians(10.0);
 
-// A segment's vector: upwards, leaning by `lean` in the vertical plane that is turned by `yaw`
-// about +Y from the sagittal one.
+// Vector of a segment: upwards, leaning by `lean` in the vertical plane at angle `yaw` about +Y
+// from the sagittal one.
 Vec3d leaning(double length, double lean, double yaw) {
   const SinCos<double> l = sin_cos(lean);
   const SinCos<double> t = sin_cos(yaw);
   return Vec3d{l.sin * t.sin, l.cos, l.sin * t.cos} * length;
 }
 
-// `side`: +1 left, -1 right.
+// Landmarks of one leg. `side`: +1 left, -1 right.
 Landmarks::Leg standing_leg(double h, double toe_out, double side) {
   Landmarks::Leg leg;
   const double yaw = side * toe_out;

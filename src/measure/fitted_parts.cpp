@@ -18,12 +18,14 @@ namespace {
 using Bone = HumanoidBone;
 
 constexpr double kBehind = 0.5;         // share of vertices behind the trunk, where capes hang
-constexpr double kOutermost = 0.02;     // … of a head those left out at each side
-constexpr double kLopsided = 0.33;      // aside by this share of half its breadth, it is no head
+constexpr double kOutermost = 0.02;     // share of a head's vertices left out at each side
+constexpr double kLopsided = 0.33;      // offset to the side, share of half its breadth, beyond
+                                        // which it is no head
 constexpr double kThickestTrunk = 0.9;  // a trunk's radius, as a share of hips to shoulders
-constexpr double kThicker = 1.3;        // a limb that has a shape of its own, than the other
+constexpr double kThicker = 1.3;        // ratio of thickness beyond which a limb has a shape of its
+                                        // own
 
-// Words in the names of bones that move flesh.
+// Words in the names of bones that move soft tissue.
 constexpr std::string_view kFleshWords[] = {"belly",   "tummy", "stomach", "breast",   "breasts",
                                             "bust",    "boob",  "pec",     "pectoral", "butt",
                                             "buttock", "glute", "胸",      "乳",       "腹"};
@@ -50,7 +52,7 @@ class PartFitter {
     fit_limbs(BodyPart::left_forearm, arm_bones, 1);
     fit_hands();
     fit_trunk();
-    // a mesh that has no body's head, such as arrows at all bones, shows no body
+    // a mesh without a body's head, such as arrows at all bones, is no body
     if (map_[Bone::head] >= 0 && !fit_head()) return {};
     if (map_[Bone::neck] >= 0) fit_neck();
     return shapes_;
@@ -62,7 +64,7 @@ class PartFitter {
   }
 
  private:
-  // The bone that each node goes with, and whether it is that bone or lies on the way to another.
+  // Finds the bone of each node, and whether the node is that bone or lies on the path to another.
   void find_bones() {
     bone_.assign(static_cast<std::size_t>(tree_.size()), -1);
     own_.assign(bone_.size(), false);
@@ -81,7 +83,7 @@ class PartFitter {
     }
   }
 
-  // Bones that move a body's own flesh, and neither hair nor cloth.
+  // Whether a bone moves the body's own soft tissue, rather than hair or cloth.
   static bool is_flesh(std::string_view name) {
     const std::vector<std::string> words = words_of(name);
     return std::any_of(words.begin(), words.end(), [](const std::string& word) {
@@ -90,7 +92,7 @@ class PartFitter {
     });
   }
 
-  // The vertices that go with one of the bones, in a frame of the world.
+  // Vertices bound to one of the bones, in the coordinates of a frame.
   [[nodiscard]] std::vector<Vec3d> flesh(std::initializer_list<Bone> bones, bool own,
                                          const Transformd& frame) const {
     const Transformd to_part = inverse(frame);
@@ -104,8 +106,8 @@ class PartFitter {
     return points;
   }
 
-  // The limbs of both sides. They have the same shape, by the vertices of both; a limb that is
-  // thicker than that, an armoured one, has its own.
+  // Fits the limbs of both sides with one shape from the vertices of both; a limb that is thicker
+  // than that, such as an armoured one, has its own.
   void fit_limbs(BodyPart left, const LimbBones& (*bones)(Side), std::size_t bone,
                  double room = 1e300) {
     std::array<LimbPoints, 2> limbs;
@@ -152,7 +154,7 @@ class PartFitter {
     }
   }
 
-  // The part's frame with y along the limb; a hand may be bent against its forearm.
+  // Frame of a part with y along the limb; a hand may be bent relative to its forearm.
   [[nodiscard]] Transformd limb_frame(BodyPart part) const {
     Transformd frame = part_frame(part, person_, frames_);
     for (const Side side : kBothSides) {
@@ -200,13 +202,13 @@ class PartFitter {
     const double radius =
         clamp(min(depth, breadth), kThinnest, max(kThickestTrunk * norm(rise), kThinnest));
     const double ahead = line + 0.5 * (*about.at(2) - *caped.at(6));
-    // the upper end is round: it begins a radius within
+    // the upper end is round: its centre is a radius below
     const double top = piece.last ? max(to.y - radius, from.y) : to.y;
     const double aside = clamp(breadth - radius, 0.0, radius);
     shapes_[part] = {{from.x, from.y, ahead}, {to.x, top, ahead}, radius, radius, {aside, 0, 0}};
   }
 
-  // A piece with few vertices is as thick as the trunk is on the whole.
+  // Gives a piece with few vertices the thickness of the whole trunk.
   void fit_as_trunk(BodyPart part, const Vec3d& from, const Vec3d& to, bool last) {
     if (part == BodyPart::trunk || !shapes_[BodyPart::trunk]) return;
     PartShape shape = *shapes_[BodyPart::trunk];
@@ -216,7 +218,7 @@ class PartFitter {
     shapes_[part] = shape;
   }
 
-  // False where the head's vertices are those of no head.
+  // Fits the head; false if its vertices do not form a head.
   bool fit_head() {
     const std::vector<Vec3d> points =
         flesh({Bone::head}, true, part_frame(BodyPart::head, person_, frames_));
@@ -238,14 +240,14 @@ class PartFitter {
     if (abs(middle(0)) > kLopsided * half(0)) return false;
     if (!(radius >= kThinnest)) return true;
     const Vec3d centre{middle(0), top - radius, middle(2)};
-    // along the longer of breadth and depth, two side by side where it is flat
+    // along the longer of breadth and depth; a flat head is two capsules side by side
     const Vec3d broad{max(half(0) - radius, 0.0), 0.0, 0.0};
     const Vec3d deep{0.0, 0.0, max(half(2) - radius, 0.0)};
     const bool across = broad.x > deep.z;
     const Vec3d& along = across ? broad : deep;
     shapes_[BodyPart::head] = {centre - along, centre + along, radius, radius,
                                across ? deep : broad};
-    // down to the chin, where the skull does not reach
+    // down to the chin, below the skull's sphere
     const double chin = min(radius, max(kChin * radius, 0.5 * (top - low) - radius));
     Vec3d face = centre + Vec3d{0.0, 0.0, deep.z + radius - chin};
     Vec3d down = face;
@@ -275,7 +277,7 @@ class PartFitter {
   const Landmarks& person_;
   HumanFrames frames_;
   std::vector<int> bone_;  // (nodes) the nearest humanoid bone at or above, or -1
-  std::vector<bool> own_;  // (nodes) it is a bone, or lies above one
+  std::vector<bool> own_;  // (nodes) whether it is a bone, or lies above one
   PartShapes shapes_;
 };
 

@@ -10,18 +10,20 @@ namespace shigusa {
 namespace {
 
 constexpr std::size_t kFewestSectors = 4;
-constexpr double kEnds = 0.1;       // share of a limb at either end that its neighbours shape
-constexpr std::size_t kSlices = 4;  // of a limb between its ends
+constexpr double kEnds = 0.1;       // share of a limb at either end that is deformed by its
+                                    // neighbours
+constexpr std::size_t kSlices = 4;  // number of slices of a limb between its ends
 constexpr double kSlice = (1.0 - 2.0 * kEnds) / static_cast<double>(kSlices);
 constexpr double kThickest = 0.75;     // a limb's radius, as a share of its length
-constexpr double kThickestFist = 1.2;  // a fist's, of its hand's
-constexpr double kRises = 0.95;        // share of a limb's vertices that are no farther along it
-constexpr double kRisesMost = 1.0;     // of a limb's length, before its joint
-constexpr double kShortest = 0.3;      // a fist, of its hand's length …
-constexpr double kLongest = 1.3;       // … and a hand
-constexpr double kBroader = 1.3;       // times as broad as thick
+constexpr double kThickestFist = 1.2;  // a fist's radius, as a share of the hand's length
+constexpr double kRises = 0.95;        // share of a limb's vertices within its end
+constexpr double kRisesMost = 1.0;     // most extension before the joint, of a limb's length
+constexpr double kShortest = 0.3;      // least length of a hand's shape (a fist), of the hand's
+                                       // length
+constexpr double kLongest = 1.3;       // greatest length of a hand's shape, of the hand's length
+constexpr double kBroader = 1.3;       // least ratio of breadth to thickness of a flat limb
 
-// The straight line that lies nearest to some points by the sum of squares.
+// Least-squares line through some points.
 class Line {
  public:
   explicit Line(const std::vector<std::pair<double, double>>& points) {
@@ -44,7 +46,7 @@ class Line {
   double slope_ = 0.0;
 };
 
-// Follows a limb that is thicker at one end, where slices of it tell.
+// Tapers a limb's shape, if slices show that one end is thicker.
 void taper(const std::vector<Vec3d>& points, double thickest, double length, PartShape& shape) {
   std::vector<std::pair<double, double>> radii;  // height of a slice's middle, radius
   for (std::size_t k = 0; k < kSlices; ++k) {
@@ -60,14 +62,14 @@ void taper(const std::vector<Vec3d>& points, double thickest, double length, Par
   shape.to_radius = clamp(line.at(-length), thin->second, thick->second);
 }
 
-// How far a hand's line goes, whose end is round.
+// Length of a hand's axis, whose end is round.
 double length_of(const std::vector<Vec3d>& points, double length, double radius) {
   std::vector<double> depths;
   for (const Vec3d& p : points) depths.push_back(-p.y);
   return clamp(quantile(std::move(depths), kRises) - radius, kShortest * length, kLongest * length);
 }
 
-// Parts a flat limb's line in two, side by side along its breadth: the greatest of four.
+// Splits a flat limb's axis in two, side by side along the broadest of four directions.
 void flatten(const std::vector<Vec3d>& points, PartShape& shape) {
   const Sectors about(points, shape.from.x, shape.from.z, kInLimb);
   if (about.filled() < kSectors) return;
@@ -141,7 +143,7 @@ std::optional<PartShape> round_column(const std::vector<Vec3d>& points, double t
   if (about.filled() < kFewestSectors) return std::nullopt;
   const double rough = min(about.middle(), thickest);
   Vec3d centre = about.off();
-  // a bone lies within its limb
+  // the bone lies within its limb
   centre = centre * min(1.0, 0.5 * rough / max(norm(centre), 1e-9));
   about = Sectors(points, centre.x, centre.z, kInLimb);
   if (about.filled() < kFewestSectors) return std::nullopt;
@@ -152,7 +154,7 @@ std::optional<PartShape> round_column(const std::vector<Vec3d>& points, double t
 std::optional<PartShape> fit_limb(const LimbPoints& limb, double room) {
   const double length = limb.length;
   std::vector<Vec3d> points = between(limb.points, (kEnds - 1.0) * length, -kEnds * length);
-  // a coarse limb has vertices at its ends alone
+  // a coarse limb has vertices only at its ends
   if (points.size() < kFewestVertices)
     points = between(limb.points, -(1.0 + kEnds) * length, kEnds * length);
   const double thickest = min((limb.hand ? kThickestFist : kThickest) * length, room);

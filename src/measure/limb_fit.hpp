@@ -9,31 +9,31 @@
 namespace shigusa {
 
 inline constexpr std::size_t kSectors = 8;
-// Of a limb's vertices in a sector, the share that lies within its distance.
+// Share of a limb's vertices in a sector that lie within its distance.
 inline constexpr double kInLimb = 0.75;
 inline constexpr double kThinnest = 0.005;  // m
 
-// The value that a share of the values does not exceed; there must be some.
+// Quantile of a non-empty set of values.
 [[nodiscard]] double quantile(std::vector<double> values, double share);
 
-// The points whose height is within a range.
+// Points with a height within a range.
 [[nodiscard]] std::vector<Vec3d> between(const std::vector<Vec3d>& points, double low, double high);
 
-// Distances of points from a line along y, by eight directions about it: the first is x, the third
+// Distances of points from a line along y, in eight directions about it: the first is x, the third
 // z.
 class Sectors {
  public:
-  // `share`: of a sector's points that its distance has within it.
+  // `share`: share of a sector's points within its distance.
   Sectors(const std::vector<Vec3d>& points, double x, double z, double share);
 
   [[nodiscard]] std::size_t filled() const { return filled_; }
   [[nodiscard]] const std::optional<double>& at(std::size_t sector) const {
     return distance_[sector];
   }
-  // of all directions the middle one
+  // median over all directions
   [[nodiscard]] double middle() const;
-  // How far the middle of a circle at these distances is off the line: the first term of their
-  // Fourier series. Where a direction is empty nothing.
+  // Offset of the best circle from the line: the first Fourier term of the distances. Zero if a
+  // direction is empty.
   [[nodiscard]] Vec3d off() const;
 
  private:
@@ -41,18 +41,18 @@ class Sectors {
   std::size_t filled_ = 0;
 };
 
-// The vertices of a limb from its joint at y = 0 down to -length (m).
+// Vertices of a limb from its joint at y = 0 down to -length (m).
 struct LimbPoints {
   std::vector<Vec3d> points;
   double length = 0.0;
-  bool rises = false;  // its flesh may go on beyond its joint, as a hip's does
-  bool hand = false;   // it may be flat, and end before its fingertips would if it were straight
+  bool rises = false;  // its flesh may extend beyond its joint, as a hip's does
+  bool hand = false;   // it may be flat, and shorter than straight fingers
 };
 
-// A limb's shape, no thicker than there is `room` (m); nothing where its vertices do not tell.
+// Shape of a limb, no thicker than `room` (m); empty if its vertices do not determine one.
 [[nodiscard]] std::optional<PartShape> fit_limb(const LimbPoints& limb, double room);
 
-// A line along y through the middle of the points, and how far they lie about it.
+// Line along y through the middle of the points, with their radius about it.
 [[nodiscard]] std::optional<PartShape> round_column(const std::vector<Vec3d>& points,
                                                     double thickest);
 

@@ -23,13 +23,13 @@ namespace shigusa {
 
 struct FileUnit;
 
-// Measures in the file's units and axes first, then moves the result into shigusa's world.
+// Measures in the file's units and axes, then moves the result into shigusa's world.
 class PersonMeasurer {
  public:
   PersonMeasurer(const Skeleton& skeleton, const std::vector<Transformd>& world,
                  const HumanoidMap& map, std::span<const SkinVertex> skin);
 
-  // As measure_person; once.
+  // See measure_person. Call once.
   Result<MeasuredPerson> measure(const MeasureSettings& settings);
 
  private:
@@ -66,7 +66,7 @@ class PersonMeasurer {
   void place_missing_tips();
   void find_grips();
 
-  // what the mesh tells, where there is one
+  // measures from the mesh, if there is one
   [[nodiscard]] std::vector<Vec3d> flesh_of_foot(Side side) const;
   void read_soles();
   [[nodiscard]] SoleOutline outline_of(const std::vector<Vec3d>& flesh, const Vec3d& ankle,
@@ -77,7 +77,7 @@ class PersonMeasurer {
   [[nodiscard]] std::optional<Vec3d> skull_by_mesh() const;
   void fit_parts();
 
-  // the world
+  // placement in the world
   Result<void> find_unit(const MeasureSettings& settings);
   void doubt_unit(const FileUnit& best);
   [[nodiscard]] double sole(Side side) const;
@@ -97,18 +97,18 @@ class PersonMeasurer {
   int neck_ = -1;
   int head_ = -1;
   int head_tip_ = -1;
-  bool wound_ = false;          // the trunk's bones go to and fro
-  std::optional<Vec3d> skull_;  // the head's joint to the vertex, by the mesh
+  bool wound_ = false;          // the bones of the trunk zigzag
+  std::optional<Vec3d> skull_;  // from the head's joint to the vertex, from the mesh
   double head_length_ = 0.0;    // neck to vertex, file units
   double legs_ = 0.0;           // hip to ankle along the bones, file units
   double stature_ = 0.0;        // file units
 };
 
-// Fewer vertices than this tell nothing of a part.
+// Fewest vertices that determine the shape of a part.
 inline constexpr std::size_t kFewestVertices = 12;
 
-// The vertices for which `of_part` holds; those of meshes that hang on a node as a whole count
-// where there are fewer than kFewestVertices others.
+// Vertices for which `of_part` holds. Vertices of meshes rigidly attached to a node count only if
+// there are fewer than kFewestVertices others.
 template <class OfPart>
 [[nodiscard]] std::vector<Vec3d> flesh_of(std::span<const SkinVertex> skin, const OfPart& of_part) {
   std::vector<Vec3d> points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh tells soles and skull, which joints alone would leave to a guess.
+// Soles and skull from the mesh; joints alone would leave them to a guess.
 #include <algorithm>
 
 #include "fitted_parts.hpp"
@@ -8,19 +8,22 @@
 namespace shigusa {
 namespace {
 
-// A sole is what is this near to its lowest point, as a share of the ankle's height over that.
+// Height of the layer of vertices that form a sole, as a share of the ankle's height over its
+// lowest point.
 constexpr double kSoleLayer = 0.3;
-// A sole shorter than this share of its foot is a tip that the foot stands or hangs on.
+// Length of a sole, as a share of its foot, below which it is only the tip that the foot stands or
+// hangs on.
 constexpr double kTipOfFoot = 0.5;
-// Cosine of the angle from straight ahead up to which vertices tell where a foot points.
+// Cosine of the largest angle from straight ahead at which vertices determine a foot's direction.
 constexpr double kForwards = 0.5;
-// A sole shorter than this share of an average foot is a peg.
+// Length of a sole, as a share of an average foot, below which the leg ends in a peg.
 constexpr double kPeg = 0.5;
-// A sole of less than this of an average breadth is a sheet.
+// Breadth of a sole, as a share of the average, below which it is a sheet.
 constexpr double kSheet = 0.1;
-// The least level share of a direction that is a foot's.
+// Least horizontal share of a foot's direction.
 constexpr double kLevel = 0.3;
-// The middle of the head, where its vertex is, as a share of how broad and how deep it is.
+// Half-widths of the middle of the head, which contains the vertex, as a share of its breadth and
+// depth.
 constexpr double kMiddle = 0.25;
 
 struct Range {
@@ -43,8 +46,8 @@ Range range_along(const std::vector<Vec3d>& points, const Vec3d& direction) {
 
 }  // namespace
 
-// The vertices of a foot and of all that hangs on it, no further from the ankle than the leg is
-// long; of one without a mesh the shank's, which ends in a peg or a boot.
+// Vertices of a foot and its descendants, no further from the ankle than the leg's length; for a
+// foot without a mesh those of the shank, which ends in a peg or a boot.
 std::vector<Vec3d> PersonMeasurer::flesh_of_foot(Side side) const {
   const auto [hip, knee, ankle] = leg_bones(side);
   const double leg = norm(at(hip) - at(knee)) + norm(at(knee) - at(ankle));
@@ -79,17 +82,17 @@ void PersonMeasurer::read_soles() {
     const Vec3d front = ((*l.sole)[0] + (*l.sole)[3]) * 0.5;
     const double reach = dot(front - l.ankle, ahead);
     const double height = dot(l.ankle - front, up_);
-    // straight ahead of the ankle, however the sole lies about that line
+    // straight ahead of the ankle, whatever the orientation of the sole
     if (reach > kLevel * abs(height)) l.toe = l.ankle + ahead * reach - up_ * height;
   }
 }
 
-// The left of who looks that way, also in mirrored files.
+// Left of a viewing direction, also in mirrored files.
 Vec3d PersonMeasurer::left_of(const Vec3d& ahead) const {
   return cross(up_, ahead) * (dot(cross(up_, ahead_), left_) < 0.0 ? -1.0 : 1.0);
 }
 
-// The same sole, that broad.
+// The sole with another breadth.
 SoleOutline PersonMeasurer::broadened(const SoleOutline& sole, double breadth) const {
   const Vec3d half = normalized(left_of(sole[0] - sole[1]), left_) * (0.5 * breadth);
   const Vec3d tip = (sole[0] + sole[3]) * 0.5;
@@ -121,8 +124,7 @@ SoleOutline PersonMeasurer::outline_of(const std::vector<Vec3d>& flesh, const Ve
           corner(along.low, across.low), corner(along.high, across.low)};
 }
 
-// A leg that ends in a peg, or in a sheet, bears the body on an average foot: on less nobody
-// stands.
+// Replaces a peg or a sheet by an average sole, as nobody could stand on less.
 void PersonMeasurer::widen_peg(Side side) {
   using F = StatureFractions;
   Landmarks::Leg& l = leg(side);
@@ -144,8 +146,8 @@ void PersonMeasurer::widen_peg(Side side) {
   sole = {tip + half, heel + half, heel - half, tip - half};
 }
 
-// From the head's joint straight up to the vertex (file units), by the mesh; nothing where that
-// tells no head. Of a person who does not stand upright it is along the trunk.
+// Vector from the head's joint straight up to the vertex (file units), from the mesh; empty if it
+// shows no head. For a person who is not upright it is along the trunk.
 std::optional<Vec3d> PersonMeasurer::skull_by_mesh() const {
   constexpr double kUpright = 0.9;
   const Vec3d trunk = normalized(mid_shoulder_ - mid_hip_, up_);
@@ -169,7 +171,7 @@ std::optional<Vec3d> PersonMeasurer::skull_by_mesh() const {
     if (abs(dot(p, deep) - depth.middle()) > kMiddle * depth.size()) continue;
     over.add(dot(p, up));
   }
-  // a coarse head may have no vertex there, or but a nose
+  // a coarse head may have no vertex there, or only a nose
   const double top = over.high > *half ? over.high : all;
   const double skull = min(top, kTallestSkull * max(breadth.size(), depth.size()));
   if (!(skull > 0.0)) return std::nullopt;

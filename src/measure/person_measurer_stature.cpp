@@ -9,12 +9,12 @@ namespace {
 using Bone = HumanoidBone;
 using F = StatureFractions;
 
-// The vertex is at least this share of the stature beyond the head's joint.
+// Least distance from the head's joint to the vertex, as a share of the stature.
 constexpr double kLeastSkull = 0.05;
 
 }  // namespace
 
-// Along the bones from one node to another, each at its place in `at` (nodes).
+// Length along the bones between two nodes with positions `at` (nodes).
 double PersonMeasurer::length_along_bones(int a, int b, const std::vector<Vec3d>& at) const {
   const int meet = tree_.common_ancestor(a, b);
   double length = 0.0;
@@ -26,7 +26,7 @@ double PersonMeasurer::length_along_bones(int a, int b, const std::vector<Vec3d>
   return length;
 }
 
-// From between the hips to the neck in a posture `at` (nodes).
+// Length from mid-hip to the neck in a posture `at` (nodes).
 double PersonMeasurer::trunk_length(double leg_length, const std::vector<Vec3d>& at) const {
   const auto mid = [&](Bone a, Bone b) { return (at[index(map_[a])] + at[index(map_[b])]) * 0.5; };
   const Vec3d hip = mid(Bone::left_upper_leg, Bone::right_upper_leg);
@@ -36,8 +36,8 @@ double PersonMeasurer::trunk_length(double leg_length, const std::vector<Vec3d>&
       neck_ >= 0 ? at[index(neck_)] : mid(Bone::left_upper_arm, Bone::right_upper_arm);
   const int last = neck_ >= 0 ? neck_ : chest;
   const double to_hips = norm(hips - hip);
-  // hips far from the hip joints are a root on the floor, and hips below them would count the way
-  // up to them twice: the straight way then
+  // hips far from the hip joints are a root on the floor, and hips below them would be counted
+  // twice: then the straight distance
   constexpr double kClearly = 0.05;
   const Vec3d trunk = neck - hip;
   const bool low_hips = dot(hip - hips, trunk) > kClearly * dot(trunk, trunk);
@@ -48,8 +48,8 @@ double PersonMeasurer::trunk_length(double leg_length, const std::vector<Vec3d>&
   return to_hips + length_along_bones(map_[Bone::hips], last, at) + norm(neck - at[index(last)]);
 }
 
-// How much longer the trunk of a person who stands at rest is along its bones than straight: a row
-// of bones that goes to and fro measures too much in every posture.
+// Ratio of the trunk's length along its bones to the straight distance, for a person who stands at
+// rest: a zigzag of bones is too long in every posture.
 double PersonMeasurer::winding(double leg_length) const {
   constexpr double kStraight = 1.03;
   if (neck_ < 0 || TrunkAndLegs::at_rest(skeleton_, map_).common_axis() == Vec3d{}) return 1.0;
@@ -60,7 +60,7 @@ double PersonMeasurer::winding(double leg_length) const {
   return ratio > kStraight ? ratio : 1.0;
 }
 
-// Whether the person stands upright on straight legs, so that stature is the way up.
+// Whether the person stands upright on straight legs, so that stature is the height of the vertex.
 bool PersonMeasurer::stands_straight() const {
   constexpr double kUpright = 0.97;  // cosine of 14°
   constexpr double kStraight = 0.98;
@@ -74,8 +74,8 @@ bool PersonMeasurer::stands_straight() const {
   return straight;
 }
 
-// By the mesh, of a person who stands straight, from the soles to the vertex; where it and the
-// bones tell the same, along the bones.
+// Stature of a person who stands straight, from soles to vertex of the mesh; along the bones if
+// both nearly agree.
 double PersonMeasurer::measure_stature() {
   constexpr double kSame = 0.014;
   const double along = stature_along_bones();
@@ -88,7 +88,7 @@ double PersonMeasurer::measure_stature() {
 }
 
 double PersonMeasurer::stature_along_bones() {
-  double feet = 0.0;  // heights of the ankles over their soles
+  double feet = 0.0;  // mean height of the ankles over their soles
   for (const Side side : kBothSides) {
     legs_ += 0.5 * (norm(leg(side).hip - leg(side).knee) + norm(leg(side).knee - leg(side).ankle));
     if (leg(side).sole) feet += 0.5 * dot(leg(side).ankle - (*leg(side).sole)[0], up_);

@@ -13,13 +13,13 @@ using F = StatureFractions;
 
 using OfFoot = Sentence<std::string, std::string_view>;
 
-// From the ankle joint to the tip of the toes, along the floor.
+// Distance from the ankle joint to the tip of the toes, along the floor.
 constexpr double kToeAhead = (1.0 - kHeelShare) * F::kFootLength;
 
 }  // namespace
 
-// The tip of a foot; its ankle where there is none, or where it points backwards and nobody calls
-// it toes: that is a heel.
+// Tip of a foot; its ankle if there is none, or if the tip points backwards without the name of
+// toes, as a heel does.
 int PersonMeasurer::toe_node(Side side) const {
   constexpr double kBackwards = -0.5;  // cosine of 120°
   const auto [hip, knee, ankle] = leg_bones(side);
@@ -32,7 +32,7 @@ int PersonMeasurer::toe_node(Side side) const {
   return dot(normalized(tree_.at(tip) - at(ankle), {}), ahead) < kBackwards ? map_[ankle] : tip;
 }
 
-// The tips that the file has; where it has none, the limb ends at its last joint.
+// Reads the tips that the file has; a limb without one ends at its last joint.
 void PersonMeasurer::read_tips() {
   const auto is_thumb = [&](int i) { return part(i) == BonePart::thumb; };
   for (const Side side : kBothSides) {
@@ -53,7 +53,7 @@ void PersonMeasurer::read_tips() {
   }
 }
 
-// Those of the extent human, as far as the file has them.
+// Reads the further joints of the extent human, as far as the file has them.
 void PersonMeasurer::read_further_joints() {
   for (const Bone bone : {Bone::spine, Bone::chest, Bone::upper_chest}) {
     if (map_[bone] >= 0) body().spine.push_back(at(bone));
@@ -97,7 +97,7 @@ void PersonMeasurer::place_missing_tips() {
   doubt("head_guessed");
 }
 
-// A goal's effector is a node of the file, so that anybody finds it there.
+// Finds the grips. A goal's effector is a node of the file, so that other programs find it there.
 void PersonMeasurer::find_grips() {
   for (const Side side : kBothSides) {
     Landmarks::Arm& a = arm(side);

@@ -16,23 +16,23 @@ namespace {
 
 using F = StatureFractions;
 
-// A hand shorter than this share of the stature lacks its fingers.
+// Length of a hand, as a share of the stature, below which it lacks its fingers.
 constexpr double kShortHand = 0.05;
-// Left and right segments of one person differ by less than this share.
+// Largest relative difference between left and right segments of one person.
 constexpr double kSideAsymmetry = 0.1;
 
 constexpr double kShortestPerson = 0.5;  // m
 constexpr double kTallestPerson = 2.5;   // m
 constexpr double kMeanStature = 1.7;     // m
-// Beyond these statures (m) the unit is worth a look; between the wider two a second unit is too.
-// One that gives an unusual stature is not, beside one that gives a usual one.
+// Statures (m) beyond which the unit is reported; between the plausible ones a second unit is too,
+// unless it gives an unusual stature and the first a usual one.
 constexpr double kUsualLow = 1.3;
 constexpr double kUsualHigh = 2.1;
 constexpr double kPlausibleLow = 0.8;
 constexpr double kPlausibleHigh = 2.2;
 
-// A child of less than kUsualLow has legs, hip to ankle, of less than this share of the stature; an
-// adult's are 0.49.
+// Share of legs, hip to ankle, in the stature of a child under kUsualLow, at most; an adult's is
+// 0.49.
 constexpr double kLegsOfChild = 0.46;
 
 constexpr std::array<FileUnit, 6> kUnits{
@@ -44,8 +44,8 @@ constexpr std::array<FileUnit, 6> kUnits{
      {"1/0.45 inch, the CMU database's unit", 0.0254 / 0.45, true}}};
 
 bool is_person(double stature) { return stature >= kShortestPerson && stature <= kTallestPerson; }
-// Whether the stature that a unit gives speaks for the unit: for rare ones a usual one alone, or
-// that of a child who is built as one.
+// Whether a stature is evidence for its unit: for rare units only a usual stature, or that of a
+// child with a child's proportions.
 bool tells(const FileUnit& unit, double stature, double legs) {
   if (!unit.rare) return is_person(stature);
   const double least = legs < kLegsOfChild * stature ? kPlausibleLow : kUsualLow;
@@ -94,11 +94,11 @@ void PersonMeasurer::doubt_unit(const FileUnit& best) {
     doubt("unit_guessed", best.name, Metres{result_.stature}, unit.name, Metres{stature});
     return;
   }
-  // only the stature speaks for it
+  // only the stature supports it
   if (best.rare) doubt("unit_by_stature", best.name, Metres{result_.stature});
 }
 
-// Height of the lowest part of a foot's sole (m, above the world's zero).
+// Height (m) of the lowest point of a foot's sole above the world's zero.
 double PersonMeasurer::sole(Side side) const {
   const Landmarks::Leg& l = result_.landmarks.leg(side);
   if (l.sole) return (*l.sole)[0].y;
@@ -111,7 +111,7 @@ void PersonMeasurer::move_to_world() {
   placement = {left_, up_, ahead_, between, placement.unit};
   for_each_point(body(), [&](Vec3d& p) { p = placement.to_world(p); });
   double floor = min(sole(Side::left), sole(Side::right));
-  // the file's own, where its soles stand on that
+  // the file's own zero, if the soles are on it
   const double zero = -dot(between, up_) * placement.unit;
   if (body().left_leg.sole && abs(floor - zero) <= kFileFloor) floor = zero;
   for_each_point(body(), [&](Vec3d& p) { p.y -= floor; });

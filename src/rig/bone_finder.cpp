@@ -24,7 +24,7 @@ BoneFinder::BoneFinder(const SkeletonTree& tree, const HumanoidMap& given, const
     any_given_ = any_given_ || given[bone] >= 0;
     if (asked[bone] < 0) continue;
     given_[bone] = asked[bone];
-    // whatever its own name says
+    // regardless of its own name
     const std::string_view word = humanoid_bone_name(bone);
     const NameSide side = word.starts_with("left_")    ? NameSide::left
                           : word.starts_with("right_") ? NameSide::right
@@ -58,7 +58,7 @@ Result<HumanoidMap> BoneFinder::find() {
   return std::move(map_);
 }
 
-// Each limb by the file's own map or its names, and those that these do not tell by shape.
+// Finds each limb by the file's own map or its names, and the remaining ones by shape.
 Result<void> BoneFinder::find_limbs() {
   std::array<bool, 4> found{};
   for (std::size_t limb = kLimbs.size(); limb-- > 0;) {
@@ -73,7 +73,8 @@ Result<void> BoneFinder::find_limbs() {
   return {};
 }
 
-// A whole Rigify rig has each limb several times; its mesh goes with the bones called DEF- alone.
+// Restricts names to bones prefixed DEF-, as a complete Rigify rig has several copies of each limb
+// and its mesh follows those.
 void BoneFinder::leave_to_deforming_bones() {
   constexpr int kFewest = 8;
   int deforming = 0;
@@ -95,7 +96,7 @@ bool BoneFinder::deforms(int i) const {
   return tree_.node(i).name.find("DEF-") != std::string::npos;
 }
 
-// Nodes of that side and these parts; those of an earlier part first, then the higher ones.
+// Nodes of a side with these parts, ordered by part, then from the root.
 std::vector<int> BoneFinder::named(NameSide side, const std::vector<BonePart>& parts) const {
   std::vector<int> nodes;
   for (const BonePart part : parts) {
@@ -106,9 +107,9 @@ std::vector<int> BoneFinder::named(NameSide side, const std::vector<BonePart>& p
   return nodes;
 }
 
-// The first of the nodes below `ancestor`, itself not included, or -1: one that bears others
-// before one that bears none (Unreal's wrist_inner_l beside hand_l), and of those in one chain
-// the uppermost (ankle_bck_l below foot_l).
+// First of the nodes strictly below `ancestor`, or -1: nodes with children come before those
+// without (Unreal's wrist_inner_l beside hand_l), and within a chain the uppermost is first
+// (ankle_bck_l below foot_l).
 int BoneFinder::first_below(const std::vector<int>& nodes, int ancestor) const {
   int first = -1;
   for (const int i : nodes) {
@@ -121,7 +122,8 @@ int BoneFinder::first_below(const std::vector<int>& nodes, int ancestor) const {
   return first;
 }
 
-// Whether a node is of no limb, nor bears one: a foot or a hand may hang so, as controls do.
+// Whether a node neither belongs to a limb nor is an ancestor of one; a foot or a hand may be
+// attached like that, as a control.
 bool BoneFinder::is_beside_limbs(int i) const {
   return std::none_of(kLimbs.begin(), kLimbs.end(), [&](const auto& limb) {
     const int upper = map_[limb[0]];
@@ -138,7 +140,7 @@ bool BoneFinder::strictly_below(int i, int ancestor) const {
   return i >= 0 && ancestor >= 0 && i != ancestor && tree_.below(i, ancestor);
 }
 
-// Fails where the skeleton is another creature's, and neither its file nor a person says otherwise.
+// Fails if the skeleton is another creature's, unless its file or the user assigned its bones.
 Result<void> BoneFinder::check_build() const {
   const bool asked =
       std::any_of(asked_.node.begin(), asked_.node.end(), [](int node) { return node >= 0; });
@@ -151,7 +153,7 @@ Result<void> BoneFinder::check_build() const {
   return fail(ErrorCode::invalid_argument, say("no_person", why));
 }
 
-// Fails where a bone is not the node that a person asked for.
+// Fails if a bone is not the node that the user assigned.
 Result<void> BoneFinder::check_asked() const {
   const auto refuse = [this](Bone bone) {
     const int found = map_[bone];

@@ -18,18 +18,18 @@
 
 namespace shigusa {
 
-// Finds the humanoid bones of one skeleton: limbs first, then what is between them.
+// Finder of the humanoid bones of one skeleton: limbs first, then the bones between them.
 class BoneFinder {
  public:
   BoneFinder(const SkeletonTree& tree, const HumanoidMap& given, const HumanoidMap& asked);
 
-  // As find_humanoid; once.
+  // See find_humanoid. Call once.
   Result<HumanoidMap> find();
 
  private:
   using Bone = HumanoidBone;
 
-  // Even places are left, the first two are legs.
+  // Limbs: even indices are left, the first two are legs.
   static constexpr const auto& kLimbs = kLimbBones;
   static constexpr std::array<std::string_view, 4> kLimbNames{"left leg", "right leg", "left arm",
                                                               "right arm"};
@@ -42,7 +42,7 @@ class BoneFinder {
   [[nodiscard]] const BoneName& name(int i) const { return names_[index(i)]; }
   [[nodiscard]] const Vec3d& at(Bone bone) const { return tree_.at(map_[bone]); }
   [[nodiscard]] Vec3d mid(Bone a, Bone b) const { return (at(a) + at(b)) * 0.5; }
-  // Whether any limb hangs on a node.
+  // Whether a node is an ancestor of any limb.
   [[nodiscard]] bool bears_limb(int i) const;
 
   void leave_to_deforming_bones();
@@ -83,7 +83,7 @@ class BoneFinder {
   [[nodiscard]] Message missing(std::size_t limb) const;
   [[nodiscard]] int hub(std::size_t missing_limb) const;
 
-  // what is between and beyond them
+  // bones between and beyond the limbs
   bool find_hips();
   [[nodiscard]] int deforming_trunk() const;
   void find_trunk_branch();
@@ -100,14 +100,14 @@ class BoneFinder {
   void find_toes(Side of, Bone toes);
 
   const SkeletonTree& tree_;
-  HumanoidMap given_;            // by the file or, before it, by a person …
-  const HumanoidMap& asked_;     // … and these by a person
+  HumanoidMap given_;            // by the file, overridden by the user
+  const HumanoidMap& asked_;     // by the user
   bool any_given_ = false;       // by the file
   std::vector<BoneName> names_;  // (nodes)
   HumanoidMap map_;
   int chest_ = -1;               // where the arms meet, or the trunk ends
-  bool deforming_only_ = false;  // names count of bones called DEF- alone
-  bool flat_ = false;            // the arms hang on no trunk
+  bool deforming_only_ = false;  // only names of bones prefixed DEF- count
+  bool flat_ = false;            // the arms have no trunk as ancestor
 };
 
 }  // namespace shigusa

@@ -7,7 +7,7 @@
 
 namespace shigusa {
 
-// A limb as the file or a person tells it; false where they tell none, or no chain.
+// Takes a limb as given by the file or the user; false if none is given, or it is no chain.
 bool BoneFinder::take_given(std::size_t limb) {
   const auto& [upper, lower, end] = kLimbs[limb];
   if (!strictly_below(given_[lower], given_[upper]) ||
@@ -20,8 +20,8 @@ bool BoneFinder::take_given(std::size_t limb) {
   return true;
 }
 
-// Takes the first chain with the right names, and what is missing of it from the joints around it;
-// of an incomplete one what there is, for the message. False where a bone is missing.
+// Takes the first chain with the right names, and completes it from the joints around it; an
+// incomplete chain is kept for the message. False if a bone is missing.
 bool BoneFinder::find_by_name(std::size_t limb) {
   using P = BonePart;
   const bool leg = limb < 2;
@@ -34,7 +34,7 @@ bool BoneFinder::find_by_name(std::size_t limb) {
       called(limb, 2, leg ? std::vector{P::ankle, P::foot} : std::vector{P::hand});
   LimbNodes best{-1, -1, -1};
   for (const int upper : uppers) {
-    // a hip at the very place of its parent only carries the leg (CMU's LHipJoint)
+    // a hip at the position of its parent only carries the leg (CMU's LHipJoint)
     if (name(upper).part == P::hip && at_parent(upper)) continue;
     const int lower = first_apart_below(lowers, upper);
     const int end = lower < 0 ? -1 : first_apart_below(ends, lower);
@@ -51,7 +51,7 @@ bool BoneFinder::find_by_name(std::size_t limb) {
   return best[2] >= 0;
 }
 
-// The nodes of a limb's k-th bone: what a person asks for, or those of the right side and name.
+// Candidate nodes for a limb's k-th bone: the user's, or those of the right side and name.
 std::vector<int> BoneFinder::called(std::size_t limb, std::size_t k,
                                     const std::vector<BonePart>& parts) const {
   const int asked = asked_[kLimbs[limb][k]];
@@ -59,8 +59,8 @@ std::vector<int> BoneFinder::called(std::size_t limb, std::size_t k,
   return named(limb % 2 == 0 ? NameSide::left : NameSide::right, parts);
 }
 
-// As first_below, of those that stand apart from the ancestor where any do: several hinges of one
-// joint have the same name.
+// As first_below, preferring nodes apart from the ancestor: several hinges of one joint have the
+// same name.
 int BoneFinder::first_apart_below(std::vector<int> nodes, int ancestor) const {
   const int first = first_below(nodes, ancestor);
   if (first < 0 || tree_.apart(first, ancestor)) return first;
@@ -69,11 +69,11 @@ int BoneFinder::first_apart_below(std::vector<int> nodes, int ancestor) const {
   return apart >= 0 ? apart : first;
 }
 
-// Names yield where they leave a segment hardly any length: to other joints of the same names, of
-// which the segments are most alike, else to the shape.
+// Replaces joints whose names leave a segment with hardly any length: by others of the same names
+// with the most similar segments, else by shape.
 void BoneFinder::give_lengths(std::size_t limb, const std::vector<int>& lowers,
                               const std::vector<int>& ends, LimbNodes& nodes) const {
-  constexpr double kByShape = 2.0;  // unevenness of segments without names
+  constexpr double kByShape = 2.0;  // ratio of segments from which the shape is used
   const auto unevenness = [&](const LimbNodes& n) {
     const double upper = norm(tree_.at(n[1]) - tree_.at(n[0]));
     const double lower = norm(tree_.at(n[2]) - tree_.at(n[1]));
@@ -100,8 +100,8 @@ void BoneFinder::give_lengths(std::size_t limb, const std::vector<int>& lowers,
   nodes = best;
 }
 
-// A limb whose joints are all called the same ("arm.L", "arm.L.001", "arm.L.002"; LArm, LArm1,
-// LHand; a robot's leg_left_1 to 6): by the lengths between them.
+// Finds a limb whose joints all have the same name ("arm.L", "arm.L.001", "arm.L.002"; LArm, LArm1,
+// LHand; a robot's leg_left_1 to 6) by the lengths between them.
 void BoneFinder::find_in_row(std::size_t limb, const std::vector<int>& ends,
                              LimbNodes& nodes) const {
   const BonePart part = nodes[0] < 0 ? BonePart::none : name(nodes[0]).part;
@@ -122,8 +122,8 @@ void BoneFinder::find_in_row(std::size_t limb, const std::vector<int>& ends,
   nodes[2] = nodes[1] < 0 ? -1 : end;
 }
 
-// An arm below a shoulder is a forearm where it leads to a hand and the shoulder before it is of an
-// upper arm's length: a collar bone is shorter.
+// Reads an arm below a shoulder as a forearm if it leads to a hand and the shoulder's segment is as
+// long as an upper arm: a collar bone is shorter.
 void BoneFinder::read_arm_as_forearm(const std::vector<int>& uppers, const std::vector<int>& ends,
                                      LimbNodes& nodes) const {
   constexpr double kShortest = 0.5;  // of the forearm
@@ -138,11 +138,11 @@ void BoneFinder::read_arm_as_forearm(const std::vector<int>& uppers, const std::
   }
 }
 
-// A foot that hangs on a root, as a control, at the end of a shank without one (Quaternius), or
+// A foot attached to the root as a control, near the end of a shank without one (Quaternius), or
 // -1; likewise a hand.
 int BoneFinder::end_beside(const std::vector<int>& ends, const LimbNodes& nodes, std::size_t limb) {
   constexpr double kNear = 0.15;  // of the segment
-  // without a tip: lengths of the segment before the end, in those of the one before it
+  // without a tip: range of the last segment's length, relative to the segment before it
   constexpr double kShortest = 0.5;
   constexpr double kLongest = 2.0;
   const Vec3d& joint = tree_.at(nodes[1]);
@@ -162,8 +162,8 @@ int BoneFinder::end_beside(const std::vector<int>& ends, const LimbNodes& nodes,
   return -1;
 }
 
-// The joint below a lower limb that is its hand or foot, whatever it is called, or -1: what is
-// called a palm, of several the one in their middle, else the next joint but for twist bones.
+// Hand or foot below a lower limb, whatever its name, or -1: a node named palm, the middle one of
+// several, else the next joint that is no twist bone.
 int BoneFinder::end_below(const LimbNodes& nodes, std::size_t limb) {
   const NameSide side = limb % 2 == 0 ? NameSide::left : NameSide::right;
   std::vector<int> palms;
@@ -181,7 +181,7 @@ int BoneFinder::end_below(const LimbNodes& nodes, std::size_t limb) {
     return part == BonePart::thumb || part == BonePart::ornament || part == BonePart::heel;
   };
   const int tip = tree_.farthest(nodes[1], is_other);
-  // where nothing else follows, the foot hangs on the heel
+  // without another descendant, the foot is a child of the heel
   if (tip == nodes[1] && limb < 2) return first_below(named(side, {BonePart::heel}), nodes[1]);
   std::vector<int> chain;
   for (int i = tip; i != nodes[1]; i = tree_.node(i).parent) chain.push_back(i);
@@ -206,10 +206,10 @@ int BoneFinder::nearest_to_mean(const std::vector<int>& nodes) const {
   });
 }
 
-// A shoulder that stands where a collar bone does, with another joint before the elbow, is one.
+// Skips a shoulder at the position of a collar bone with another joint before the elbow.
 void BoneFinder::pass_collar(LimbNodes& nodes) const {
   if (name(nodes[0]).part != BonePart::shoulder) return;
-  // of people's upper arms to their forearms; from the inner end of the collar bone it is 1.8
+  // ratios of upper arm to forearm; from the inner end of the collar bone it is 1.8
   constexpr double kLongest = 1.5;
   constexpr double kUsual = 1.2;
   const double forearm = norm(tree_.at(nodes[2]) - tree_.at(nodes[1]));
@@ -221,7 +221,7 @@ void BoneFinder::pass_collar(LimbNodes& nodes) const {
   }
 }
 
-// The file's state where a limb is missing, in terms of the file's own joints.
+// Message on a missing limb, in terms of the file's own joints.
 Message BoneFinder::missing(std::size_t limb) const {
   for (std::size_t k = 1; k < 3; ++k) {
     const int above = map_[kLimbs[limb][k - 1]];
@@ -235,8 +235,8 @@ Message BoneFinder::missing(std::size_t limb) const {
   return say("no_limb", kLimbNames[limb], describe_branches(tree_, from, limb < 2));
 }
 
-// The node where a missing limb should leave: where its fellow does, else the hips by name, else
-// where another limb does; -1 where nothing tells.
+// Node at which a missing limb is expected: where the opposite limb begins, else the hips by name,
+// else where another limb begins; -1 if unknown.
 int BoneFinder::hub(std::size_t missing_limb) const {
   int node = map_[kLimbs[missing_limb ^ 1][0]];
   if (node < 0) {

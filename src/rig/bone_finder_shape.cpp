@@ -8,7 +8,7 @@
 
 namespace shigusa {
 
-// The limbs that names do not tell by the shape of the skeleton; false where it does not tell them.
+// Finds the limbs without usable names by the shape of the skeleton; false if that fails.
 bool BoneFinder::find_by_shape(const std::array<bool, 4>& found) {
   const bool all_legs = found[0] && found[1];
   const bool all_arms = found[2] && found[3];
@@ -37,7 +37,7 @@ bool BoneFinder::find_by_shape(const std::array<bool, 4>& found) {
   return true;
 }
 
-// The branches of legs and arms; those of a pair that names tell are these.
+// Branches of legs and arms, respecting pairs found by name.
 std::optional<BodyShape> BoneFinder::shape_beside(const std::array<bool, 4>& found) const {
   const auto may_be = [&](const BranchPair& pair, bool legs) {
     return may_be_limbs(pair, legs, found);
@@ -52,8 +52,8 @@ std::optional<BodyShape> BoneFinder::shape_beside(const std::array<bool, 4>& fou
   return all_legs ? BodyShape{named_pair, *other} : BodyShape{*other, named_pair};
 }
 
-// The branches on which a limb that was found and its fellow on the right hang; none where one
-// hangs on the other.
+// Branches of a limb that was found and its right counterpart; empty if one is an ancestor of the
+// other.
 BranchPair BoneFinder::branches_of(std::size_t left_limb) const {
   const int left = map_[kLimbs[left_limb][0]];
   const int right = map_[kLimbs[left_limb + 1][0]];
@@ -66,8 +66,8 @@ BranchPair BoneFinder::branches_of(std::size_t left_limb) const {
   return {hub, {branch(left, hub), branch(right, hub)}, 0.0};
 }
 
-// Whether two branches may be the legs, or the arms: those that names tell are, no joint called as
-// one of a leg is of an arm, none of an arm of a leg, and no ornament of either.
+// Whether two branches may be the legs, or the arms: those found by name are; otherwise no joint of
+// a leg may be named as one of an arm, nor the reverse, and none as an ornament.
 bool BoneFinder::may_be_limbs(const BranchPair& pair, bool legs,
                               const std::array<bool, 4>& found) const {
   using P = BonePart;
@@ -93,7 +93,7 @@ bool BoneFinder::may_be_limbs(const BranchPair& pair, bool legs,
   return true;
 }
 
-// The direction of the body's left by the way the feet point; a guess where they tell nothing.
+// Direction of the body's left from the feet's direction; a guess if they are inconclusive.
 Vec3d BoneFinder::left_of_feet(const BodyShape& shape, const std::array<LimbNodes, 2>& legs) {
   Vec3d ahead{};
   Vec3d up{};
@@ -110,7 +110,7 @@ Vec3d BoneFinder::left_of_feet(const BodyShape& shape, const std::array<LimbNode
   return tree_.at(legs[0][0]) - tree_.at(legs[1][0]);
 }
 
-// Which of two limbs is the left one: by the names on it, else by the direction of left.
+// Index of the left one of two limbs: by their names, else by the direction of left.
 std::size_t BoneFinder::left_of(const BranchPair& pair, const std::array<LimbNodes, 2>& limbs,
                                 const Vec3d& left) const {
   const int first = side_by_names(pair.branch[0]);
@@ -119,7 +119,7 @@ std::size_t BoneFinder::left_of(const BranchPair& pair, const std::array<LimbNod
   return dot(tree_.at(limbs[0][0]) - tree_.at(limbs[1][0]), left) >= 0.0 ? 0 : 1;
 }
 
-// 1 where more names of a branch say left, -1 where more say right; what is asked for outweighs
+// 1 if more names of a branch state left, -1 if more state right; the user's assignment outweighs
 // all names.
 int BoneFinder::side_by_names(int branch) const {
   int balance = 0;

@@ -13,7 +13,7 @@ namespace {
 using Bone = HumanoidBone;
 
 constexpr std::array kSpine{Bone::spine, Bone::chest, Bone::upper_chest};
-// A spine's lowest joint stands at least this share of the way to the neck above the hip joints.
+// Least height of a spine's lowest joint above the hip joints, as a share of the way to the neck.
 constexpr double kLeastSpine = 0.03;
 
 }  // namespace
@@ -30,7 +30,7 @@ bool BoneFinder::find_hips() {
     chest_ = legs = all;
     flat_ = true;
   }
-  // a root in the chest: the legs hang together below it
+  // a root in the chest: the legs have their common ancestor below it
   const int lowest = all == chest_ ? legs : all;
   map_[Bone::hips] = lowest;
   const int given = given_[Bone::hips];
@@ -48,7 +48,7 @@ bool BoneFinder::find_hips() {
   return true;
 }
 
-// The first of the trunk's bones called DEF-, where those of the limbs were taken, or -1.
+// First trunk bone prefixed DEF-, if the limbs have those, or -1.
 int BoneFinder::deforming_trunk() const {
   const auto is_trunk = [this](int i) { return name(i).part == BonePart::spine && deforms(i); };
   for (int i = 0; deforming_only_ && i < tree_.size(); ++i) {
@@ -57,10 +57,10 @@ int BoneFinder::deforming_trunk() const {
   return -1;
 }
 
-// Where all limbs hang on one node, as the deforming bones of a Rigify rig do without the others,
-// the trunk is a branch beside them: its last joint below the shoulders bears neck and head.
+// Finds the trunk as a branch beside the limbs if all limbs leave one node, as in the deforming
+// bones of a Rigify rig: its last joint below the shoulders carries neck and head.
 void BoneFinder::find_trunk_branch() {
-  // 3ds Max' Biped has the collar bones on the neck
+  // the collar bones of 3ds Max' Biped are children of the neck
   const bool neck = read_bone_name(tree_.node(chest_).name).part == BonePart::neck;
   if (neck && strictly_below(chest_, map_[Bone::hips])) {
     chest_ = tree_.node(chest_).parent;
@@ -96,7 +96,7 @@ void BoneFinder::find_neck_and_head() {
   const std::vector<int> necks = named(NameSide::none, {BonePart::neck});
   const bool neck_given = strictly_below(given_[Bone::neck], chest_);
   neck = neck_given ? given_[Bone::neck] : first_below(necks, chest_);
-  // one at the place of the chest is a helper if another neck joint follows
+  // a neck joint at the position of the chest is a helper if another one follows
   const int upper_neck = neck < 0 || neck_given ? -1 : first_below(necks, neck);
   if (upper_neck >= 0 && at_parent(neck) && tree_.apart(upper_neck, neck)) neck = upper_neck;
   const int trunk_end = neck >= 0 ? neck : chest_;
@@ -114,8 +114,8 @@ bool BoneFinder::bears_limb(int i) const {
                      [&](const LimbBones& limb) { return tree_.below(map_[limb[0]], i); });
 }
 
-// The node where the way up from the neck ends or forks, or where the face begins; without a neck,
-// of the longest branch beside the limbs.
+// Node at which the chain upwards from the neck ends or forks, or the face begins; without a neck,
+// that of the longest branch beside the limbs.
 int BoneFinder::head_by_shape() const {
   const int neck = map_[Bone::neck];
   int at = neck >= 0 ? neck : way_up(chest_);
@@ -139,9 +139,9 @@ bool BoneFinder::in_row(int i, int next) const {
          is_next_in_row(tree_.node(i).name, tree_.node(next).name);
 }
 
-// Of a node's children the one towards the head: the next of a numbered row ("spine.004" above
-// "spine.003"), else of those that are no limb, ornament or tip and of no side the one with the
-// longest chain; -1 where there is none.
+// Child of a node towards the head: the next of a numbered row ("spine.004" above "spine.003"),
+// else the one with the longest chain among those without a side that are no limb, ornament or tip;
+// -1 if there is none.
 int BoneFinder::way_up(int i) const {
   constexpr double kShortest = 0.02;  // of the figure
   int best = -1;
@@ -157,7 +157,7 @@ int BoneFinder::way_up(int i) const {
   return best;
 }
 
-// The lowest joint between chest and head that stands apart from both.
+// Lowest joint between chest and head that is apart from both.
 int BoneFinder::neck_by_shape(int head) const {
   int neck = -1;
   for (int i = tree_.node(head).parent; i >= 0 && i != chest_; i = tree_.node(i).parent) {
@@ -166,8 +166,8 @@ int BoneFinder::neck_by_shape(int head) const {
   return neck;
 }
 
-// The joints on the way down from `end` to `top`, that not included, that stand apart from it and
-// from one another, from above.
+// Joints from `end` up to, but not including, `top` that are apart from it and from one another,
+// from above.
 std::vector<int> BoneFinder::joints_between(int top, int end) const {
   std::vector<int> joints;
   for (int i = end; i >= 0 && i != top; i = tree_.node(i).parent) {
@@ -203,8 +203,8 @@ void BoneFinder::find_spine() {
   for (std::size_t j = 0; j < joints.size(); ++j) map_[kSpine[j]] = joints[j];
 }
 
-// The file's own spine, where it tells one and it lies on the way; bones that it leaves out are
-// left out.
+// Takes the file's own spine if it is given and on the path; bones that it leaves out stay
+// unmapped.
 bool BoneFinder::take_given_spine(const std::vector<int>& joints) {
   std::vector<int> taken;
   for (const Bone bone : kSpine) {
@@ -234,7 +234,7 @@ void BoneFinder::find_shoulder(Bone shoulder, Bone upper_arm) {
   if (!joints.empty() && tree_.apart(joints.front(), arm)) map_[shoulder] = joints.front();
 }
 
-// Of limbs that hang on no trunk, as it is given or by its name.
+// Finds the collar bone of a limb without a trunk, as given or by its name.
 void BoneFinder::find_collar_beside(Bone shoulder, int arm) {
   const NameSide side = shoulder == Bone::left_shoulder ? NameSide::left : NameSide::right;
   std::vector<int> collars = named(side, {BonePart::collar, BonePart::shoulder});
@@ -257,7 +257,7 @@ void BoneFinder::find_toes(Side of, Bone toes) {
   }
   const bool ankle = name(map_[foot]).part == BonePart::ankle;
   map_[toes] = first_below(named(side, {BonePart::toes}), map_[foot]);
-  // below an ankle the foot may be where the toes bend, and the toes their tip
+  // below an ankle the foot may be at the ball, with the toes as its tip
   const int ball = ankle ? first_below(named(side, {BonePart::foot}), map_[foot]) : -1;
   const auto off = [&](int i) {
     const double length = norm(tree_.at(tree_.farthest(map_[foot])) - at(foot));

@@ -12,14 +12,15 @@ namespace {
 
 using Bone = HumanoidBone;
 
-// Words of nodes that lie ahead of the head, or of the trunk, and of others that lie behind it.
+// Words of nodes ahead of the head or the trunk, and of others behind it.
 constexpr std::string_view kFace[] = {"eye", "eyes", "eyeball", "jaw",    "nose", "nostril",
                                       "lip", "lips", "mouth",   "tongue", "chin", "teeth"};
 constexpr std::string_view kFront[] = {"breast", "breasts", "bust", "boob", "belly"};
 constexpr std::string_view kBack[] = {"tail",  "wing", "wings",   "backpack",
                                       "cloak", "cape", "ponytail"};
 
-// The level part of the foot's mesh about its ankle, and whether it lies clearly to one side.
+// Horizontal centre of the foot's mesh relative to its ankle, and whether it is clearly to one
+// side.
 struct FootMesh {
   Vec3d middle{};
   bool clear = false;
@@ -28,7 +29,7 @@ struct FootMesh {
 Vec3d across(const Vec3d& v, const Vec3d& axis) { return v - axis * dot(v, axis); }
 
 FootMesh foot_mesh(const SkeletonTree& tree, int knee, int ankle) {
-  constexpr double kClearly = 1.4;  // of what is ahead of the ankle, over what is behind
+  constexpr double kClearly = 1.4;  // ratio of the extents ahead of and behind the ankle
   const Vec3d shank = normalized(tree.at(knee) - tree.at(ankle));
   std::vector<Vec3d> flesh;
   Vec3d sum{};
@@ -55,8 +56,8 @@ bool has_word(const SkeletonTree& tree, int i, std::span<const std::string_view>
                      [&](const std::string& word) { return contains(list, word); });
 }
 
-// The signs of one body, each +1 where it speaks for facing as the names' left and right have it,
-// -1 against it, 0 where it says nothing.
+// Evidence of one body for the facing direction of its names' left and right: each sign is +1 for
+// it, -1 against it, 0 without evidence.
 class Signs {
  public:
   Signs(const SkeletonTree& tree, const HumanoidMap& map) : tree_(tree), map_(map) {
@@ -80,7 +81,7 @@ class Signs {
     return abs(ahead) <= kClearly * scale ? 0 : ahead > 0.0 ? 1 : -1;
   }
 
-  // Two of the lesser signs weigh as much as a face.
+  // Weighted sum of the lesser signs; two of them weigh as much as a face.
   [[nodiscard]] int others() const {
     return 2 * face() + head_mesh() + bends() + thumbs() + ornaments();
   }
@@ -92,7 +93,7 @@ class Signs {
     return at(Bone::left_upper_leg) - at(Bone::right_upper_leg);
   }
 
-  // Of a direction, seen with `up`.
+  // Sign of a direction, with `up` as the upward direction.
   [[nodiscard]] int side_of(const Vec3d& v, const Vec3d& up, double clearly = 0.4) const {
     const double ahead = dot(v, normalized(cross(left_, up), {}));
     return abs(ahead) <= clearly * norm(v) ? 0 : ahead > 0.0 ? 1 : -1;
@@ -123,7 +124,7 @@ class Signs {
     return abs(middle) <= kClearly * (front - back) ? 0 : middle > 0.0 ? 1 : -1;
   }
 
-  // Knees lie ahead of their legs, and elbows behind their arms: one sign for all.
+  // Sign from knees ahead of their legs and elbows behind their arms, all together.
   [[nodiscard]] int bends() const {
     constexpr double kBent = 0.015;  // of the limb, from its line
     int sum = 0;

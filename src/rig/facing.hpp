@@ -7,20 +7,19 @@
 
 namespace shigusa {
 
-// The tip of a foot among the nodes below its ankle: of what is called toes the farthest, else the
-// farthest that is no heel. The ankle itself where nothing but a heel follows, and where the mesh
-// of the foot lies on the other side of it: what is there is a heel, whatever it is called.
+// Tip of a foot among the descendants of its ankle: the farthest one named as toes, else the
+// farthest that is no heel. It is the ankle itself if there is only a heel, or if the foot's mesh
+// lies on the other side of the ankle, which makes the node a heel whatever its name.
 [[nodiscard]] int foot_tip(const SkeletonTree& tree, int knee, int ankle);
 
-// Where a foot reaches from its ankle: to its tip, or without one to where its mesh is; 0 where it
-// has neither.
+// Vector from the ankle of a foot to its tip, or without one to its mesh; 0 without either.
 [[nodiscard]] Vec3d foot_from(const SkeletonTree& tree, int knee, int ankle);
 
-// Whether a body is the mirror image of what its names say: left is on its right. Feet that point
-// backwards, seen from the left and right of the names, are the mark of it where nothing else of
-// the body says the contrary: a face with eyes, a jaw or a nose, the middle of the head's mesh,
-// knees, elbows and thumbs, breasts and a tail. Where feet do not tell, face and another sign do.
-// Bending hips, knees or trunk does not change the answer.
+// Whether a body is the mirror image of its names, with left on its right side. Feet that point
+// backwards, in terms of the names' left and right, indicate it unless the rest of the body
+// contradicts: a face with eyes, a jaw or a nose, the middle of the head's mesh, knees, elbows and
+// thumbs, breasts and a tail. If the feet are inconclusive, the face and another sign decide. Bent
+// hips, knees or trunk do not change the answer.
 [[nodiscard]] bool is_mirrored(const SkeletonTree& tree, const HumanoidMap& map);
 
 }  // namespace shigusa

@@ -10,33 +10,33 @@
 
 namespace shigusa {
 
-// Finds the humanoid bones of a skeleton: by the usual names, and by topology (a root with two
-// legs and, above it, two arms and a head) where names say nothing or contradict it. `world` is the
-// posture that tells left from right and up from down (nodes, as world_transforms gives). Neck,
-// head and toes may stay unmapped, each with a doubt; any other missing bone is an error that names
-// it and what was found instead.
+// Finds the humanoid bones of a skeleton: by the usual names, and by topology (a root with two legs
+// and, above it, two arms and a head) if names are missing or contradict it. `world` is the posture
+// (nodes, as from world_transforms) that determines left and right, up and down. Neck, head and
+// toes may stay unmapped, each with a doubt; any other missing bone is an error that names it and
+// the joints found instead.
 //
 // Names: motion capture (LeftUpLeg; LeftHip, LeftKnee; CMU's lfemur), Mixamo, Blender and Rigify,
 // Unreal, Xsens, VRM, VRoid, 3ds Max, Poser, SMPL, Kinect and MMD, in any case and with any
-// separators. A word of two meanings (LeftShoulder, LeftLeg, LeftFoot) is read by the chain that it
-// stands in. Of joints at one point the bone is the first; but a hip or neck joint at the very
-// place of its parent is a helper, and the next one is the bone. If the limbs' names are
-// incomplete, all limbs are found by shape, and the names tell only the sides; without those the
-// feet do. Hips are where legs and spine meet, or what is called so just above. Spine, chest and
-// upper chest are the joints from there to where the arms part, of more than three those that stand
-// nearest to kSpineShares of the way to the neck; a shoulder is the first joint from there to the
-// upper arm. A skeleton without them has no doubt about it.
+// separators. An ambiguous word (LeftShoulder, LeftLeg, LeftFoot) is interpreted by its chain. Of
+// coinciding joints the first is the bone; but a hip or neck joint at the position of its parent is
+// a helper, and the next one is the bone. If the limbs' names are incomplete, all limbs are found
+// by shape, and names only determine the sides; without names the feet do. Hips are the junction of
+// legs and spine, or a bone of that name just above. Spine, chest and upper chest are the joints
+// from there to the junction of the arms, of more than three those nearest to kSpineShares of the
+// distance to the neck; a shoulder is the first joint from there to the upper arm. A skeleton
+// without these causes no doubt.
 //
-// `given`: what the file itself tells of its bones (VRM). It goes before names where it makes
-// sense: a limb with all its joints, each below the one before, hips above the legs, a neck and a
-// head above the arms, toes below the foot. Bones that it leaves out or contradicts are found as
-// above, but for a shoulder that it leaves out; for a limb or the hips that is a doubt.
+// `given`: bones stated by the file itself (VRM). They have priority over names if consistent: a
+// limb with all its joints, each below the one before, hips above the legs, a neck and a head above
+// the arms, toes below the foot. Omitted or contradicted bones are found as above, except for an
+// omitted shoulder; for a limb or the hips this is reported as a doubt.
 //
-// `asked`: what a person says of some bones. It goes before all else; names and shape find the
-// rest, but of the spine only what is asked is taken where any of it is. Fails where such a node
-// does not hang where its bone does.
+// `asked`: bones assigned by the user. They have priority over everything else; names and shape
+// determine the rest, but if any spine bone is assigned, other spine bones stay unmapped. Fails if
+// an assigned node has the wrong place in the hierarchy.
 //
-// `skin`: the mesh in the same posture; it tells where feet point on which no node hangs.
+// `skin`: the mesh in the same posture; it determines the direction of feet without children.
 [[nodiscard]] Result<HumanoidMap> find_humanoid(const Skeleton& skeleton,
                                                 const std::vector<Transformd>& world,
                                                 const HumanoidMap& given = {},

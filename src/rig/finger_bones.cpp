@@ -25,29 +25,29 @@ constexpr FingerWords kFingerWords[] = {
     {Finger::ring, {"ring", "薬指", "无名指"}},
     {Finger::little, {"little", "pinky", "pinkie", "small", "小指"}},
 };
-// Words of nodes that control a finger, or stand at its end.
+// Words of control or end nodes of a finger.
 constexpr std::string_view kNoFinger[] = {"ik",      "fk",    "mch",   "pole", "target", "ctrl",
                                           "control", "tweak", "twist", "end",  "nub",    "tip"};
 constexpr std::string_view kMetacarpal[] = {"metacarpal", "carpal", "palm", "inhand"};
 
-// A palm whose knuckles are on a line with the wrist tells no plane, and a bone that stands out of
-// it by more than this no direction in it (sines).
+// Sines: least for knuckles and wrist to span a palm's plane, and largest for a bone to have a
+// direction in that plane.
 constexpr double kFlat = 0.1;
 constexpr double kStandsOut = 0.7;
-// The first of four joints is a metacarpal's where its bone is longer than all others and begins
-// nearer to the wrist than this share of its length.
+// Share of its length from the wrist within which the first of four joints is a metacarpal's, if
+// its bone is the longest.
 constexpr double kAtWrist = 0.6;
-// How far before the knuckles the thumb is turned to, in the palm's lengths.
+// Distance of the thumb's target before the knuckles, in lengths of the palm.
 constexpr double kOpposed = 0.5;
 
-// Degrees, by joint, of the mean finger and of the thumb.
+// Flexion in degrees by joint, of the mean finger and of the thumb.
 constexpr std::array<double, kFingerJoints> kRelaxed{45.0, 30.0, 20.0};
 constexpr std::array<double, kFingerJoints> kRelaxedThumb{20.0, 15.0, 15.0};
-// Of these a finger has more towards the little one; the mean of the four is 1.
+// Factors of the fingers, which increase towards the little one; their mean is 1.
 constexpr std::array<double, kFingerCount> kShare{1.0, 0.8, 0.93, 1.07, 1.2};
 constexpr double kOpenShare = 0.2;
 
-// The finger that a node's name tells, or the number of one ("Finger2", "finger3-1.L").
+// Finger of a node's name, or its number ("Finger2", "finger3-1.L").
 struct FingerName {
   std::optional<Finger> finger;
   int number = -1;
@@ -57,7 +57,7 @@ struct FingerName {
 bool is_word_of(const FingerWords& finger, std::string_view word) {
   const auto is = [&](std::string_view text) {
     return std::any_of(finger.words.begin(), finger.words.end(), [&](std::string_view w) {
-      // digits of full width go on where a word of theirs ends: "人指１"
+      // full-width digits may follow a word directly: "人指１"
       const bool wide = !w.empty() && (w.front() & 0x80) != 0;
       return wide ? text.starts_with(w) : !w.empty() && text == w;
     });
@@ -102,7 +102,7 @@ FingerName read_finger_name(std::string_view name) {
 constexpr std::array<std::string_view, kFingerCount> kVrmFingers{"Thumb", "Index", "Middle", "Ring",
                                                                  "Little"};
 
-// The finger of "leftIndexProximal".
+// Finger of a VRM name such as "leftIndexProximal".
 std::optional<Finger> finger_of_vrm(std::string_view name) {
   for (std::size_t f = 0; f < kVrmFingers.size(); ++f) {
     if (name.find(kVrmFingers[f]) != name.npos) return static_cast<Finger>(f);
@@ -139,7 +139,7 @@ class HandReader {
   }
 
  private:
-  // Fingers that have numbers alone begin with the thumb, at 0 or at 1.
+  // Numbers fingers without names, from the thumb at 0 or 1.
   void number_fingers() {
     int first = 10;
     for (int i = 0; i < tree_.size(); ++i) {
@@ -158,7 +158,7 @@ class HandReader {
 
   [[nodiscard]] const Vec3d& at(int i) const { return tree_.at(i); }
 
-  // The nodes of a finger that hang on one another, from the palm on.
+  // Nodes of a finger in a chain, from the palm on.
   [[nodiscard]] std::vector<int> row_from(int first) const {
     std::vector<int> row{first};
     const auto goes_on = [&](int i) {
@@ -172,7 +172,7 @@ class HandReader {
     }
   }
 
-  // The nodes of a finger's joints, at most kFingerJoints.
+  // Nodes of a finger's joints, at most kFingerJoints.
   [[nodiscard]] std::vector<int> joints_of(Finger finger) const {
     std::vector<int> row;
     for (int i = 0; i < tree_.size(); ++i) {
@@ -182,7 +182,7 @@ class HandReader {
     }
     if (finger != Finger::thumb && !row.empty() && begins_at_metacarpal(row))
       row.erase(row.begin());
-    // what comes after are tips
+    // further nodes are tips
     if (row.size() > index(kFingerJoints)) row.resize(index(kFingerJoints));
     return row;
   }
@@ -219,7 +219,7 @@ class HandReader {
     return true;
   }
 
-  // Where a bone points: to the next joint or the tip; nothing where the file has none.
+  // Direction of a bone to the next joint or the tip; empty if the file has none.
   [[nodiscard]] std::optional<Vec3d> direction(const std::vector<int>& row, std::size_t k) const {
     if (k + 1 < row.size()) return at(row[k + 1]) - at(row[k]);
     for (const int child : tree_.children(row[k])) {
@@ -228,7 +228,7 @@ class HandReader {
     return std::nullopt;
   }
 
-  // The axis of a finger of the palm, and of its bones what is bent against the palm.
+  // Adds a finger's bones with its axis and the flexion of each relative to the palm.
   void add(Finger finger, std::vector<FingerBone>& bones) const {
     const std::vector<int>& row = rows_[index(static_cast<int>(finger))];
     const bool thumb = finger == Finger::thumb;
@@ -251,7 +251,7 @@ class HandReader {
     for (std::size_t k = 0; k < row.size(); ++k) {
       const auto bone = direction(row, k);
       const double angle = bone ? atan2(dot(*bone, up), dot(*bone, straight)) : before;
-      // at the wrist a thumb is bent by nothing that bones tell
+      // the flexion of a thumb at the wrist is not determined by its bones
       const bool free = thumb && k == 0;
       const int joint = static_cast<int>(k) + 1 + (thumb ? missing(row) : 0);
       bones.push_back({row[k], side_, finger, joint, axis, free ? 0.0 : wrapped(angle - before)});
@@ -259,7 +259,7 @@ class HandReader {
     }
   }
 
-  // A thumb of two bones has none at the wrist.
+  // Number of missing joints: a thumb of two bones has none at the wrist.
   [[nodiscard]] static int missing(const std::vector<int>& row) {
     return kFingerJoints - static_cast<int>(row.size());
   }
@@ -278,7 +278,7 @@ class HandReader {
   double length_ = 0.0;  // from the wrist to the knuckles' middle
   Vec3d along_{};        // unit, that way
   Vec3d normal_{};       // unit, out of the palm
-  Vec3d opposed_{};      // what the thumb is turned to
+  Vec3d opposed_{};      // target direction of the thumb
 };
 
 }  // namespace
@@ -324,7 +324,7 @@ std::vector<SkinVertex> relaxed_hands(const Skeleton& skeleton,
                                       const std::vector<Transformd>& world, const HumanoidMap& map,
                                       const std::vector<FingerBone>& fingers,
                                       std::span<const SkinVertex> skin) {
-  // where each node takes what goes with it, and whether it goes with a hand
+  // transform of each node for its descendants, and whether it belongs to a hand
   std::vector<Transformd> moves(world.size());
   std::vector<bool> of_hand(world.size(), false);
   auto next = fingers.begin();

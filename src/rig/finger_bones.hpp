@@ -20,51 +20,51 @@ inline constexpr int kFingerCount = 5;
 // between phalanges; of the thumb 1 is the joint at the wrist (carpometacarpal).
 inline constexpr int kFingerJoints = 3;
 
-// A finger's bone: the node at its proximal joint, about which it bends.
+// Bone of a finger: the node at its proximal joint, about which it bends.
 struct FingerBone {
   int node = -1;
   Side side = Side::left;
   Finger finger = Finger::index;
   int joint = 1;      // 1..kFingerJoints
-  Vec3d axis{};       // unit, file's world: a turn about it by a positive angle bends to the palm
-  double bent = 0.0;  // rad, by which the joint is bent in the posture given
+  Vec3d axis{};       // unit, file's world: rotation axis of positive flexion, towards the palm
+  double bent = 0.0;  // rad, flexion of the joint in the given posture
 };
 
-// "leftIndexProximal", "leftThumbMetacarpal": the bone as VRM 1.0 names it.
+// VRM 1.0 name of a finger's bone, such as "leftIndexProximal" or "leftThumbMetacarpal".
 [[nodiscard]] std::string vrm_finger_name(const FingerBone& bone);
 
-// The bones of a skeleton's fingers, with the axes that they bend about, in the posture `world`
-// (nodes, in the file's axes, in any unit). `mirrored`: left and right are changed about in them.
+// Bones of a skeleton's fingers with their bending axes, in the posture `world` (nodes, in the
+// file's axes, in any unit). `mirrored`: whether left and right are exchanged in them.
 //
-// A hand has fingers where two or more beside the thumb hang below its node and are called so
-// (index, pinky, "Finger11", "左人指"); `named` (VRM) goes before names. Metacarpals stay.
+// A hand has fingers if two or more besides the thumb are below its node and have names (index,
+// pinky, "Finger11", "左人指"); `named` (VRM) has priority over names. Metacarpals are left out.
 //
-// The palm is the plane through the wrist and the knuckles, and of its two sides the palm's is told
-// by hand and by the thumb's side (from the little finger to the index), so that a bone's own axes
-// say nothing. A finger bends about the axis in that plane square to itself. The thumb bends about
-// the axis that takes it to a point before the first knuckles, half a palm's length from them
+// The palm is the plane through the wrist and the knuckles. Its inner side follows from the side of
+// the body and the direction from the little finger to the index, so that the bones' own axes are
+// not used. A finger bends about the axis in that plane perpendicular to itself. The thumb bends
+// about the axis that brings it to a point before the first knuckles, at half a palm's length
 // (opposition).
 [[nodiscard]] std::vector<FingerBone> find_finger_bones(
     const Skeleton& skeleton, const std::vector<Transformd>& world, const HumanoidMap& map,
     const std::vector<std::pair<std::string, int>>& named, bool mirrored);
 
-// The two postures that hands have.
+// The two postures of hands.
 enum class HandPosture {
-  open,     // as wide as a hand is on its way
-  relaxed,  // the grip about a thing of some 4 cm: the functional position
+  open,     // greatest opening of a hand on its way to a goal
+  relaxed,  // grip about an object of some 4 cm: the functional position
 };
 
-// By how much a joint is bent (rad), 0 with the finger straight; the thumb's joint at the wrist
-// from where the character has it.
+// Flexion of a joint (rad), 0 for a straight finger; for the thumb's joint at the wrist relative to
+// the character's posture.
 //
 // Relaxed: knuckles 45, the next joints 30, the last 20 degrees, as splints hold a hand in its
-// functional position (Stedman's Medical Dictionary, "functional hand position"), on the mean of
+// functional position (Stedman's Medical Dictionary, "functional hand position"), as the mean of
 // four fingers, which are "more and more flexed from index to little finger" (Taylor and Schwarz
 // 1955, "The anatomy and mechanics of the human hand"); the thumb is opposed. Open: a fifth of it.
 [[nodiscard]] double flexion(HandPosture posture, Finger finger, int joint);
 
-// The vertices that hands with fingers have in their relaxed posture; `fingers` were found with the
-// nodes at `world` (nodes), where the skin is.
+// Vertices of the mesh with the hands' fingers in their relaxed posture; `fingers` and the mesh
+// belong to the posture `world` (nodes).
 [[nodiscard]] std::vector<SkinVertex> relaxed_hands(const Skeleton& skeleton,
                                                     const std::vector<Transformd>& world,
                                                     const HumanoidMap& map,

@@ -16,7 +16,7 @@ struct PartWords {
   std::array<std::string_view, 15> words;  // the rest are empty
 };
 
-// The conventions' words for the bones, in lower case and without separators.
+// Words of the conventions for the bones, in lower case and without separators.
 constexpr PartWords kWords[] = {
     {BonePart::hips, {"hips", "pelvis"}},
     {BonePart::hip, {"hip", "hipjoint"}},
@@ -51,7 +51,7 @@ constexpr PartWords kWords[] = {
     {BonePart::head, {"head", "skullbase", "頭", "头"}},
 };
 
-// Words of joints that belong to a bone, or control it, but are not it.
+// Words of joints that assist or control a bone, but are not the bone itself.
 constexpr std::string_view kOthers[] = {
     "twist",   "roll",    "ik",     "fk",     "mch",   "pole",   "target",     "ctrl",
     "control", "goal",    "tweak",  "helper", "site",  "slot",   "effector",   "helmet",
@@ -59,7 +59,7 @@ constexpr std::string_view kOthers[] = {
     "carpal",  "fingers", "mesh",   "geo",    "prop",  "finger", "corrective", "share",
     "bck",     "fwd",     "inner",  "outer",  "sec",   "adj",
 };
-// Words of what hangs on a body and is no part of the spine or a limb.
+// Words of attachments that belong to neither spine nor limbs.
 constexpr std::string_view kOrnaments[] = {
     "face",     "facial", "jaw",      "chin",     "eye",       "eyes",       "eyeball", "eyelid",
     "lid",      "brow",   "brows",    "eyebrow",  "ear",       "ears",       "nose",    "nostril",
@@ -90,7 +90,7 @@ BonePart part_of(std::string_view word) {
   return BonePart::none;
 }
 
-// The part named by the longest run of neighbouring words.
+// Part named by the longest run of adjacent words.
 BonePart longest_part(const std::vector<std::string>& words) {
   BonePart best = BonePart::none;
   std::size_t best_length = 0;
@@ -99,7 +99,7 @@ BonePart longest_part(const std::vector<std::string>& words) {
     for (std::size_t k = i; k < words.size() && run.size() < 16; ++k) {
       run += words[k];
       const BonePart part = part_of(run);
-      // of equals the last one: "foot ball" is a ball and "arm hand" is a hand
+      // of equally long runs the last one: "foot ball" is a ball and "arm hand" is a hand
       if (part == BonePart::none || run.size() < best_length) continue;
       best = part;
       best_length = run.size();
@@ -108,7 +108,7 @@ BonePart longest_part(const std::vector<std::string>& words) {
   return best;
 }
 
-// A name in one piece: "lfemur", "leftupleg", "handleft", "左足".
+// Parses a name without separators: "lfemur", "leftupleg", "handleft", "左足".
 BoneName read_glued(const std::vector<std::string>& words) {
   std::string all;
   for (const std::string& word : words) all += word;
@@ -127,12 +127,12 @@ BoneName read_glued(const std::vector<std::string>& words) {
   return {};
 }
 
-// "Arm top" is an upper arm; "head top" is the end of the head.
+// Whether a limb is named: "Arm top" is an upper arm; "head top" is the end of the head.
 bool has_limb(const std::vector<std::string>& words) {
   return contains(words, "arm") || contains(words, "leg");
 }
 
-// Words of bones that control or decorate, whatever else their names say.
+// Words of control and decoration bones, which override the rest of their names.
 constexpr std::string_view kNoTwist[] = {"ik", "fk", "mch", "pole", "target", "ctrl", "control"};
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace shigusa {
 
-// The part that a joint's name tells. Some words mean one bone here and another there: whoever
-// reads the chain around the joint decides.
+// Part named by a joint's name. Some words mean different bones in different conventions; the chain
+// around the joint decides.
 enum class BonePart {
   none,
   hips,
@@ -23,16 +23,16 @@ enum class BonePart {
   collar,
   shoulder,  // collar above an upper arm ("LeftShoulder", "LeftArm"), else upper arm
   upper_arm,
-  arm,  // upper arm, where nothing is called so more clearly
+  arm,  // upper arm, if no name states it more clearly
   lower_arm,
   hand,
-  palm,  // the hand, where nothing is called so more clearly
+  palm,  // the hand, if no name states it more clearly
   spine,
   neck,
   head,
   thumb,
-  ornament,  // face, hair, clothes, tail, wings, what is carried: no limb and no part of the spine
-  tip,       // "HeadTop_End", "Toe.nub": the end of the bone before
+  ornament,  // face, hair, clothes, tail, wings, carried things: neither limb nor spine
+  tip,       // "HeadTop_End", "Toe.nub": the end of the parent bone
 };
 
 enum class NameSide { none, left, right };
@@ -42,20 +42,20 @@ struct BoneName {
   NameSide side = NameSide::none;
 };
 
-// Reads "LeftUpLeg", "mixamorig:LeftArm", "upper_arm.L", "DEF-thigh.L", "upperarm_l", "lfemur",
-// "J_Bip_L_UpperLeg", "Bip01 L Calf", "leftUpperLeg", "左ひじ" and their like. Fingers, twist and
-// control joints and the like have no part.
+// Parses names such as "LeftUpLeg", "mixamorig:LeftArm", "upper_arm.L", "DEF-thigh.L",
+// "upperarm_l", "lfemur", "J_Bip_L_UpperLeg", "Bip01 L Calf", "leftUpperLeg" and "左ひじ". Fingers,
+// twist bones, control joints and similar have no part.
 [[nodiscard]] BoneName read_bone_name(std::string_view name);
 
-// The words of a name in lower case: split at separators, digits and capitals ("LHipJoint" is
-// l, hip, joint). The text before a colon or bar names the character.
+// Words of a name in lower case, split at separators, digits and capitals ("LHipJoint" is l, hip,
+// joint). A prefix before a colon or bar names the character and is dropped.
 [[nodiscard]] std::vector<std::string> words_of(std::string_view name);
 
-// Whether `next` goes on where `name` stands in a numbered row: "spine.004" after "spine.003".
+// Whether `next` follows `name` in a numbered row: "spine.004" after "spine.003".
 [[nodiscard]] bool is_next_in_row(std::string_view name, std::string_view next);
 
-// Whether a name is one of a bone that takes a share of a limb's twist: "lowerarm_twist_01_l",
-// "LeftForeArmRoll", "左手捩", Source's "Bip01_L_Ulna".
+// Whether a name is that of a twist bone, which takes a share of a limb's twist:
+// "lowerarm_twist_01_l", "LeftForeArmRoll", "左手捩", Source's "Bip01_L_Ulna".
 [[nodiscard]] bool is_twist_name(std::string_view name);
 
 }  // namespace shigusa

@@ -11,21 +11,22 @@
 namespace shigusa {
 namespace {
 
-// Shorter chains (share of the figure's extent) are fingers, faces and ornaments.
+// Share of the figure's extent below which chains are fingers, faces and ornaments.
 constexpr double kShortestLimb = 0.2;
-// Segment lengths of the two sides may differ by this share of their sum.
+// Largest difference of the two sides' segment lengths, as a share of their sum.
 constexpr double kLimbAsymmetry = 0.3;
 constexpr std::size_t kFewestSegments = 3;
-// Bounds for figures of many branches; a person's limbs are among the longest.
+// Limits on the search in figures of many branches; a person's limbs are among the longest.
 constexpr std::size_t kBranchesTried = 6;
 constexpr std::size_t kPairsTried = 64;
 
-// A joint lies at least this share of the limb's length beyond the joint before: people have 0.38
-// to 0.42 for thigh, shank and upper arm, 0.33 for the forearm; half of those are twist joints.
+// Least distance of a joint beyond the one before, as a share of the limb's length: people have
+// 0.38 to 0.42 for thigh, shank and upper arm, 0.33 for the forearm; half of those are twist
+// joints.
 constexpr double kSegmentShare = 0.27;
 constexpr double kForearmShare = 0.22;
-// Shoulders stand from the middle by 0.23 of the chain's length beyond its first node or more, the
-// inner ends of collar bones by 0.07 or less.
+// Least distance of shoulders from the middle, as a share of the chain's length beyond its first
+// node: shoulders have 0.23 or more, the inner ends of collar bones 0.07 or less.
 constexpr double kShoulderShare = 0.1;
 
 double branch_length(const SkeletonTree& tree, int node, int branch) {
@@ -85,7 +86,7 @@ bool independent(const SkeletonTree& tree, const BranchPair& legs, const BranchP
          !tree.below(arms.node, legs.branch[1]);
 }
 
-// The longest branch of a node beside a pair and what leads to `other`: a head, or -1.
+// Longest branch of a node beside a pair and the branch towards `other`: a head, or -1.
 int third_branch(const SkeletonTree& tree, const BranchPair& pair, const BranchPair& other) {
   int best = -1;
   double longest = 0.05 * tree.extent();
@@ -100,17 +101,17 @@ int third_branch(const SkeletonTree& tree, const BranchPair& pair, const BranchP
   return best;
 }
 
-// Which of the pairs are the legs: the pair away from the head.
+// Assigns two pairs to legs and arms: the legs are away from the head.
 BodyShape ordered(const SkeletonTree& tree, const BranchPair& upper, const BranchPair& lower) {
   if (upper.node != lower.node) {
-    // the root stands in the chest if the head leaves there
+    // the root is in the chest if the head leaves there
     const bool chest_root =
         third_branch(tree, upper, lower) >= 0 && third_branch(tree, lower, upper) < 0;
     return chest_root ? BodyShape{lower, upper} : BodyShape{upper, lower};
   }
   const int head = third_branch(tree, upper, lower);
   if (head < 0) {
-    // without their roots, where a trunk may be missing, legs are the longer limbs
+    // without their first segments, where a trunk may be missing, legs are the longer limbs
     const auto limb = [&](const BranchPair& pair) {
       return pair.length - norm(tree.at(pair.branch[0]) - tree.at(pair.node));
     };
@@ -132,7 +133,7 @@ std::vector<BranchPair> longest_pairs(const SkeletonTree& tree) {
   return pairs;
 }
 
-// From the chain's node `start` on: that node, and the two joints beyond it.
+// The chain's node `start` and the two joints beyond it.
 std::optional<LimbNodes> joints(const SkeletonTree& tree, const std::vector<int>& chain,
                                 std::size_t start, double second_share) {
   double length = 0.0;
@@ -140,7 +141,7 @@ std::optional<LimbNodes> joints(const SkeletonTree& tree, const std::vector<int>
     length += norm(tree.at(chain[i]) - tree.at(chain[i - 1]));
   }
   LimbNodes nodes{chain[start], -1, -1};
-  // of no more than three joints each is one of the limb's
+  // a chain with at most three joints apart consists of the limb's joints
   constexpr double kLeast = 0.15;  // of the limb
   if (chain.size() == start + 3 && !tree.node(chain.back()).end_site) {
     const double upper = norm(tree.at(chain[start + 1]) - tree.at(chain[start]));
@@ -161,7 +162,7 @@ std::optional<LimbNodes> joints(const SkeletonTree& tree, const std::vector<int>
   return nodes;
 }
 
-// The joints of a chain that stand as far along it as those of its fellow along theirs.
+// Joints of a chain at the same relative positions as those of its counterpart.
 std::optional<LimbNodes> joints_like(const SkeletonTree& tree, const LimbNodes& fellow,
                                      const std::vector<int>& chain, std::size_t start) {
   LimbNodes nodes{chain[start], -1, -1};
@@ -247,7 +248,7 @@ std::optional<std::array<LimbNodes, 2>> arm_nodes(const SkeletonTree& tree,
   if (shoulder == count) return std::nullopt;
   auto a = joints(tree, first, shoulder, kForearmShare);
   auto b = joints(tree, second, shoulder, kForearmShare);
-  // a hand may have fingers, and its fellow none: the shorter chain tells the joints of both
+  // a hand may have fingers and its counterpart none: the shorter chain determines both
   if (a && first.size() < second.size()) b = joints_like(tree, *a, second, shoulder);
   if (b && second.size() < first.size()) a = joints_like(tree, *b, first, shoulder);
   if (!a || !b) return std::nullopt;

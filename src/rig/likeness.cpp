@@ -9,21 +9,22 @@
 namespace shigusa {
 namespace {
 
-// Bounds of figures, in lengths of their legs: a dwarf with a big head has 1.6 of trunk and 1.4 of
-// arm, a giant 2 of arm. People have 0.6 of trunk and 0.7 of arm.
+// Bounds of figures, relative to the length of their legs: a dwarf with a big head has a trunk of
+// 1.6 and arms of 1.4, a giant arms of 2. People have a trunk of 0.6 and arms of 0.7.
 constexpr double kShortestTrunk = 0.2;
 constexpr double kLongestTrunk = 4.0;
 constexpr double kShortestArm = 0.2;
 constexpr double kLongestArm = 4.0;
-// Of two fellows the longer over the shorter one; people have 1.0.
+// Largest ratio of the two sides' lengths; people have 1.0.
 constexpr double kFellows = 2.5;
-// From shoulder to shoulder, and from hip to hip, in lengths of trunk and legs; people have 0.3.
+// Largest breadth of shoulders and of hips, relative to trunk and legs; people have 0.3.
 constexpr double kBroadest = 1.0;
-// Four-legged animals, likewise: a fox has 1.3 of trunk and 1.15 of foreleg.
+// Bounds of four-legged animals, relative to the hind legs: a fox has a trunk of 1.3 and forelegs
+// of 1.15.
 constexpr double kAnimalsTrunk = 0.8;
 constexpr double kAnimalsArm = 0.85;
 
-// Of a limb's two segments.
+// Lengths of a limb's two segments.
 struct Lengths {
   double upper;
   double lower;
@@ -39,7 +40,7 @@ Lengths arm_of(const Landmarks& figure, Side side) {
 
 double unevenness(double a, double b) { return max(a, b) / min(a, b); }
 
-// Why a pair of limbs is no person's; empty where it may be one.
+// Reason why a pair of limbs is not human; empty if it may be.
 Message odd_limbs(const char* limb, Lengths left, Lengths right) {
   for (const Lengths& each : {left, right}) {
     const double share = unevenness(each.upper, each.lower);

@@ -7,17 +7,17 @@
 
 namespace shigusa {
 
-// Of a limb's two segments the longer over the shorter one; people have 1.3 at most.
+// Largest ratio of a limb's two segments; people have 1.3 at most.
 inline constexpr double kMostUnevenSegments = 5.0;
 
-// Why a figure with the limbs that were found is no person, with what was measured; empty where it
-// may be one. Children, dwarfs, figures with big heads, the arms of giants and robots may be: only
-// limbs of lengths that no figure has tell, and the stance on four legs. Of the landmarks limbs
-// alone count, in any unit and posture.
+// Reason why a figure with the limbs found is no person, with the measured values; empty if it may
+// be one. Children, dwarfs, big heads, giants' arms and robots are accepted: the criteria are limb
+// lengths beyond those of any figure, and a stance on four legs. Only the limb landmarks are used,
+// in any unit and posture.
 [[nodiscard]] Message unlike_a_person(const Landmarks& figure);
 
-// Whether the trunk lies level over four limbs that reach down alike; of an animal that is, or a
-// person who touches the floor.
+// Whether the trunk is level over four limbs that reach down equally, as of an animal or of a
+// person touching the floor.
 [[nodiscard]] bool stands_on_four(const Landmarks& figure);
 
 }  // namespace shigusa

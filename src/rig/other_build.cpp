@@ -84,7 +84,7 @@ class Build {
     return {};
   }
 
-  // Of a limb's own chain, or what stands at one place with it, as controls and layers of a rig do.
+  // Whether a node belongs to a limb's own chain, or coincides with its nodes as control bones do.
   [[nodiscard]] bool is_of_limb(int i, std::size_t limb) const {
     constexpr double kSame = 0.25;  // of the limb
     const auto& bones = kLimbBones[limb];
@@ -159,7 +159,8 @@ class Build {
                                        : Message();
   }
 
-  // Whether a node bears limbs of several kinds, or leads from where they meet to the head.
+  // Whether a node has limbs of several kinds below it, or lies between their junction and the
+  // head.
   [[nodiscard]] bool is_trunk(int i) const {
     const int hips = map_[Bone::hips];
     const int chest =
@@ -180,12 +181,12 @@ class Build {
       limbs.leg(side) = {at(hip), at(knee), at(ankle), {}};
       limbs.arm(side) = {at(shoulder), at(elbow), at(wrist), {}};
     }
-    // fingers of one hand: the trunk would lead the way that the legs go
+    // fingers of one hand: the trunk would point in the direction of the legs
     constexpr double kAlong = 0.5;
     const Vec3d trunk = normalized(mid_shoulder(limbs) - mid_hip(limbs), {});
     const Vec3d legs = (limbs.left_leg.ankle + limbs.right_leg.ankle) * 0.5 - mid_hip(limbs);
     if (!by_names_ && dot(trunk, normalized(legs, {})) > kAlong) return say("four_limbs_down");
-    // limbs of an animal's lengths are told with these
+    // limbs with an animal's lengths are reported by unlike_a_person
     if (!stands_on_four(limbs) || !unlike_a_person(limbs).empty()) return {};
     for (int i = 0; i < tree_.size(); ++i) {
       if (has(i, kTail)) return say("four_legs_and_tail", tree_.described(i));

@@ -8,15 +8,16 @@
 
 namespace shigusa {
 
-// Why a skeleton in which a person's limbs were found is another creature's, by what else it has
-// and how its limbs are called; empty where it may be a person's. `by_names`: that of all limbs
-// the names told which they are.
+// Reason why a skeleton in which a person's limbs were found is another creature's, from its other
+// limbs and its names; empty if it may be a person's. `by_names`: whether names identified all
+// limbs. Reasons are:
 //
-// - Limbs that are called an animal's (FrontLeg, Hind_Leg, Wing, Fin), or both of a pair fingers'.
-// - Arms that hang on a head or a jaw.
-// - Further legs or arms by their names, that stand apart from the person's.
-// - Without names two more pairs of chains of legs' length that reach the floor: crabs and spiders.
-// - A level trunk over four limbs that reach down alike, with a tail or without names.
+// - Limbs named as an animal's (FrontLeg, Hind_Leg, Wing, Fin), or both of a pair as fingers.
+// - Arms below a head or a jaw.
+// - Further legs or arms by their names, apart from the person's.
+// - Without names, two more pairs of chains of a leg's length that reach the floor: crabs and
+//   spiders.
+// - A level trunk over four limbs that reach down equally, with a tail or without names.
 [[nodiscard]] Message unlike_a_persons_build(const SkeletonTree& tree, const HumanoidMap& map,
                                              bool by_names);
 

@@ -17,7 +17,7 @@ SkeletonTree::SkeletonTree(const Skeleton& skeleton, const std::vector<Transform
       first_(world.size()),
       last_(world.size()) {
   SHG_CHECK(world.size() == skeleton.nodes.size(), "one transform for each node");
-  std::vector<int> below(world.size(), 1);  // nodes below each, itself included
+  std::vector<int> below(world.size(), 1);  // size of each node's subtree
   for (int i = size(); i-- > 0;) {
     const int parent = node(i).parent;
     SHG_CHECK(parent < i, "parents come before their children");
@@ -29,7 +29,7 @@ SkeletonTree::SkeletonTree(const Skeleton& skeleton, const std::vector<Transform
     }
   }
   int next_root = 0;
-  std::vector<int> next(world.size());  // place of each node's next child
+  std::vector<int> next(world.size());  // position of each node's next child
   for (int i = 0; i < size(); ++i) {
     const int parent = node(i).parent;
     int& place = parent < 0 ? next_root : next[index(parent)];
@@ -54,7 +54,7 @@ int SkeletonTree::common_ancestor(int a, int b) const {
 
 bool SkeletonTree::apart(int a, int b) const {
   constexpr double kSamePlace = 1e-6;
-  // no figure is smaller in any unit of length that files use
+  // no figure is smaller in any unit that files use
   constexpr double kSmallest = 1e-3;
   return norm(at(a) - at(b)) > kSamePlace * max(extent_, kSmallest);
 }

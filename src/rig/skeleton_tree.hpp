@@ -11,41 +11,40 @@
 
 namespace shigusa {
 
-// The shape of a skeleton in one posture, as questions about its nodes. Borrows both.
+// Geometric queries on the nodes of a skeleton in one posture. Borrows both.
 class SkeletonTree {
  public:
-  // `world`: (nodes). Parents must come before children. `skin`: what its nodes move, in the same
-  // posture.
+  // `world`: (nodes). Parents must come before children. `skin`: mesh in the same posture.
   SkeletonTree(const Skeleton& skeleton, const std::vector<Transformd>& world,
                std::span<const SkinVertex> skin = {});
 
   [[nodiscard]] int size() const { return static_cast<int>(world_.size()); }
   [[nodiscard]] const SkeletonNode& node(int i) const { return skeleton_.nodes[index(i)]; }
-  // "joint 'Hips'", "the End Site of 'Head'".
+  // Name of a node for messages: "joint 'Hips'", "the End Site of 'Head'".
   [[nodiscard]] std::string described(int i) const;
   [[nodiscard]] const Vec3d& at(int i) const { return world_[index(i)].translation; }
   [[nodiscard]] const std::vector<int>& children(int i) const { return children_[index(i)]; }
 
-  // Length of the longest way from a node down to a tip; of all roots, the longest.
+  // Length of the longest chain from a node down to a tip; the longest one of all roots.
   [[nodiscard]] double reach(int i) const { return reach_[index(i)]; }
   [[nodiscard]] double extent() const { return extent_; }
 
-  // Whether i is `ancestor` or hangs below it.
+  // Whether i is `ancestor` or a descendant of it.
   [[nodiscard]] bool below(int i, int ancestor) const {
     return first_[index(ancestor)] <= first_[index(i)] && first_[index(i)] < last_[index(ancestor)];
   }
-  // The deepest node that both hang below, or -1.
+  // Deepest common ancestor of both, or -1.
   [[nodiscard]] int common_ancestor(int a, int b) const;
 
-  // Whether two nodes stand at different points, to a millionth of the extent (and 1e-9).
+  // Whether two nodes are at different points, to a millionth of the extent (and 1e-9).
   [[nodiscard]] bool apart(int a, int b) const;
 
-  // From `first`, a child of `origin`, the longest way down to a tip: only the nodes that stand
-  // apart from the one before, `origin` included in that comparison.
+  // Longest chain from `first`, a child of `origin`, down to a tip; nodes that coincide with their
+  // predecessor, which for the first is `origin`, are left out.
   [[nodiscard]] std::vector<int> chain(int origin, int first) const;
 
-  // The tip at the end of the longest way down from i, i itself where nothing stands apart below
-  // it. Nodes for which `skip` holds are left out with all that is below them.
+  // Tip of the longest chain below i; i itself if no descendant is apart from it. Nodes for which
+  // `skip` holds are left out with their descendants.
   [[nodiscard]] int farthest(int i, const std::function<bool(int)>& skip = {}) const;
 
   [[nodiscard]] std::span<const SkinVertex> skin() const { return skin_; }

@@ -5,17 +5,17 @@
 
 namespace shigusa {
 
-// The direction of a trunk and legs in one posture.
+// Directions of trunk and legs in one posture.
 struct TrunkAndLegs {
-  Vec3d trunk;  // from between the hips to between the shoulders
-  Vec3d legs;   // from between the ankles to between the hips
+  Vec3d trunk;  // from mid-hip to mid-shoulder
+  Vec3d legs;   // from mid-ankle to mid-hip
 
-  // The axis that both point along, or 0.
+  // Axis along which both point, or 0.
   [[nodiscard]] Vec3d common_axis() const;
-  // The direction of a body that is straight from the ankles to the shoulders, or 0.
+  // Direction of a body that is straight from ankles to shoulders, or 0.
   [[nodiscard]] Vec3d common_line() const;
 
-  // Those of the rest pose, in the file's units and axes.
+  // Directions in the rest pose, in the file's units and axes.
   [[nodiscard]] static TrunkAndLegs at_rest(const Skeleton& skeleton, const HumanoidMap& map);
 };
 

@@ -12,13 +12,16 @@ namespace {
 
 using Bone = HumanoidBone;
 
-// Distance from the limb's line, in its lengths, of a node between two bones and of one by name.
+// Largest distance from the limb's line, in its lengths, of a node between two bones and of one by
+// name.
 constexpr double kOnLine = 0.03;
 constexpr double kBesideLine = 0.15;
-// A node between two bones stands apart from both by this share of the way; one nearer is a helper.
+// Least distance from both bones of a node between them, as a share of their distance; nearer ones
+// are helpers.
 constexpr double kApart = 0.1;
 constexpr double kBeyond = 0.05;
-// Where all of a lower limb's twist bones stand nearer to its joint, places tell no shares.
+// Position nearest to the joint: if all twist bones of a lower limb are nearer, positions determine
+// no shares.
 constexpr double kAtTheJoint = 0.2;
 
 class TwistFinder {
@@ -28,7 +31,7 @@ class TwistFinder {
       : tree_(skeleton, world), map_(map), found_(skeleton.nodes.size(), false) {}
 
   std::vector<TwistBone> find() {
-    // in chains first: a node may be on one limb's way and beside another's
+    // in chains first: a node may be within one limb and beside another
     for (const bool chains : {true, false}) {
       for (const TwistSegment& segment : twist_segments()) {
         if (map_[segment.bone] < 0 || map_[segment.next] < 0) continue;
@@ -70,7 +73,8 @@ class TwistFinder {
     twists_.push_back({i, bone, clamp(share, 0.0, 1.0), chain});
   }
 
-  // Below the limb's bone and not the next one, or on what that bone hangs on, and bears no bone.
+  // Whether a node is below the limb's bone but not the next one, or below that bone's parent, and
+  // has no bone below it.
   [[nodiscard]] bool beside(int i, int from, int to) const {
     for (const int bone : map_.node) {
       if (bone >= 0 && tree_.below(bone, i)) return false;

@@ -8,38 +8,40 @@
 
 namespace shigusa {
 
-// A node of a skeleton that takes a share of a limb's twist: "LeftForeArmTwist".
+// A node that takes a share of a limb's twist, such as "LeftForeArmTwist".
 struct TwistBone {
   int node = -1;
-  // whose segment it lies along: an upper or a lower leg or arm
+  // bone of its segment: an upper or a lower leg or arm
   HumanoidBone bone = HumanoidBone::left_lower_arm;
-  double share = 0.0;  // 0..1 of the way from the segment's joint to the next
-  bool chain = false;  // the next joint hangs on it
+  double share = 0.0;  // 0..1 of the length from the segment's joint to the next
+  bool chain = false;  // whether the next joint is its descendant
 };
 
-// The twist bones of a skeleton in the posture `world` (nodes, as world_transforms gives), by their
-// places along the limb: joint and next joint are 0 and 1.
+// Twist bones of a skeleton in the posture `world` (nodes, as from world_transforms), with their
+// positions along the limb: joint and next joint are 0 and 1.
 //
-// - A node between a limb's bone and the next one that stands on the line between the two and well
-//   apart from both is one, whatever its name (Rigify's DEF-forearm.L.001, Daz's lForearmTwist).
-// - Any other is one by its name (twist, roll, 捩; ulna) where it stands beside that line: below
-//   the limb's bone (Unreal's lowerarm_twist_01_l), or on what that bone hangs on, if it bears no
-//   bone.
+// - A node between a limb's bone and the next one is a twist bone if it is on the line between the
+//   two and well apart from both, whatever its name (Rigify's DEF-forearm.L.001, Daz's
+//   lForearmTwist).
+// - Any other node is a twist bone by its name (twist, roll, 捩; ulna) if it is near that line:
+//   below the limb's bone (Unreal's lowerarm_twist_01_l), or below the parent of that bone without
+//   having a bone below it.
 //
-// Forearm twist bones that all stand at the elbow share by their number.
+// Forearm twist bones that are all at the elbow share the twist by their number.
 [[nodiscard]] std::vector<TwistBone> find_twist_bones(const Skeleton& skeleton,
                                                       const std::vector<Transformd>& world,
                                                       const HumanoidMap& map);
 
-// Whether the limb's bone itself goes without a twist, which twist bones on the way take up: of a
-// lower limb with any, of an upper one with some between it and the next bone.
+// Whether the limb's bone itself has no twist, because twist bones take it up: a lower limb with
+// any of them, an upper one with some between it and the next bone.
 [[nodiscard]] bool untwisted(const std::vector<TwistBone>& twists, HumanoidBone bone);
 
-// The four segments that twist, with the bone at their end: upper arm and forearm, thigh and shank.
+// The four kinds of segments that twist, with the bone at their end: upper arm, forearm, thigh,
+// shank.
 struct TwistSegment {
   HumanoidBone bone;
   HumanoidBone next;
-  bool lower;  // shares the twist of the joint at its end, an upper one that at its beginning
+  bool lower;  // takes the twist of the joint at its end; an upper one of that at its beginning
 };
 [[nodiscard]] const std::array<TwistSegment, 8>& twist_segments();
 

@@ -17,7 +17,7 @@
 namespace shigusa {
 namespace {
 
-// Where neither names nor feet tell left from right, the axes do: robots have z up and y to the
+// Determines left and right by the axes if neither names nor feet do: robots have z up and y to the
 // left (ROS REP 103).
 void tell_sides(const Robot& robot, const std::vector<Transformd>& places, HumanoidMap& map) {
   using Bone = HumanoidBone;
@@ -39,8 +39,8 @@ void tell_sides(const Robot& robot, const std::vector<Transformd>& places, Human
   std::swap(map[Bone::left_shoulder], map[Bone::right_shoulder]);
 }
 
-// The hand of an arm whose names do not tell it: robots have joints within the forearm, and the
-// hand is the last link, or the first of those about one wrist.
+// Hand of an arm without a named one: robots have joints within the forearm, and the hand is the
+// last link, or the first of those at one wrist.
 int hand_beyond(const Robot& robot, const std::vector<Transformd>& places, int elbow, int hand) {
   constexpr double kOneWrist = 0.35;  // of the way from the elbow to the last link
   constexpr double kForearm = 0.5;
@@ -67,8 +67,8 @@ int hand_beyond(const Robot& robot, const std::vector<Transformd>& places, int e
   return links[wrist];
 }
 
-// The first link of a foot's ankle: its joints stand at about one place, and a name may tell the
-// last of them alone.
+// First link of a foot's ankle: its joints nearly coincide, and a name may mark only the last of
+// them.
 int ankle_of(const std::vector<Transformd>& places, const std::vector<int>& parent, int shank,
              int foot) {
   constexpr double kOneAnkle = 0.1;  // of the shank
@@ -168,7 +168,7 @@ Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) 
   for (const Robot::Joint& joint : robot.joints) {
     parent[index(joint.child)] = joint.parent;
   }
-  // only where a link stands tells of a person; how its axes lie does not
+  // only the positions of links are comparable with a person's; their axes are not
   Skeleton skeleton;
   std::vector<Transformd> world;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
@@ -192,7 +192,7 @@ Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) 
       end = hand_beyond(robot, places, (*map)[elbow], end);
     }
   }
-  // few robots have toes: what hangs on a foot is a sensor or a sole
+  // few robots have toes: children of a foot are sensors or soles
   if (map) {
     for (const HumanoidBone toes : {HumanoidBone::left_toes, HumanoidBone::right_toes}) {
       const int node = (*map)[toes];
@@ -201,7 +201,7 @@ Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked) 
       }
     }
     std::erase_if(map->doubts, [](const Message& doubt) {
-      // frames on a foot point anywhere, and a robot is no mirror image
+      // frames on a foot have arbitrary directions, and a robot is no mirror image
       return doubt.text.starts_with("no left_toes") || doubt.text.starts_with("no right_toes") ||
              doubt.key == "feet_backwards";
     });

@@ -16,18 +16,18 @@
 
 namespace shigusa {
 
-// A robot as files describe it: links that joints hold together. Metres, kilograms, radians, in the
+// Description of a robot from a file: links connected by joints. Metres, kilograms, radians, in the
 // file's own axes.
 struct Robot {
-  // A simple shape of a link, as large as a box: that box, the cylinder along its z or the ball in
-  // it.
+  // A simple shape of a link, inscribed in a box: the box itself, the cylinder along its z axis or
+  // the ball.
   struct Shape {
     enum class Kind { box, cylinder, ball };
     Kind kind = Kind::box;
     Vec3d half{};        // m, half the sizes of the box, own frame
     Transformd place{};  // of the own frame, link frame
 
-    // The corners of the box (m, link frame), as box_corners numbers them.
+    // Corners of the box (m, link frame), numbered as in box_corners.
     [[nodiscard]] std::array<Vec3d, 8> corners() const;
   };
   struct Link {
@@ -35,10 +35,10 @@ struct Robot {
     double mass = 0.0;                               // kg; 0 where the file has none
     Vec3d com{};                                     // m, link frame
     Mat3d inertia{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the com, link axes
-    std::vector<Shape> collides;  // what it collides with, as far as shapes are simple
-    std::vector<Shape> shown;     // what it looks like, the same
+    std::vector<Shape> collides;                     // collision shapes, as far as they are simple
+    std::vector<Shape> shown;                        // visual shapes, as far as they are simple
 
-    // Corners of boxes around what it collides with (m, link frame).
+    // Corners of boxes around the collision shapes (m, link frame).
     [[nodiscard]] std::vector<Vec3d> corners() const;
   };
   struct Joint {
@@ -47,19 +47,19 @@ struct Robot {
     int child = 0;         // link
     Transformd origin;     // the child's frame in the parent's, at the angle 0
     Vec3d axis{1, 0, 0};   // unit vector, child's frame
-    bool turns = false;    // revolute or continuous; what slides or follows another stays fixed
-    bool moves = false;    // as the file has it, by one number
-    bool slides = false;   // that number is a length (m)
+    bool turns = false;    // revolute or continuous; sliding and mimicking joints are fixed
+    bool moves = false;    // has one degree of freedom in the file
+    bool slides = false;   // its position is a length (m)
     double lower = -kPi;   // rad, or m
     double upper = kPi;    // rad, or m
-    bool limited = false;  // by the file, to less than a whole turn
+    bool limited = false;  // limited by the file to less than a full turn
     double effort = 0.0;   // N·m; 0 where the file has none
-    double rest = 0.0;     // rad, or m: the place that the start posture asks for
-    bool floats = false;   // floating or planar: by more than one number
-    // rad, as the file has them, of one that turns
+    double rest = 0.0;     // rad, or m: position in the start posture
+    bool floats = false;   // floating or planar: several degrees of freedom
+    // rad, limits of the file, for a turning joint
     std::optional<std::array<double, 2>> ends{};
   };
-  // A posture that the file has a name for: a key frame of MJCF, a group state of URDF.
+  // A named posture of the file: a key frame of MJCF, a group state of URDF.
   struct Keyframe {
     std::string name;
     std::vector<std::pair<std::string, double>> angles;  // by joint, rad or m; others stay at 0
@@ -74,78 +74,80 @@ struct Robot {
 // Whether a link is part of a gripper or a finger, by its name.
 [[nodiscard]] bool is_digit(const std::string& link);
 
-// The eight corners of a box about the origin: bit k of a corner's number tells which end of axis k
-// it stands at.
+// The eight corners of a box about the origin: bit k of a corner's number selects the end of axis
+// k.
 [[nodiscard]] std::array<Vec3d, 8> box_corners(const Vec3d& half);
 
-// Sentences about one thing, by its name, and about many, by their number and the first name.
+// Messages about one thing, by its name, and about several, by their number and the first name.
 using OfOne = Sentence<std::string>;
 using OfMany = Sentence<std::size_t, std::string>;
 
-// Adds a doubt about things of these names: `one` with the name, or `many` with the number and the
-// first name, as they are shown.
+// Adds a doubt about the named things: `one` with the name, or `many` with the number and the
+// first name, formatted for display.
 void doubt_about(const std::vector<std::string>& names, const OfOne& one, const OfMany& many,
                  std::vector<Message>& doubts);
 
-// Reads the limits of a robot's turning joints in degrees where most of them are more than a whole
-// turn, and in radians where most are next to nothing, with a doubt.
+// Converts the limits of a robot's turning joints, with a doubt: degrees if most ranges exceed
+// two full turns in radians, and radians read as degrees if most ranges are tiny.
 void mend_limits(Robot& robot);
 
-// A name in a message: in quotes, short, and without bytes that a terminal may take amiss.
+// A name for a message: quoted, shortened, and without control bytes.
 [[nodiscard]] std::string shown(std::string_view text);
 
-// Places of the links (links) where all angles are 0, in the root's frame.
+// (links) placements of the links at zero angles, in the root's frame.
 [[nodiscard]] std::vector<Transformd> robot_places(const Robot& robot);
 
-// The robot with a link for the hand, fixed at the end of the forearm, where an arm ends at its
-// elbow, with a doubt: where the forearm's shapes end, never nearer than its centre of mass, else
-// twice as far as that, else where a person's would.
+// Robot with a hand link fixed at the end of the forearm if an arm ends at its elbow, with a
+// doubt. The hand is where the forearm's shapes end, but not nearer than its centre of mass; else
+// at twice the distance of that; else by human proportions.
 [[nodiscard]] Robot with_hands(Robot robot);
 
-// Links that a joint turns and that nothing follows.
+// Links that a joint turns and that have no children.
 [[nodiscard]] std::vector<int> open_ends(const Robot& robot);
-// Those that were taken for hands and are too long for that, beside the way from their shoulders:
+// Links mapped as hands that are too long for that, relative to the distance from their shoulders:
 // forearms, of both arms or of none.
 [[nodiscard]] std::vector<int> forearms_for_hands(const Robot& robot, const HumanoidMap& map);
-// The robot with a link fixed at the end of each of these, with doubts: for robots of which no name
-// tells where limbs end.
+// Robot with a link fixed at the end of each of these links, with doubts; for robots whose names
+// do not mark the ends of limbs.
 [[nodiscard]] Robot with_ends(Robot robot, const std::vector<int>& links);
 
-// The robot with ankles, where no joint turns between shank and foot, with a doubt: each turns
-// about the knee's axis, as high above the sole as a person's. Links keep their indices; the frame
-// of such a foot moves into its ankle.
+// Robot with ankles added if no joint turns between shank and foot, with a doubt. Each turns
+// about the knee's axis, at a person's height above the sole. Links keep their indices; the frame
+// of such a foot moves to its ankle.
 [[nodiscard]] Robot with_ankles(Robot robot, const HumanoidMap& map);
 
-// The joints of a robot's limbs where all angles are 0, in the root's frame; other landmarks are 0.
+// Limb joints of a robot at zero angles, in the root's frame; other landmarks are 0.
 [[nodiscard]] Landmarks limbs_of(const Robot& robot, const HumanoidMap& map);
 
-// The humanoid bones among a robot's links (see find_humanoid). Where neither names nor feet tell
-// left from right, +y of a robot with z up is left. Toes are only what is called so, or asked for.
+// Humanoid bones among a robot's links (see find_humanoid). If neither names nor feet determine
+// left and right, +y of a robot with z up is left. Toes require their name, or the user's
+// assignment.
 [[nodiscard]] Result<HumanoidMap> find_humanoid(const Robot& robot, const HumanoidMap& asked = {});
 
-// The robot as a body that stands on its right foot, the left one planted beside it. Its start
-// posture has every angle at 0, or as near to that as limits allow, and may leave the left foot in
-// the air: see settled_posture.
+// Builds the body of a robot that stands on its right foot, with the left one planted beside it.
+// Its start posture has every angle at 0, or as near to that as limits allow, and may leave the
+// left foot in the air: see settled_posture.
 //
-// - The kernel's tree grows from the right foot, so joints on the way to the pelvis are turned
-//   round. Links between fixed joints are one. Joints of toes, fingers and what the head carries
-//   keep their angle, with a doubt.
-// - Freedoms are named as a person's, where the map and the axis tell: "right_knee.flexion"; the
-//   sign is the anatomical one. In `robot()` stands which joint of the file each is.
-// - Limits and strengths are the file's. A joint that may turn all the way round has a person's
-//   limits where it is a person's joint; one without effort gets a person's strength, by the
-//   robot's weight.
-// - The sole is where what the foot collides with ends, else the lowest frame that is fixed to it,
-//   else a person's.
+// - The kernel's tree grows from the right foot, so joints between it and the pelvis are reversed.
+//   Rigidly connected links are one. Joints of toes, fingers and attachments of the head are fixed
+//   at their angles, with a doubt.
+// - Degrees of freedom have a person's names where the map and the axis determine them:
+//   "right_knee.flexion"; the sign is the anatomical one. `robot()` maps them to the joints of the
+//   file.
+// - Limits and strengths are the file's. A continuous joint has a person's limits if it is a
+//   person's joint; one without effort gets a person's strength, scaled by the robot's weight.
+// - The sole is at the lower end of the foot's collision shapes, else at a frame named as a sole,
+//   at the bottom of a box with the foot's mass and inertia, or at the lowest frame fixed to it,
+//   else by human proportions.
 // - Hands end at the frame of a gripper, palm or hand that is fixed beyond the wrist, else at the
 //   wrist's link.
-// - Stature is that of a person with such legs and trunk.
-// - Links without mass weigh nothing, with a doubt.
+// - Stature is that of a person with these legs and trunk.
+// - Links without mass are massless, with a doubt.
+// - A link that represents the world, above a floating joint or a joint without degrees of freedom,
+//   is not the root.
 //
-// - A link that stands for the world, above a floating joint or a joint of none, is not the root.
-//
-// `mass`: kg, spread over the links as a person's where none has a mass. Fails where the map's
-// bones are no chain of turning joints, or no link has a mass and none is given.
+// `mass`: kg, distributed over the links as a person's if none has a mass. Fails if the map's bones
+// are no chain of turning joints, or if no link has a mass and none is given.
 [[nodiscard]] Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map,
                                             std::optional<double> mass = std::nullopt);
 

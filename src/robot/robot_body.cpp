@@ -27,8 +27,8 @@ double usual_strength(const std::string& part) {
   return is_one_of({"wrist", "neck", "head"}) ? 0.02 : 0.06;
 }
 
-// Which coordinate axis a direction is nearest to, which way, and, where it is none, the frame that
-// has the direction as that axis.
+// Nearest coordinate axis to a direction and its sign; for other directions a frame with the
+// direction as that axis.
 struct TurnAxis {
   Axis axis = Axis::x;
   double sign = 1.0;
@@ -278,7 +278,8 @@ Result<void> RobotBuilder::add_masses() {
   if (!(body_.mass > 0.0)) {
     return fail(ErrorCode::unsupported, say("no_mass"));
   }
-  // no joint holds all the weight at an arm as long as the robot: such an effort stands for none
+  // no joint could hold the whole weight at an arm of the robot's height: such an effort means no
+  // limit
   const double most = body_.mass * kGravity * body_.stature;
   for (Dof& dof : body_.dofs) {
     if (dof.torque_positive > 0.0 && dof.torque_positive <= most) continue;
@@ -288,7 +289,7 @@ Result<void> RobotBuilder::add_masses() {
   return {};
 }
 
-// A link without length stands between two axes of one joint, and needs no mass.
+// Whether a link lies between two axes of one joint, so that it needs no mass.
 bool RobotBuilder::is_within_joint(std::size_t group) const {
   constexpr double kApart = 0.05;  // of the stature, between the axes
   for (const Moving& m : moving_) {

@@ -13,31 +13,31 @@
 
 namespace shigusa {
 
-// A hand reaches at least this far beyond the wrist, as a share of the stature.
+// Least distance from wrist to fingertip, as a share of the stature.
 inline constexpr double kLeastHand = 0.01;
 
-// Where a robot's head is in the posture of PlacedRobot (m, world).
+// Head of a robot in the posture of PlacedRobot (m, world).
 struct RobotHead {
-  Vec3d joint{};  // where it turns
+  Vec3d joint{};  // pivot of the head
   Vec3d top{};
-  int group = -1;          // of links, that it goes with
-  bool own_joint = false;  // one that the file has
+  int group = -1;          // group of links that it moves with
+  bool own_joint = false;  // whether the file has a joint for it
 };
 
-// The sole of a robot's foot in the posture of PlacedRobot: corners in its world (m), at one
-// height, counter-clockwise from above.
+// Sole of a robot's foot in the posture of PlacedRobot: corners in its world (m), at one height,
+// counter-clockwise from above.
 struct RobotSole {
   std::array<Vec3d, 4> corners;
   bool guessed = false;  // by a person's proportions
 };
 
-// `links`: those that are rigid with the foot; `ankle`: the ankle joint's centre.
+// `links`: links rigidly connected to the foot; `ankle`: centre of the ankle joint.
 [[nodiscard]] RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed,
                                    const std::vector<int>& links, const Vec3d& ankle,
                                    double stature);
 
-// Builds a body from a robot, link by link; all positions are in shigusa's world where every angle
-// is 0, in which the frames of all links are parallel.
+// Builds a body from a robot, link by link. Positions are in shigusa's world at zero angles, where
+// the frames of all links are parallel.
 class RobotBuilder {
  public:
   RobotBuilder(const Robot& robot, const HumanoidMap& map, std::optional<double> mass)
@@ -46,7 +46,7 @@ class RobotBuilder {
   [[nodiscard]] Result<BodyModel> build();
 
  private:
-  static constexpr std::size_t kRight = 1;  // of left and right: the side that stands
+  static constexpr std::size_t kRight = 1;  // index among left and right of the standing side
 
   // A moving joint of the body.
   struct Moving {
@@ -55,20 +55,19 @@ class RobotBuilder {
     int outer = -1;  // group away from the pelvis
     int inner = -1;
   };
-  // the robot as a person: bones, joints, groups of links
+  // interprets the robot as a person: bones, joints, groups of links
   Result<void> understand();
   void list_moving();
 
-  // Joints that keep their angle and may not be at 0 are bent as little as their limits allow; true
-  // where there was one.
+  // Bends fixed joints whose limits exclude 0 as little as possible; returns whether there was one.
   bool bend_still_joints();
 
-  // Links that do not move against each other are one group.
+  // Collects links without relative motion into groups.
   void find_groups();
 
   [[nodiscard]] const Vec3d& centre(const PersonJoint& joint) const;
 
-  // The joint of a part that flexes, else its first one.
+  // The flexing joint of a part, else its first one.
   static const PersonJoint& hinge(const PersonLimb& limb, std::size_t part);
   [[nodiscard]] Vec3d hip(std::size_t side) const { return centre(hinge(person_.legs[side], 0)); }
   [[nodiscard]] Vec3d knee(std::size_t side) const { return centre(hinge(person_.legs[side], 1)); }
@@ -77,17 +76,17 @@ class RobotBuilder {
   [[nodiscard]] Vec3d elbow(std::size_t side) const { return centre(hinge(person_.arms[side], 2)); }
   [[nodiscard]] Vec3d wrist(std::size_t side) const;
 
-  // Stature, floor, and the base's place.
+  // Determines stature, floor and the base's placement.
   void measure();
 
   [[nodiscard]] const Vec3d& origin(int link) const;
 
-  // The tree from the standing foot on, depth first, the pelvis before what else hangs on a link.
+  // Adds the tree from the standing foot, depth first, the pelvis before other children of a link.
   void add_links();
   void add_dof(Moving& moving, int group, int parent);
   std::string unique(const std::string& name);
   Result<void> add_masses();
-  // Gives the links of a robot without masses those of a person who weighs that (kg).
+  // Distributes a person's mass (kg) over the links of a robot without masses.
   void spread_mass(double mass);
   [[nodiscard]] bool is_within_joint(std::size_t group) const;
 
@@ -104,22 +103,22 @@ class RobotBuilder {
   void add_hand(std::size_t side);
   [[nodiscard]] RobotHead head() const;
 
-  // Parts that nothing should pass through: by the shapes that links collide with, else by those
-  // that they are drawn with, else, where there are only meshes, as a person's of that stature.
+  // Adds collision capsules: from the links' collision shapes, else their visual ones, else, if
+  // there are only meshes, from a person of that stature.
   void add_capsules();
   void add_part(BodyPart part, int group, const Landmarks& person);
   void add_trunk_parts(const Landmarks& person, const std::vector<int>& groups);
   void add_limb_parts(std::size_t side, const Landmarks& person);
-  // The robot as a person where every angle is 0; no waist yet.
+  // Landmarks of the robot as a person at zero angles; without the waist.
   [[nodiscard]] Landmarks landmarks(const std::vector<SkinVertex>& skin) const;
-  // Adds the joints of the waist, those at one place as one; the groups of links above them, the
-  // pelvis's first.
+  // Adds the joints of the waist, coinciding ones as one; returns the groups of links above them,
+  // the pelvis's first.
   [[nodiscard]] std::vector<int> add_waist(Landmarks& person) const;
   [[nodiscard]] Vec3d fingertip(std::size_t side, const std::vector<SkinVertex>& skin) const;
   // Points of all links' shapes; the node of each is its link.
   [[nodiscard]] std::vector<SkinVertex> skin() const;
-  // The points without those of limbs of which shapes cover less than half: a motor or a sensor
-  // tells nothing of the rest.
+  // Points without those of limbs less than half covered by shapes: a motor or a sensor does not
+  // determine the limb's shape.
   [[nodiscard]] std::vector<SkinVertex> without_stubs(const Landmarks& person,
                                                       std::vector<SkinVertex> skin) const;
   [[nodiscard]] PartShapes fitted(const Landmarks& person,
@@ -127,11 +126,11 @@ class RobotBuilder {
   // The links that a part's last joint moves; `part` as in PersonLimb::begins.
   [[nodiscard]] int group_before(const PersonLimb& limb, std::size_t part) const;
 
-  // Nodes stand where joints turn, so that a skeleton of them moves as the robot does. They grow
-  // from the pelvis.
+  // Adds nodes at the joints, from the pelvis on, so that a skeleton of them moves as the robot
+  // does.
   void add_nodes();
 
-  // A person's names go to the joints that bend; an effector's and a foot's link keep theirs.
+  // Gives bending joints a person's names; links of effectors and feet keep theirs.
   void name_nodes();
   int add_node(const std::string& name, int parent, int group, const Vec3d& world,
                bool end_site = false);
@@ -141,7 +140,7 @@ class RobotBuilder {
   void add_hand_nodes(std::size_t side);
   void add_foot_nodes(std::size_t side);
   void add_robot_frame();
-  // Looks for a world above the root: where links without mass or shape hang one by one.
+  // Finds a world link above the root: an ancestor in a chain of links without mass or shape.
   void find_world(RobotFrame& frame);
   void tell_of_world(RobotFrame& frame, const std::string& world, const std::string& bolt,
                      const std::vector<std::string>& floating);
@@ -167,7 +166,7 @@ class RobotBuilder {
   std::vector<int> node_of_;          // (groups)
   std::vector<std::string> unlimited_;
   std::vector<std::string> still_names_;
-  std::vector<std::string> weak_;      // freedoms without effort
+  std::vector<std::string> weak_;      // dofs without effort
   std::vector<std::string> massless_;  // links
   std::vector<std::string> carrying_;  // joints between the world and the root
   BodyDefinition body_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a robot that nothing should pass through.
+// Collision capsules of a robot.
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
@@ -15,18 +15,18 @@ namespace {
 
 using F = StatureFractions;
 
-// From between the shoulders up to the head's joint and the vertex, of robots without a neck.
+// Distances from the shoulders up to the head's joint and the vertex, for robots without a neck.
 constexpr double kHeadJoint = 0.09;
 constexpr double kVertex = 1.0 - F::kShoulderHeight;
-// Joints of a waist that are nearer to each other are one; shares of the stature.
+// Distance of waist joints, as a share of the stature, below which they are one.
 constexpr double kOneWaist = 0.05;
-// Points of shapes are so far apart …
+// Spacing of points on shapes.
 constexpr double kPointsApart = 0.01;
-// … where there are not too many of them: along an edge, and of all shapes together.
+// Limits on the numbers of points: along an edge, and of all shapes together.
 constexpr double kMostOnEdge = 24.0;
 constexpr double kMostPoints = 200'000.0;
 
-// The shapes that tell how thick a link is.
+// Shapes that determine a link's thickness.
 const std::vector<Robot::Shape>& telling(const Robot::Link& link) {
   return link.collides.empty() ? link.shown : link.collides;
 }
@@ -46,7 +46,7 @@ bool cover(const std::vector<Vec3d>& points, const Vec3d& from, const Vec3d& to)
   return 2 * std::count(covered.begin(), covered.end(), true) >= std::ssize(covered);
 }
 
-// Drops shapes that are so thick that they stand for something else.
+// Drops shapes that are too thick to be the body part's.
 void drop_giants(const Landmarks& person, double stature, PartShapes& parts) {
   constexpr double kThickest = 3.0;  // of a person's
   const HumanFrames frames = human_frames(person);
@@ -128,8 +128,7 @@ Landmarks RobotBuilder::landmarks(const std::vector<SkinVertex>& skin) const {
   return person;
 }
 
-// Beyond the frame of the hand there may be shapes of it, and where there is none the hand ends
-// there.
+// Fingertip: the end of shapes beyond the hand's frame, or that frame if there are none.
 Vec3d RobotBuilder::fingertip(std::size_t side, const std::vector<SkinVertex>& skin) const {
   const PersonLimb& arm = person_.arms[side];
   const Vec3d from = wrist(side);
@@ -203,11 +202,11 @@ PartShapes RobotBuilder::fitted(const Landmarks& person,
   MeasuredPerson measured;
   measured.landmarks = person;
   HumanoidMap map = map_;
-  // the pelvis may hang on the chest, which no bone above it tells then
+  // the pelvis may be a child of the chest, which then has no bone above it
   int& chest = map[HumanoidBone::chest];
   if (chest < 0 && person_.chest != person_.pelvis) chest = person_.chest;
   PartShapes parts = fitted_parts(tree, map, measured);
-  // a head of which only a camera has a shape tells nothing of the rest
+  // a head with only a camera's shape does not determine its size
   if (none_of(parts)) {
     map[HumanoidBone::head] = -1;
     parts = fitted_parts(tree, map, measured);

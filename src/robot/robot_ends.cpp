@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ends that a robot's limbs lack: hands and feet of links that nothing follows, ankles.
+// Missing ends of a robot's limbs: hands and feet of terminal links, and ankles.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -16,21 +16,21 @@ namespace {
 
 using F = StatureFractions;
 
-// The joint that a link hangs on, or -1.
+// Joint to the parent of a link, or -1.
 int carrier_of(const Robot& robot, int link) {
   const auto found = std::find_if(robot.joints.begin(), robot.joints.end(),
                                   [&](const Robot::Joint& joint) { return joint.child == link; });
   return found == robot.joints.end() ? -1 : static_cast<int>(found - robot.joints.begin());
 }
 
-// Where a limb's last link ends, in its frame, and how that is known.
+// End of a limb's last link, in its frame, with the evidence for it.
 struct LinkEnd {
   Vec3d at{};
   Message by;
 };
 
-// Its shapes' end, where that is beyond its centre of mass; else twice the distance of that; else,
-// of a link without either, as far along the segment before it as a person's forearm along the
+// End of a link: that of its shapes, if beyond its centre of mass; else at twice the distance of
+// that; else, without either, in proportion to the previous segment as a person's forearm to the
 // upper arm; a shank would be a quarter longer.
 LinkEnd end_of(const Robot& robot, int link) {
   constexpr double kShortest = 0.02;  // m
@@ -60,7 +60,7 @@ LinkEnd end_of(const Robot& robot, int link) {
   return {};
 }
 
-// Moves a link's frame in it; what the link has stays where it is.
+// Moves a link's frame; its contents stay in place.
 void move_frame(Robot& robot, int link, const Vec3d& by) {
   Robot::Link& moved = robot.links[index(link)];
   moved.com = moved.com - by;
@@ -81,7 +81,7 @@ void add_ankle(Robot& robot, int foot, const Robot::Joint& knee, int fixed) {
   const Vec3d from = at(knee.child).translation;
   const Vec3d along = normalized(at(foot).translation - from);
   double sole = 0.0;
-  // a foot that is no more than its shank's end has the shapes of that
+  // a foot without shapes of its own has those of its shank
   const int shaped = robot.links[index(foot)].collides.empty() ? knee.child : foot;
   for (const Vec3d& corner : robot.links[index(shaped)].corners()) {
     sole = max(sole, dot(at(shaped) * corner - from, along));
@@ -96,7 +96,7 @@ void add_ankle(Robot& robot, int foot, const Robot::Joint& knee, int fixed) {
   joint.name = robot.links[index(foot)].name + "_ankle";
 }
 
-// Whether anything but a sensor hangs on a link.
+// (links) whether a link has children other than sensors.
 std::vector<bool> bearing(const Robot& robot) {
   std::vector<bool> bears(robot.links.size(), false);
   for (const Robot::Joint& joint : robot.joints) {
@@ -106,7 +106,7 @@ std::vector<bool> bearing(const Robot& robot) {
   return bears;
 }
 
-// A link of that name, fixed at the end of another; false where that has no end.
+// Adds a link of that name at the end of another; false if that has no end.
 bool add_end(Robot& robot, int link, const std::string& name, Message& by, double& length) {
   const LinkEnd end = end_of(robot, link);
   const bool taken = std::any_of(robot.links.begin(), robot.links.end(),

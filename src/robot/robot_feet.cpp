@@ -13,9 +13,9 @@ namespace {
 
 using F = StatureFractions;
 
-// Corners this near (m) to the lowest one touch the floor as well.
+// Height (m) above the lowest corner within which corners touch the floor.
 constexpr double kSoleSlack = 0.01;
-// Shapes that leave a sole smaller than this (share of the stature) are no foot's.
+// Size of a sole, as a share of the stature, below which shapes are not a foot's.
 constexpr double kLeastSole = 0.02;
 
 struct Bounds {
@@ -25,7 +25,7 @@ struct Bounds {
   double back = 0.0;
 };
 
-// Around the corners up to that height.
+// Bounds of the corners up to that height.
 Bounds bounds_below(const std::vector<Vec3d>& corners, double height) {
   constexpr double kNone = 1e9;
   Bounds b{-kNone, kNone, -kNone, kNone};
@@ -42,7 +42,7 @@ RobotSole rectangle(const Bounds& b, double y, bool guessed) {
           guessed};
 }
 
-// Heights of a foot's sole (m, world) by its frames and masses, or nothing.
+// Heights of a foot's sole (m, world) from its frames and masses, if any.
 struct SoleMarks {
   std::optional<double> called;  // the lowest frame that is fixed to it and is called a sole's
   std::optional<double> frame;   // of any other frame, sensors excepted
@@ -59,8 +59,8 @@ bool is_called_sole(const std::string& link) {
   return false;
 }
 
-// The lowest corner of a box of the link's mass and inertia about its centre of mass; nothing of
-// one that is no foot's, which is flat, nor of one without inertia.
+// Lowest corner of a box with the link's mass and inertia about its centre of mass; empty if it is
+// not flat as a foot is, and without inertia.
 std::optional<double> bottom_of_box(const Robot::Link& link, const Transformd& place) {
   constexpr double kFlattest = 0.6;  // of its length
   const Mat3d& i = link.inertia;
@@ -84,7 +84,7 @@ SoleMarks sole_marks(const Robot& robot, const PlacedRobot& placed, const std::v
     const auto box = l.mass > 0.0 ? bottom_of_box(l, placed.links[i]) : std::nullopt;
     if (box) lower_to(marks.mass, *box);
     const int carrier = placed.carrier[i];
-    // a joint's own frame stands where it turns
+    // a joint's own frame is at its axis
     if (carrier < 0 || robot.joints[index(carrier)].turns) continue;
     const bool sensor = read_bone_name(l.name).part == BonePart::ornament;
     if (is_called_sole(l.name) && !sensor) {
@@ -117,7 +117,8 @@ RobotSole robot_sole(const Robot& robot, const PlacedRobot& placed, const std::v
     const auto is_sole = [&](const Bounds& b) {
       return b.left - b.right > least && b.front - b.back > least;
     };
-    // the sole is where the shapes end: all of the foot's tell its outline where the lowest do not
+    // the sole is at the end of the shapes: if the lowest points give no outline, all of the foot's
+    // do
     for (const double slack : {kSoleSlack, ankle.y - y}) {
       const Bounds b = bounds_below(corners, y + slack);
       if (is_sole(b)) return rectangle(b, y, false);

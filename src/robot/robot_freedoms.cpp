@@ -9,7 +9,7 @@
 
 namespace shigusa {
 
-// A freedom of a person's joint: positive angles turn the outer side about sign · axis.
+// A degree of freedom of a person's joint: positive angles turn the outer side about sign · axis.
 struct PersonFreedom {
   const char* name;
   Axis axis;
@@ -63,7 +63,7 @@ constexpr Freedoms kWrist{{{"flexion", Axis::z, -1, true, &kWristBend},
                            {"deviation", Axis::x, -1, false, &kWristBend},
                            {"rotation", Axis::y, 1, true, &kHardly}}};
 
-// The rotation that takes the direction `from` to `to` by the shortest way.
+// Shortest rotation from one direction to another.
 Mat3d shortest_turn(const Vec3d& from, const Vec3d& to) {
   const Vec3d v = cross(from, to);
   const double c = dot(from, to);
@@ -75,7 +75,7 @@ Mat3d shortest_turn(const Vec3d& from, const Vec3d& to) {
 
 }  // namespace
 
-// Joints first … last (less one) of a limb are one part; their axes are seen in `frame`.
+// A part of a limb: joints first … last (exclusive), with axes relative to `frame`.
 struct JointNamer::Part {
   std::string name;
   std::size_t first = 0;
@@ -89,7 +89,7 @@ void JointNamer::name_spine(std::vector<PersonJoint>& joints) const { name_trunk
 void JointNamer::name_neck(std::vector<PersonJoint>& joints) const { name_trunk(joints, true); }
 
 void JointNamer::name_leg(PersonLimb& leg, std::size_t side) const {
-  // legs that stand point down, and their frames are the world's
+  // standing legs point down, with frames parallel to the world's
   name_part(leg.joints, {"hip", 0, leg.begins[1], side, kHip});
   name_part(leg.joints, {"knee", leg.begins[1], leg.begins[2], side, kKnee});
   name_part(leg.joints, {"ankle", leg.begins[2], leg.joints.size(), side, kAnkle});
@@ -99,7 +99,7 @@ void JointNamer::name_arm(PersonLimb& arm, std::size_t side, const Vec3d& upper_
                           const Vec3d& forearm) const {
   const Vec3d down{0, -1, 0};
   const Mat3d upper_frame = shortest_turn(down, normalized(upper_arm));
-  // from a hanging arm the forearm is lifted by the elbow, not turned with the upper arm
+  // relative to a hanging arm the forearm is flexed by the elbow, not rotated by the upper arm
   const Vec3d fore_in_upper = transpose_times(upper_frame, normalized(forearm));
   const Mat3d fore_frame = upper_frame * shortest_turn(down, fore_in_upper);
   name_part(arm.joints, {"clavicle", 0, arm.begins[1], side, kClavicle});
@@ -107,7 +107,7 @@ void JointNamer::name_arm(PersonLimb& arm, std::size_t side, const Vec3d& upper_
   name_part(arm.joints, {"elbow", arm.begins[2], arm.begins[3], side, kElbow, fore_frame});
   bend_by_hinge(arm);
   name_part(arm.joints, {"wrist", arm.begins[3], arm.joints.size(), side, kWrist, fore_frame});
-  // the T of a file has some of the abduction already
+  // the T pose of a file already includes part of the abduction
   const double out = asin(clamp(abs(upper_arm.x) / norm(upper_arm), 0.0, 1.0));
   for (PersonJoint& j : arm.joints) {
     if (!j.part.ends_with("shoulder") || j.freedom != "abduction" || !j.usual) continue;

@@ -5,8 +5,8 @@
 
 namespace shigusa {
 
-// Names a robot's joints as a person's freedoms, by the axes that they turn about: fills part,
-// freedom, sign and usual. Borrows both.
+// Assigns a robot's joints to a person's degrees of freedom by their axes: sets part, freedom, sign
+// and usual. Borrows both.
 class JointNamer {
  public:
   JointNamer(const Robot& robot, const PlacedRobot& placed) : robot_(robot), placed_(placed) {}
@@ -15,19 +15,19 @@ class JointNamer {
   void name_neck(std::vector<PersonJoint>& joints) const;
   // `side`: 0 left, 1 right; `begins` must be known.
   void name_leg(PersonLimb& leg, std::size_t side) const;
-  // `upper_arm`, `forearm`: m, world, the ways along them.
+  // `upper_arm`, `forearm`: m, world, vectors along them.
   void name_arm(PersonLimb& arm, std::size_t side, const Vec3d& upper_arm,
                 const Vec3d& forearm) const;
 
  private:
   struct Part;
 
-  // Gives the part's joints the freedoms that their axes are nearest to, the clearest first.
+  // Gives the part's joints the degrees of freedom with the nearest axes, the clearest first.
   void name_part(std::vector<PersonJoint>& joints, const Part& part) const;
-  // An elbow that has one axis across the arm bends about it, however the arm lies; which way, its
-  // limits tell.
+  // Treats the single axis of an elbow across the arm as flexion, whatever the arm's direction; the
+  // limits determine the sign.
   void bend_by_hinge(PersonLimb& arm) const;
-  // Spine and neck: up to three joints of different freedoms are one part.
+  // Names joints of spine and neck: up to three joints with different axes form one part.
   void name_trunk(std::vector<PersonJoint>& joints, bool neck) const;
 
   const Robot& robot_;

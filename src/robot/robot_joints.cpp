@@ -19,14 +19,14 @@ using Bone = HumanoidBone;
 
 constexpr std::array<const char*, 2> kSideWords{"left_", "right_"};
 
-// The next joint of an ankle or wrist is no further away than this share of the limb's last
+// Largest distance to the next joint of the same ankle or wrist, as a share of the limb's last
 // segment.
 constexpr double kOneAnkle = 0.15;
 constexpr double kOneWrist = 0.6;
 constexpr double kWithinForearm = 1.5;  // … of the upper arm
 constexpr double kOneNeck = 0.15;       // … of the way from the chest
 
-// The coordinate axis that a direction nearly is, else the direction.
+// A direction, replaced by a coordinate axis if it is nearly one.
 Vec3d snapped(const Vec3d& v) {
   constexpr double kNearly = 0.995;
   for (int k = 0; k < 3; ++k) {
@@ -83,7 +83,7 @@ class JointFinder {
     return a;
   }
 
-  // All joints on the way between two links, from the first on.
+  // All joints between two links, from the first on.
   [[nodiscard]] std::vector<PersonJoint> joints_between(int from, int to) const {
     const int top = meet(from, to);
     std::vector<PersonJoint> joints;
@@ -103,8 +103,8 @@ class JointFinder {
     return joints;
   }
 
-  // The outermost link beyond `link` that further joints of the same ankle or wrist move: fingers
-  // leave by several joints at once or are called so, toes are far away.
+  // Outermost link beyond `link` moved by joints of the same ankle or wrist; fingers start with
+  // several joints at once or are named, and toes are far away.
   [[nodiscard]] int end_of_joint(int link, double near) const {
     int end = link;
     for (;;) {
@@ -124,8 +124,8 @@ class JointFinder {
     }
   }
 
-  // How many of the turning joints on the way to a limb's end come before the one that carries
-  // `bone`, or before what hangs on it.
+  // Number of turning joints on the chain to a limb's end that precede the one carrying `bone`, or
+  // its descendants.
   [[nodiscard]] std::size_t before(const std::vector<PersonJoint>& joints, int from,
                                    int bone) const {
     const std::vector<PersonJoint> all = joints_between(from, bone);
@@ -136,8 +136,8 @@ class JointFinder {
     return std::min(count, joints.size());
   }
 
-  // A joint at the start of a part that turns about the segment before it is that segment's own
-  // rotation: robots have it at its far end.
+  // Assigns a joint at the start of a part that turns about the preceding segment to that segment:
+  // robots have its rotation at its far end.
   void give_back_rotation(const std::vector<PersonJoint>& joints, const Vec3d& segment,
                           std::size_t begin, std::size_t end, std::size_t& boundary) const {
     constexpr double kAlong = 0.85;
@@ -160,7 +160,8 @@ class JointFinder {
     return {};
   }
 
-  // The trunk may hang on a leg, or both arms on one, in a file: such a tree is no person's.
+  // Fails if a joint belongs to two limbs: in some files the trunk is a child of a leg, or one arm
+  // of the other.
   [[nodiscard]] Result<void> each_joint_has_one_place() const {
     std::vector<const char*> place(robot_.joints.size(), nullptr);
     const auto take = [&](const std::vector<PersonJoint>& joints,
@@ -202,7 +203,7 @@ class JointFinder {
     PersonLimb& arm = found_.arms[side];
     const Vec3d forearm = at(map_[hand]) - at(map_[elbow]);
     const Vec3d upper_arm = at(map_[elbow]) - at(map_[upper]);
-    // several joints within the forearm may come before the wrist's
+    // several joints within the forearm may precede the wrist
     arm.end =
         end_of_joint(map_[hand], max(kOneWrist * norm(forearm), kWithinForearm * norm(upper_arm)));
     arm.joints = turning(found_.chest, arm.end);
@@ -213,7 +214,7 @@ class JointFinder {
       give_back_rotation(arm.joints, forearm, to_elbow, arm.joints.size() + 1, to_wrist);
     }
     to_wrist = std::min(to_wrist, arm.joints.size());
-    // the shoulder has three freedoms; what is before them lifts it
+    // the shoulder has three degrees of freedom; joints before them elevate it
     const std::size_t ball = to_elbow >= 3 ? to_elbow - 3 : 0;
     const std::size_t to_shoulder = std::min(before(arm.joints, found_.chest, map_[upper]), ball);
     arm.begins = {0, to_shoulder, to_elbow, to_wrist};

@@ -12,13 +12,13 @@
 
 namespace shigusa {
 
-// A robot in shigusa's world, standing with every angle at 0; the floor is not known yet, so y is
-// from between the ankles.
+// A robot in shigusa's world, standing at zero angles. The floor is unknown at this point, so y is
+// measured from mid-ankle.
 struct PlacedRobot {
   std::vector<Transformd> links;  // (links) X_WL
   std::vector<Vec3d> axis;        // (joints) unit vector: the child turns about it, world
-  std::vector<int> carrier;       // (links) the joint that a link hangs on; -1: the root
-  // (links) joints that hang on the link
+  std::vector<int> carrier;       // (links) joint to the parent; -1: the root
+  // (links) joints to children
   std::vector<std::vector<int>> below;
 
   [[nodiscard]] const Vec3d& centre(const Robot& robot, int joint) const {
@@ -27,25 +27,25 @@ struct PlacedRobot {
   }
 };
 
-// Stands the robot up by its map: y up, facing +z. Fails where its up or its left is not clear.
+// Orients the robot by its bone map: y up, facing +z. Fails if its up or its left is ambiguous.
 [[nodiscard]] Result<PlacedRobot> place_robot(const Robot& robot, const HumanoidMap& map);
 
-// A joint of the file as one of a person.
+// A joint of the file in the role of a person's joint.
 struct PersonJoint {
   int joint = -1;         // of the robot's joints
   bool outward = true;    // the child is the side away from the pelvis
   std::string part{};     // "right_knee"
-  std::string freedom{};  // "flexion"; the joint's own name where none fits
-  double sign = 1.0;      // the freedom's angle is sign · that of the file
-  // rad, a person's limits in terms of the freedom, less what the start posture has of it already
+  std::string freedom{};  // "flexion"; the joint's own name if none fits
+  double sign = 1.0;      // the human angle is sign · that of the file
+  // rad, a person's limits of the degree of freedom, relative to the start posture
   std::optional<std::array<double, 2>> usual{};
 };
 
-// The joints of a limb from the pelvis outwards, and where it ends.
+// Joints of a limb from the pelvis outwards, and its end.
 struct PersonLimb {
   std::vector<PersonJoint> joints;
-  int end = -1;  // the outermost link that these move
-  // places in `joints` where the parts begin: hip 0, knee, ankle; or clavicle, shoulder, elbow,
+  int end = -1;  // outermost link moved by these
+  // indices in `joints` where the parts begin: hip 0, knee, ankle; or clavicle, shoulder, elbow,
   // wrist, which follow the spine
   std::vector<std::size_t> begins;
 };
@@ -59,7 +59,7 @@ struct PersonJoints {
   std::array<PersonLimb, 2> arms;  // without the spine
 };
 
-// Finds them; fails where a limb lacks a turning joint for one of its parts.
+// Finds a person's joints in a robot; fails if a limb lacks a turning joint for one of its parts.
 [[nodiscard]] Result<PersonJoints> person_joints(const Robot& robot, const HumanoidMap& map,
                                                  const PlacedRobot& placed);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits of a robot's joints in another unit than the file's format has.
+// Correction of joint limits in another unit than the format's.
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -14,7 +14,7 @@ constexpr double kWide = 2.0 * kTwoPi;       // rad: no joint of a limb turns tw
 constexpr double kNarrow = radians(kTwoPi);  // rad: radians that were taken for degrees
 constexpr double kMostDegrees = 360.0;       // more stands for no limit
 constexpr double kPerRadian = 180.0 / kPi;
-constexpr std::size_t kFewest = 4;  // limits that differ tell a unit
+constexpr std::size_t kFewest = 4;  // distinct limits needed to infer a unit
 
 void set_limits(Robot::Joint& joint, double lower, double upper) {
   joint.limited = upper - lower < kTwoPi;
@@ -34,7 +34,7 @@ void mend_limits(Robot& robot) {
     if (!joint.ends || !joint.turns) continue;
     const auto& [lower, upper] = *joint.ends;
     const double most = max(abs(lower), abs(upper));
-    // what stands for no limit
+    // such values mean no limit
     if (most >= 1000.0) continue;
     ++told;
     different.emplace(lower, upper);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The masses of a robot whose file has none: a person's, spread over its limbs.
+// Masses of a robot whose file has none: a person's, distributed over its limbs.
 #include <algorithm>
 
 #include "body/anthropometry.hpp"
@@ -10,7 +10,7 @@
 namespace shigusa {
 namespace {
 
-// A link with a segment's mass: a rod of those radii of gyration, in its own frame.
+// Adds a segment's mass to a link: a rod with those radii of gyration, in the link's frame.
 void add_segment(Robot::Link& link, const Transformd& place, const SegmentParameters& part,
                  double mass, const Vec3d& from, const Vec3d& to) {
   const double length = norm(to - from);
@@ -42,7 +42,7 @@ void RobotBuilder::spread_mass(double mass) {
   };
   const Vec3d hips = (hip(0) + hip(1)) * 0.5;
   const Vec3d shoulders = (shoulder(0) + shoulder(1)) * 0.5;
-  // the trunk's lowest part turns with the pelvis
+  // the lowest part of the trunk moves with the pelvis
   const double pelvis = table.trunk_parts[0].mass;
   add(group_[index(person_.pelvis)], table.trunk, pelvis, hips + (shoulders - hips) * 0.3, hips);
   add(group_[index(person_.chest)], table.trunk, table.trunk.mass - pelvis, shoulders,

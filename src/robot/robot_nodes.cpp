@@ -21,7 +21,7 @@ constexpr std::array<const char*, 2> kSides{"left_", "right_"};
 
 void RobotBuilder::add_foot(std::size_t side) {
   const RobotSole& sole = soles_[side];
-  // a foot that hangs in the air bears nothing
+  // a foot in the air bears no load
   if (sole.corners[0].y > kLiftedFoot) return;
   const int end = person_.legs[side].end;
   Foot foot{.name = std::string(kSides[side]) + "foot",

@@ -6,7 +6,7 @@
 namespace shigusa {
 namespace {
 
-// Heights (m) that most humanoid robots have.
+// Usual range of heights (m) of humanoid robots.
 bool is_usual(double stature) { return stature >= 0.5 && stature <= 2.1; }
 
 }  // namespace

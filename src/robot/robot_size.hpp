@@ -6,12 +6,12 @@
 
 namespace shigusa {
 
-// A robot of less or more than these heights (m) is likely in another unit than metres.
+// Range of heights (m) outside which a robot's file is probably not in metres.
 inline constexpr double kRobotLeastStature = 0.3;
 inline constexpr double kRobotMostStature = 3.0;
 
-// A doubt about a robot of that stature (m), with the unit that its file is likely in; none where
-// robots are that tall.
+// Doubt about a robot of that stature (m), with the probable unit of its file; empty for a usual
+// height.
 [[nodiscard]] std::optional<Message> doubt_of_size(double stature);
 
 }  // namespace shigusa

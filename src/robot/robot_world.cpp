@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The world in a robot's file: a link without mass above the root, and the joints between them.
+// The world in a robot's file: a massless link above the root, and the joints between them.
 #include <algorithm>
 
 #include "core/index.hpp"
@@ -20,7 +20,7 @@ bool is_world(const std::string& link) {
 // x ahead, y to the left, z up
 Vec3d in_robot_world(const Vec3d& v) { return {v.z, v.x, v.y}; }
 
-// Whether the joints take the root wherever it may go: up, aside, ahead and about each axis.
+// Whether the joints move the root in all directions and about all axes.
 bool carry(const RobotFrame& frame) {
   const Transformd rest = [&] {
     Transformd at = frame.world;
@@ -89,7 +89,7 @@ void RobotBuilder::find_world(RobotFrame& frame) {
   tell_of_world(frame, robot_.links[index(world)].name, bolt, floating);
 }
 
-// Doubts about the joints between the world and the root; the others keep theirs.
+// Replaces doubts about the joints between the world and the root; other joints keep theirs.
 void RobotBuilder::tell_of_world(RobotFrame& frame, const std::string& world,
                                  const std::string& bolt,
                                  const std::vector<std::string>& floating) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kJoints = 6;
 
-// Where the joints take the root, and what each of them does to it there.
+// Placement of the root by the joints, and its derivatives by each of them.
 struct Carried {
   Transformd root;
   std::array<Vec3d, 6> moves;  // m per unit, of the root's origin
@@ -39,7 +39,7 @@ Carried carried(const RobotFrame& robot, const RootValues& values) {
   return result;
 }
 
-// The small rotation from one frame to another, as a vector: exact where it is none.
+// Small rotation from one frame to another, as a vector; exact at zero.
 Vec3d turn_between(const Mat3d& from, const Mat3d& to) {
   return (cross(from.cx, to.cx) + cross(from.cy, to.cy) + cross(from.cz, to.cz)) * 0.5;
 }

@@ -7,11 +7,12 @@
 
 namespace shigusa {
 
-// Values (rad, or m) of the six joints that carry a robot's root, beside the places that they keep.
+// Values (rad, or m) of the six joints that carry a robot's root, relative to their fixed
+// positions.
 using RootValues = std::array<double, 6>;
 
-// Those with which the root stands in a place of the robot's world; nothing where they cannot take
-// it there. `begin`: values to start from, those of the frame before.
+// Joint values that bring the root to a placement in the robot's world; empty if they cannot.
+// `begin`: initial values, such as those of the previous frame.
 [[nodiscard]] std::optional<RootValues> root_values(const RobotFrame& robot, const Transformd& root,
                                                     RootValues begin);
 

@@ -18,12 +18,12 @@ constexpr int kSteps = 200;
 constexpr double kRate = 0.15;   // of the way left, in a step
 constexpr double kFlat = 1e-7;   // m: a foot that is so near its place stands
 constexpr double kAside = 0.15;  // of an arm that hangs, how far its hand is aside
-// An arm sticks out where its hand is further aside, of its height …
+// Lateral distance of a hand, as a share of its drop, beyond which the arm sticks out.
 constexpr double kHanging = 0.35;
-// … and is raised where its upper arm is further than 45° from hanging.
+// Threshold for a raised arm, with an upper arm more than 45° from hanging.
 constexpr double kRaised = 0.7;
 constexpr double kAlmostStraight = 0.97;
-// An elbow bends ahead where its axis is within 45° of the way across.
+// Threshold for an elbow that bends forwards: its axis is within 45° of the lateral one.
 constexpr double kAhead = 0.7;
 
 class Settler {
@@ -44,8 +44,8 @@ class Settler {
     }
   }
 
-  // Plants the feet where they are at these angles, level and as high as they were; false where one
-  // is too far from that.
+  // Plants the feet at their positions for these angles, level and at their former height; false if
+  // one is too far off.
   bool plant(const std::vector<double>& angles) {
     constexpr double kStep = 0.05;             // m, up or down
     constexpr double kTilted = radians(15.0);  // from level
@@ -54,7 +54,7 @@ class Settler {
       const Vec3d at = kinematics_.point(foot.link, foot.point);
       const Mat3d& level = foot.orientation;
       const Mat3d& now = kinematics_.link_rotation(foot.link);
-      // the direction that is up in a foot that stands
+      // upward direction in the frame of a standing foot
       const Vec3d up = now * transpose_times(level, Vec3d{0, 1, 0});
       if (abs(at.y - foot.position.y) > kStep || up.y < sin_cos(kTilted).cos) return false;
       foot.position = {at.x, foot.position.y, at.z};
@@ -65,8 +65,8 @@ class Settler {
     return true;
   }
 
-  // Walks from the angles towards the aim with the feet where they are; false where the feet or the
-  // limits do not let it come there.
+  // Moves from the angles towards the aim with the feet in place; false if the feet or the limits
+  // prevent it.
   bool walk(std::vector<double>& angles, const std::vector<double>& aim,
             const std::vector<IkTarget<double>>& arms = {}) {
     std::vector<double> now = angles;
@@ -87,8 +87,8 @@ class Settler {
     return true;
   }
 
-  // The hands' targets to hang at the sides, of arms that do not yet: those that stick out keep
-  // their elbows, those that are raised stretch them.
+  // Targets of the hands at the sides, for arms that do not hang yet: those that stick out keep
+  // their elbow angles, raised ones stretch them.
   [[nodiscard]] std::vector<IkTarget<double>> hanging(const std::vector<double>& angles) {
     forward_kinematics<double>(body_, angles, kinematics_);
     std::vector<IkTarget<double>> targets;
@@ -118,8 +118,8 @@ class Settler {
     return targets;
   }
 
-  // Turns arms that hang straight so that their elbows bend ahead, and bends them a little: an
-  // elbow that bends aside lifts no hand past its shoulder. Those that bend ahead stay as they are.
+  // Turns straight hanging arms so that their elbows bend forwards, and bends them slightly: an
+  // elbow that bends sideways lifts no hand past its shoulder. Other arms are kept.
   void bend_ahead(std::vector<double>& angles) {
     forward_kinematics<double>(body_, angles, kinematics_);
     for (const Effector& effector : body_.effectors()) {
@@ -150,14 +150,14 @@ class Settler {
   }
 
  private:
-  // The part of v across a direction.
+  // Component of v perpendicular to a direction.
   static Vec3d level(const Vec3d& v, const Vec3d& along) { return v - along * dot(v, along); }
 
   void turn_to(int dof, double angle, std::vector<double>& angles) const {
     angles[index(dof)] = clamp(angle, body_.dof(dof).lower, body_.dof(dof).upper);
   }
 
-  // The freedom by which an arm's elbow bends, or kBaseLink.
+  // Degree of freedom by which an arm's elbow bends, or kBaseLink.
   [[nodiscard]] int flexion_of(const Effector& effector) const {
     for (int d = effector.link; d != effector.limb_root && d != kBaseLink;
          d = body_.dof(d).parent) {
@@ -166,7 +166,7 @@ class Settler {
     return kBaseLink;
   }
 
-  // The freedom before the elbow that turns the upper arm about its length, or kBaseLink.
+  // Degree of freedom before the elbow that rotates the upper arm about its axis, or kBaseLink.
   [[nodiscard]] int turn_of(int elbow, const Vec3d& along) const {
     constexpr double kAlong = 0.9;
     for (int d = body_.dof(elbow).parent; d != kBaseLink; d = body_.dof(d).parent) {
@@ -193,7 +193,7 @@ class Settler {
     forward_kinematics<double>(body_, angles, kinematics_);
   }
 
-  // The first freedom of an arm's elbow; its shoulder's where it has none.
+  // First degree of freedom of an arm's elbow; its shoulder's if it has none.
   [[nodiscard]] int elbow_of(const Effector& effector) const {
     int elbow = effector.limb_root;
     for (int d = effector.link; d != effector.limb_root && d != kBaseLink;
@@ -203,7 +203,8 @@ class Settler {
     return elbow;
   }
 
-  // Shoulders hang an arm, and the elbows of those that were raised.
+  // Whether a degree of freedom takes part in lowering an arm: shoulders, and elbows of raised
+  // arms.
   [[nodiscard]] bool moves_arm(int dof) const {
     if (std::find(elbows_.begin(), elbows_.end(), body_.dof(dof).joint) != elbows_.end()) {
       return true;
@@ -222,7 +223,7 @@ class Settler {
   std::vector<std::string> elbows_;  // joints that stretch
 };
 
-// The farthest that two postures are apart (rad).
+// Largest difference (rad) of two postures.
 double apart(const std::vector<double>& a, const std::vector<double>& b) {
   double most = 0.0;
   for (std::size_t d = 0; d < a.size(); ++d) most = max(most, abs(a[d] - b[d]));

@@ -10,21 +10,21 @@
 
 namespace shigusa {
 
-// Knees of a robot that stands are bent by this: straight ones cannot lower the trunk at first.
+// Bend of a standing robot's knees: straight ones cannot lower the trunk at first order.
 inline constexpr double kStandingKnee = radians(10.0);
-// Elbows that would bend aside are bent by this, ahead.
+// Forward bend given to elbows that would bend sideways.
 inline constexpr double kStandingElbow = radians(10.0);
 
-// The posture (dofs, rad) in which a robot begins to move: as it stands where every angle is 0,
-// both feet flat, but with its knees bent by kStandingKnee, arms that stick out sideways, ahead or
-// up let hang with elbows that bend ahead, and every joint within its limits. Steps that limits do
-// not allow are left out: `doubts` tells.
+// Start posture (dofs, rad) of a robot: standing as at zero angles, both feet flat, but with knees
+// bent by kStandingKnee, arms that stick out sideways, ahead or up hanging with elbows that bend
+// forwards, and every joint within its limits. Steps that the limits prevent are left out, with
+// doubts in `doubts`.
 [[nodiscard]] std::vector<double> settled_posture(const BodyModel& body,
                                                   std::vector<Message>& doubts);
 
-// The posture (dofs, rad) of a robot whose joints stand where a key frame has them (Joint::rest):
-// exactly, where its feet are flat on one floor and its limits allow it, else the nearest that is,
-// with a doubt. Fails where its feet are too far from that.
+// Start posture (dofs, rad) from a key frame (Joint::rest): exact if its feet are flat on one floor
+// and within its limits, else the nearest posture for which that holds, with a doubt. Fails if
+// the feet are too far off.
 [[nodiscard]] Result<std::vector<double>> keyframe_posture(const BodyModel& body,
                                                            const Robot& robot,
                                                            const std::string& keyframe,

@@ -26,12 +26,12 @@ class SurfacePoints {
   [[nodiscard]] std::vector<Vec3d> take() { return std::move(points_); }
 
  private:
-  // How many points there are along a length.
+  // Number of points along a length.
   [[nodiscard]] int steps(double length, int least) const {
     const double even = clamp(length / apart_, 0.0, static_cast<double>(most_));
     return std::max(static_cast<int>(even + 0.5), least);
   }
-  // The middle of the k-th of `count` pieces of -1..1.
+  // Centre of the k-th of `count` pieces of -1..1.
   static double middle(int k, int count) { return (2.0 * k + 1.0) / count - 1.0; }
 
   void add(const Vec3d& own) { points_.push_back(shape_.place * own); }
@@ -55,7 +55,7 @@ class SurfacePoints {
     }
   }
 
-  // A circle about z.
+  // Adds a circle about z.
   void add_ring(double radius, double height) {
     constexpr int kFewest = 8;
     const int count = steps(kTwoPi * radius, kFewest);

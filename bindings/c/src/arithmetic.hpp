@@ -5,8 +5,8 @@
 
 namespace shigusa::door {
 
-// The arithmetic that all results are of, while this lives: rounded to nearest, numbers near 0 as
-// they are, nothing trapped. The host's own comes back after it, with the flags that it had.
+// Scope with the floating-point environment that all results assume: rounding to nearest, denormals
+// kept, no traps. Restores the host's environment afterwards, including its flags.
 class OwnArithmetic {
  public:
   OwnArithmetic() noexcept {
@@ -23,7 +23,7 @@ class OwnArithmetic {
   std::fenv_t host_{};
 };
 
-// The host's arithmetic, while a function of its own runs.
+// Scope with the host's floating-point environment, for calls of the host's functions.
 class HostArithmetic {
  public:
   explicit HostArithmetic(const std::fenv_t& host) noexcept { (void)std::fesetenv(&host); }

@@ -27,7 +27,7 @@ shigusa_status shigusa_character_create(const char* spec, const void* file, size
       std::string bytes(static_cast<const char*>(file), file_size);
       SHG_TRY(load_character(std::move(bytes), parsed));
     }
-    // a body that cannot be built is refused now
+    // refuses a body that cannot be built
     SHG_TRY(build_character(parsed));
     *character = new shigusa_character{std::move(parsed)};
     return {};

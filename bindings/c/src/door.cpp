@@ -13,14 +13,14 @@
 namespace shigusa::door {
 namespace {
 
-// The exception of a host's own function, in its own words.
+// Message for an exception of a host's own function.
 shigusa_status refuse_host(const HostFault& host) noexcept {
   try {
     if (host.thrown) std::rethrow_exception(host.thrown);
   } catch (const std::exception& error) {
     return refuse(SHIGUSA_HOST, error.what());
   } catch (...) {
-    // that has no words
+    // an exception without a message
   }
   return refuse(SHIGUSA_HOST, "the caller's own function threw what is no std::exception");
 }
@@ -65,7 +65,7 @@ shigusa_status refuse_exception() noexcept {
   } catch (const std::bad_alloc&) {
     return refuse(SHIGUSA_OUT_OF_MEMORY, kNoMemory);
   } catch (const std::system_error& error) {
-    // threads that the system has no room for
+    // the system has no resources for more threads
     const bool full = error.code() == std::errc::resource_unavailable_try_again ||
                       error.code() == std::errc::not_enough_memory;
     return refuse(full ? SHIGUSA_OUT_OF_MEMORY : SHIGUSA_FAULT, full ? kNoMemory : error.what());

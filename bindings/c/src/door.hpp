@@ -12,7 +12,7 @@
 
 #include "arithmetic.hpp"
 
-// The structs behind the handles of shigusa.h.
+// Structs behind the handles of shigusa.h.
 
 struct shigusa_bytes {
   std::string text;
@@ -27,23 +27,23 @@ struct shigusa_result {
   shigusa::Task task;
   shigusa::GenerateResult generation;
   shigusa::RunInfo info;
-  // of the task; kept, since a slider plays it at each step
+  // player of the task; kept, as a slider plays it at each step
   mutable std::optional<shigusa::MotionPlayer> player{};
-  // [candidate][series] tables that were asked for, made at the first time
+  // [candidate][series] requested tables, made on first use
   mutable std::vector<std::vector<std::vector<double>>> series{};
 };
 
 namespace shigusa::door {
 
-// Keeps the text of shigusa_message(), and returns the status of it.
+// Stores the text of shigusa_message(); returns the status.
 shigusa_status refuse(shigusa_status status, const char* message) noexcept;
-// The same, and keeps the error for shigusa_failure().
+// Stores also the error for shigusa_failure().
 shigusa_status refuse(Error error);
-// The status of the exception that is being handled.
+// Status for the exception being handled.
 shigusa_status refuse_exception() noexcept;
 
-// The status of `work`, a function of the arithmetic that it runs in to Result<void>: no exception
-// leaves it.
+// Runs `work`, a function of the floating-point scope that returns Result<void>; returns the status
+// and lets no exception escape.
 template <class Work>
 shigusa_status guarded_watched(Work&& work) noexcept {
   const OwnArithmetic arithmetic;
@@ -54,7 +54,7 @@ shigusa_status guarded_watched(Work&& work) noexcept {
     return refuse_exception();
   }
 }
-// The same of a function of nothing.
+// The same for a function without arguments.
 template <class Work>
 shigusa_status guarded(Work&& work) noexcept {
   return guarded_watched([&work](const OwnArithmetic&) { return work(); });
@@ -77,7 +77,7 @@ Result<void> need(Pointers... named) {
   return fail(ErrorCode::invalid_argument, std::string(name) + " is null");
 }
 
-// Gives text to the caller.
+// Copies text for the caller.
 Result<void> give(std::string text, shigusa_bytes** bytes);
 
 }  // namespace shigusa::door

@@ -12,20 +12,20 @@ namespace shigusa::door {
 namespace {
 
 struct Failure {
-  // room of its own, so that it is there even where memory is not to be had
+  // a fixed buffer, available even without memory
   char text[1024] = "";
-  Error error{};  // of what has no Error the text alone is told
+  Error error{};  // with a default code for failures that have only a text
 };
 
-// Stands for a failure that there is no memory for.
+// Placeholder for a failure without memory.
 char no_memory = 0;
 
 void forget(void* kept) {
   if (kept != &no_memory) delete static_cast<Failure*>(kept);
 }
 
-// The place of each thread's failure. A thread_local object would end the program where there is no
-// memory to note that it is to be destroyed.
+// Storage of each thread's failure. A thread_local object would end the program if memory for
+// registering its destructor were missing.
 class Key {
  public:
   Key() : there_(pthread_key_create(&key_, forget) == 0) {}
@@ -54,7 +54,7 @@ Failure* kept_failure() {
   return kept == &no_memory ? nullptr : static_cast<Failure*>(kept);
 }
 
-// The thread's failure, made where it has none; null where there is no memory.
+// The thread's failure, allocated on first use; null without memory.
 Failure* made_failure() noexcept {
   if (Failure* const kept = kept_failure()) return kept;
   auto* const made = new (std::nothrow) Failure;
@@ -64,7 +64,7 @@ Failure* made_failure() noexcept {
   return nullptr;
 }
 
-// As many bytes of UTF-8 text as fit, without half a character.
+// Longest prefix of a UTF-8 text that fits, cut at a character boundary.
 std::size_t fitting(std::string_view text) {
   std::size_t size = std::min(text.size(), sizeof(Failure::text) - 1);
   const auto continues = [&](std::size_t at) {
@@ -76,7 +76,7 @@ std::size_t fitting(std::string_view text) {
 
 void put(std::string_view text, Failure& failure) {
   const std::size_t size = fitting(text);
-  // a caller may hand back what it was told
+  // the caller may pass back the pointer that it was given
   std::memmove(failure.text, text.data(), size);
   failure.text[size] = '\0';
 }

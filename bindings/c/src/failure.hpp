@@ -4,18 +4,18 @@
 #include <shigusa/error.hpp>
 #include <string_view>
 
-// The last failure of each thread. A thread's place for it is made at its first failure; where
-// there is no memory for it, the failure is told as that.
+// Last failure of each thread. A thread's storage is allocated at its first failure; without
+// memory, the failure is reported as out of memory.
 namespace shigusa::door {
 
-// Keeps a text, as much of it as has room.
+// Stores a text, cut to the available room.
 void keep_failure(std::string_view text) noexcept;
-// Keeps an error with its text. May throw std::bad_alloc, and then nothing is kept.
+// Stores an error with its text. On std::bad_alloc nothing is stored.
 void keep_failure(Error error);
 
-// The text of the calling thread's last failure, "" where none failed.
+// Text of the calling thread's last failure, "" if there is none.
 [[nodiscard]] const char* failure_text() noexcept;
-// Its error; null of a failure that has its text alone.
+// Error of the last failure; null if it has only a text.
 [[nodiscard]] const Error* failure_error() noexcept;
 
 }  // namespace shigusa::door

@@ -35,7 +35,7 @@ bool is_of_nodes(shigusa_series series) {
   return series == SHIGUSA_NODE_TRANSLATIONS || series == SHIGUSA_NODE_ROTATIONS;
 }
 
-// The table of one series that is not of nodes, frame by frame.
+// Table of one series that is not of nodes, frame by frame.
 std::vector<double> table_of(const shigusa_result& result, const Candidate& candidate,
                              shigusa_series series) {
   const Motion& motion = candidate.motion;
@@ -75,7 +75,7 @@ std::vector<double> table_of(const shigusa_result& result, const Candidate& cand
   return table;
 }
 
-// Fails where the result has no such candidate or series.
+// Fails if the result has no such candidate or series.
 Result<void> check_series(const shigusa_result& result, int32_t candidate, shigusa_series series) {
   if (candidate < 1 || static_cast<size_t>(candidate) > result.generation.candidates.size()) {
     return fail(ErrorCode::invalid_argument,

@@ -11,13 +11,14 @@
 
 namespace shigusa::door {
 
-// An exception that came out of the host's own function.
+// An exception thrown by the host's own function.
 struct HostFault {
-  std::exception_ptr thrown;  // none where it is no exception of C++
+  std::exception_ptr thrown;  // null for an exception that is not of C++
 };
 
-// How the caller watches a search, and stops it. Its function runs on the thread that called, in
-// the host's own arithmetic; what it throws does not pass through the search, which ends.
+// Progress callback of the caller, which can stop a search. It runs on the calling thread, in the
+// host's floating-point environment; its exceptions do not pass through the search, which is
+// cancelled.
 class Watched {
  public:
   Watched(const shigusa_watch* watch, const OwnArithmetic& arithmetic)
@@ -26,7 +27,7 @@ class Watched {
   Watched& operator=(const Watched&) = delete;
 
   [[nodiscard]] Progress progress();
-  // Throws a HostFault where the host's function threw.
+  // Throws a HostFault if the host's function threw.
   void pass_on() const {
     if (failed_) throw HostFault{thrown_};
   }

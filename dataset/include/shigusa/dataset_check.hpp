@@ -12,7 +12,7 @@
 
 namespace shigusa {
 
-/// How far a check has come.
+/// Progress of a check.
 struct CheckReport {
   std::uint64_t shards = 0;    ///< that were looked at
   std::uint64_t of = 0;        ///< that are there
@@ -20,7 +20,7 @@ struct CheckReport {
   std::uint64_t problems = 0;  ///< that were found
 };
 
-/// How a data set is checked.
+/// Settings of a check.
 struct CheckSettings {
   double share = 0.001;              ///< of the tasks that are made again, 0 to 1; at least one is
   int threads = 0;                   ///< 0: one for each core
@@ -29,16 +29,16 @@ struct CheckSettings {
   const std::atomic<bool>* cancel = nullptr;         ///< ends the work once it is true
 };
 
-/// Something that is wrong with a data set.
+/// A problem of a data set.
 struct DatasetProblem {
   std::string file;  ///< its name in the folder
-  std::string says;  ///< what is wrong with it
+  std::string says;  ///< description of the problem
 };
 
-/// More problems are counted, but not listed.
+/// Number of problems listed; further ones are only counted.
 inline constexpr std::size_t kMostProblems = 1000;
 
-/// The result of a check.
+/// Result of a check.
 struct CheckRun {
   std::uint64_t shards = 0;                ///< that are there
   std::vector<std::uint64_t> missing{};    ///< numbers of shards that are not there: no problem
@@ -51,10 +51,10 @@ struct CheckRun {
   double seconds = 0.0;                    ///< that it took
 };
 
-/// Checks a data set: of every shard the bytes by their SHA-256, its plan and its tasks; of a drawn
-/// share of the tasks, the same each time, all numbers, by making them again; and whether the
-/// index and the statistics, where they are there, are whole and of these shards. One problem does
-/// not end it. Fails on a folder without a plan or shards, and where it is cancelled.
+/// Checks a data set: SHA-256, plan and tasks of every shard; all numbers of a sample of the tasks,
+/// always the same, by making them again; and index and statistics, if present, for completeness
+/// and agreement with the shards. A problem does not end the check. Fails on a folder without a
+/// plan or shards, and if cancelled.
 [[nodiscard]] Result<CheckRun> check_dataset(const std::filesystem::path& folder,
                                              const CheckSettings& settings = {});
 

@@ -16,7 +16,7 @@
 
 namespace shigusa {
 
-/// A form in which the motions of a data set leave for the programs of others.
+/// Format in which the motions of a data set are exported to other programs.
 enum class DataFormat {
   npz,        ///< NumPy archives, one a motion
   humanml3d,  ///< HumanML3D's joint positions and sentences
@@ -24,16 +24,16 @@ enum class DataFormat {
   glb,        ///< glTF animations of the skeleton
 };
 
-/// The facts of such a form.
+/// Properties of such a format.
 struct DataFormatInfo {
   DataFormat format;        ///< that the row is of
-  std::string_view word;    ///< it is asked for by
+  std::string_view word;    ///< its word in options
   std::string_view about;   ///< one sentence
-  double rate = 0.0;        ///< frames a second where nobody asks for others; 0: the motion's own
-  bool rate_fixed = false;  ///< others cannot be asked for
+  double rate = 0.0;        ///< default frame rate (Hz); 0: the motion's own
+  bool rate_fixed = false;  ///< other rates are refused
 };
 
-/// All forms, in the order of DataFormat.
+/// All formats, in the order of DataFormat.
 inline constexpr std::array kDataFormats{
     DataFormatInfo{.format = DataFormat::npz,
                    .word = "npz",
@@ -54,23 +54,23 @@ inline constexpr std::array kDataFormats{
                    .about = "A character's own glTF file with the motion added.",
                    .rate = kUsualRate},
 };
-/// The words of DataFormat.
+/// Words of DataFormat.
 template <>
 inline constexpr auto kEnumWords<DataFormat> = words_of_table(kDataFormats,
                                                               &DataFormatInfo::format);
-/// The row of a form.
+/// Table row of a format.
 [[nodiscard]] constexpr const DataFormatInfo& info_of(DataFormat format) {
   return kDataFormats[static_cast<std::size_t>(format)];
 }
 
-/// How far an export has come.
+/// Progress of an export.
 struct DataExportReport {
   std::uint64_t tasks = 0;    ///< of the data set that were looked at
   std::uint64_t of = 0;       ///< tasks that are to be looked at
   std::uint64_t motions = 0;  ///< that were written
 };
 
-/// The motions that leave a data set, and how.
+/// Selection of motions to export, with settings.
 struct DataExportSettings {
   std::filesystem::path from;           ///< folder of the data set
   std::filesystem::path to;             ///< folder for the files
@@ -80,29 +80,30 @@ struct DataExportSettings {
   std::optional<TaskRange> tasks{};     ///< only motions of these
   std::optional<Verdict> verdict{};     ///< only motions of this verdict or a better one
   std::optional<std::uint64_t> most{};  ///< no more motions than these
-  std::optional<double> rate{};         ///< Hz, of formats that let it be asked for
+  std::optional<double> rate{};         ///< Hz, for formats with a selectable rate
   bool series = false;                  ///< of csv: a file of each motion's series too
-  /// Of humanml3d: shorter motions hold their last pose up to as many frames; 0: none does.
+  /// humanml3d only: shorter motions hold their last pose up to this number of frames; 0: no
+  /// padding
   std::size_t least_frames = 0;
-  std::filesystem::path character{};  ///< of glb: who moves; empty: the task's own
+  std::filesystem::path character{};  ///< glb only: character to move; empty: the task's own
   std::function<void(const DataExportReport&)> report{};  ///< called now and then
   const std::atomic<bool>* cancel = nullptr;              ///< ends the work once it is true
 };
 
-/// The counts of an export.
+/// Counts of an export.
 struct DataExportRun {
   std::uint64_t motions = 0;   ///< that were written
   std::uint64_t left_out = 0;  ///< that the form cannot hold
   std::string why{};           ///< why the first of these was left out
   std::uint64_t searched = 0;  ///< of glb: motions that were searched anew for the character
-  std::uint64_t missed = 0;    ///< of glb: motions whose goals the character cannot reach
+  std::uint64_t missed = 0;    ///< glb only: motions whose goals the character cannot reach
   bool stopped = false;        ///< `cancel` ended it before all were written
 };
 
-/// Writes motions of a data set for the programs of others, with a README.md that tells what is in
-/// the folder. One shard after the other is read; each file is whole or absent. Same data, same
-/// bytes. Fails on a folder that is not empty (unless `force`), on a rate, a character or a part
-/// that is not allowed, on a data set without what the form needs, and where no motion can leave.
+/// Exports motions of a data set to other programs, with a README.md that describes the folder.
+/// Shards are read one after the other; each file is whole or absent. The same data gives the same
+/// bytes. Fails on a folder that is not empty (unless `force`), on an invalid rate, character or
+/// part, on a data set without the data that the format needs, and if no motion can be exported.
 [[nodiscard]] Result<DataExportRun> export_dataset(const DataExportSettings& settings);
 
 }  // namespace shigusa
