@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <shigusa/error.hpp>
 #include <shigusa/kinematics.hpp>
-#include <shigusa/words.hpp>
 
 #include "core/check.hpp"
 #include "dynamics/centre_of_mass.hpp"
