@@ -82,7 +82,7 @@ BEGIN {
   n = split(outside, list, " ")
   for (i = 1; i <= n; ++i) allow(list[i], "shigusa " all)
 
-  face("core", "message result progress random words field parallel")
+  face("core", "message result progress random words field parallel version")
   face("math", "scalar vec3 mat3 quat transform")
   face("files", "file")
   face("body", "skeleton joint_place body_model body_build goal")

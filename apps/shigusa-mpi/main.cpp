@@ -12,6 +12,7 @@
 #include <shigusa/dataset.hpp>
 #include <shigusa/dataset_merge.hpp>
 #include <shigusa/export.hpp>
+#include <shigusa/version.hpp>
 #include <string>
 
 namespace {

@@ -8,6 +8,7 @@
 #include <shigusa/dataset.hpp>
 #include <shigusa/dataset_merge.hpp>
 #include <shigusa/limb_cache.hpp>
+#include <shigusa/version.hpp>
 #include <shigusa/words.hpp>
 
 #include "commands.hpp"

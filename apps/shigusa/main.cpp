@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <exception>
+#include <shigusa/version.hpp>
 
 #include "commands.hpp"
 #include "manual.hpp"

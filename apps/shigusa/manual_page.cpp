@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <shigusa/version.hpp>
 
 #include "manual.hpp"
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/version.hpp>
 
 #include "manual.hpp"
 

@@ -43,6 +43,7 @@
 #include <shigusa/transform.hpp>
 #include <shigusa/vec3.hpp>
 #include <shigusa/verdict.hpp>
+#include <shigusa/version.hpp>
 #include <shigusa/words.hpp>
 
 /// Natural whole-body motion from the goals of hands and feet. A BodyModel with Goals makes a Task;
