@@ -19,6 +19,31 @@ if(TARGET shigusa_c)
   install(EXPORT shigusaCTargets NAMESPACE shigusa:: DESTINATION ${shigusa_package_dir})
 endif()
 
+# What pkg-config finds. What a static library needs is linked by whoever links it.
+set(needed_modules fmt)
+if(TBB_FOUND)
+  list(APPEND needed_modules tbb)
+endif()
+if(SHIGUSA_FOLDERS)
+  list(APPEND needed_modules libmd)
+endif()
+if(SHIGUSA_PACKED_MESHES)
+  list(APPEND needed_modules draco)
+  set(needed_libraries -lmeshoptimizer)
+endif()
+if(SHIGUSA_MANNEQUIN)
+  list(APPEND needed_modules zlib)
+endif()
+list(JOIN needed_modules " " needed_modules)
+if(BUILD_SHARED_LIBS)
+  set(private .private)
+  set(then "\nLibs.private:")
+endif()
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
+           OUTPUT_VARIABLE prefix_from_here)
+configure_file(cmake/shigusa.pc.in ${PROJECT_BINARY_DIR}/shigusa.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/shigusa.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
 # In a folder of their own: beside bin, a package that is not installed would be found where the program is on PATH.
 set(shigusa_package ${PROJECT_BINARY_DIR}/package)
 file(REMOVE ${PROJECT_BINARY_DIR}/shigusaConfig.cmake ${PROJECT_BINARY_DIR}/shigusaConfigVersion.cmake) # of old builds

@@ -12,6 +12,7 @@
 #include <shigusa/dataset.hpp>
 #include <shigusa/dataset_merge.hpp>
 #include <shigusa/files.hpp>
+#include <shigusa/shigusa.hpp>
 #include <string>
 
 namespace {

@@ -9,6 +9,7 @@
 #include <shigusa/dataset_merge.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/files.hpp>
+#include <shigusa/shigusa.hpp>
 
 #include "commands.hpp"
 #include "dataset_commands.hpp"

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <shigusa/dataset_merge.hpp>
+#include <shigusa/shigusa.hpp>
 
 #include "commands.hpp"
 #include "dataset_commands.hpp"

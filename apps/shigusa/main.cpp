@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <exception>
+#include <shigusa/shigusa.hpp>
 
 #include "commands.hpp"
 #include "manual.hpp"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <shigusa/shigusa.hpp>
 
 #include "manual.hpp"
 

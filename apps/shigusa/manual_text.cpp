@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/shigusa.hpp>
 
 #include "manual.hpp"
 

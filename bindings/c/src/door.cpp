@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <new>
+#include <shigusa/shigusa.hpp>
 #include <string_view>
 #include <system_error>
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
-#include <shigusa/draw.hpp>
-#include <shigusa/formats.hpp>
+#include <cstring>
+#include <shigusa/shigusa.hpp>
 
-// Reads a motion and draws it: the drawing library must have come along with the static library.
-int main() {
+// Reads a motion and draws it: what the library needs must have come along with it. An argument is
+// the version that a package tells of itself.
+int main(int count, char** arguments) {
+  if (count > 1 && std::strcmp(arguments[1], SHIGUSA_VERSION) != 0) {
+    std::fprintf(stderr, "the package is %s, its headers are " SHIGUSA_VERSION "\n", arguments[1]);
+    return 1;
+  }
   const auto motion = shigusa::parse_bvh(R"(HIERARCHY
 ROOT hips
 {

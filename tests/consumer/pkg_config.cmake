@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# Compiles and runs the consumer in C++ with the shigusa that is installed in PREFIX, by what pkg-config tells: of a
+# shared library (SHARED) nothing that it needs itself. FLAGS are more of CXX.
+set(ENV{PKG_CONFIG_PATH} ${PREFIX}/${LIBDIR}/pkgconfig)
+function(ask variable)
+  execute_process(COMMAND pkg-config ${ARGN} shigusa OUTPUT_VARIABLE answer OUTPUT_STRIP_TRAILING_WHITESPACE
+                  COMMAND_ERROR_IS_FATAL ANY)
+  separate_arguments(answer UNIX_COMMAND "${answer}")
+  set(${variable} "${answer}" PARENT_SCOPE)
+endfunction()
+ask(version --modversion)
+ask(flags --cflags --libs)
+ask(all_flags --static --libs)
+
+if(NOT all_flags MATCHES "-lshigusa.*-lfmt")
+  message(FATAL_ERROR "pkg-config --static --libs shigusa leaves out what the library needs: ${all_flags}")
+endif()
+if(SHARED AND flags MATCHES "-lfmt")
+  message(FATAL_ERROR "pkg-config --libs shigusa tells of more than the shared library: ${flags}")
+endif()
+separate_arguments(FLAGS UNIX_COMMAND "${FLAGS}")
+cmake_path(GET PROGRAM PARENT_PATH folder)
+file(MAKE_DIRECTORY ${folder})
+execute_process(COMMAND ${CXX} -std=c++20 ${FLAGS} ${CMAKE_CURRENT_LIST_DIR}/cxx/main.cpp -o ${PROGRAM} ${flags}
+                        -Wl,-rpath,${PREFIX}/${LIBDIR} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${PROGRAM} ${version} COMMAND_ERROR_IS_FATAL ANY)
