@@ -36,7 +36,7 @@ struct OptionGroupManual {
 // A command, or the whole program, with its subcommands.
 struct CommandManual {
   std::string path;   // "shigusa dataset merge"
-  std::string group;  // the heading that it stands under: "Many"
+  std::string group;  // its heading: "Many"
   std::string brief;
   std::string full;  // further sentences, or nothing
   std::vector<std::string> examples;

@@ -16,7 +16,7 @@ inline constexpr double kLeastWeight = 0.002;
 inline constexpr double kMostWeight = 4.0;
 inline constexpr double kDropped = 0.004;
 
-// How the points of a search are read as mixtures.
+// Mapping from points of a search to mixtures.
 class MixtureSpace {
  public:
   // Weights of `fixed` for the criteria that ensure a possible motion, searched weights for the

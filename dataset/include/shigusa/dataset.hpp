@@ -100,7 +100,7 @@ class DatasetPlan {
   [[nodiscard]] std::uint64_t seed() const;          ///< of all draws
   [[nodiscard]] std::uint64_t tasks() const;         ///< number of tasks
   [[nodiscard]] std::uint64_t people() const;        ///< of which tasks draw one; 0: each its own
-  [[nodiscard]] std::uint64_t shard_tasks() const;   ///< tasks of a shard, but for the last
+  [[nodiscard]] std::uint64_t shard_tasks() const;   ///< tasks of a shard, except the last one
   [[nodiscard]] std::uint64_t shards() const;        ///< number of shards
   [[nodiscard]] TaskRange tasks_of(std::uint64_t shard) const;     ///< of one shard
   [[nodiscard]] const std::vector<DatasetSeries>& series() const;  ///< that are kept
