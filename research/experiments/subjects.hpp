@@ -18,7 +18,7 @@ struct Plan {
   int seeds = 32;               // default number of seeds of searches
   int few_seeds = 8;            // for long series
   int slow_seeds = 2;           // for slow motions
-  int motions = 5000;           // delivered for each body, of the experiment on limits …
+  int motions = 5000;           // delivered per body in the experiment on limits
   int human_goals = 10000;      // goals drawn for the body human
 };
 [[nodiscard]] Plan quick_plan();

@@ -53,7 +53,7 @@ struct Track {
 struct Recorded {
   Segment segment;
   SkeletonMotion motion;  // the whole file
-  CharacterSpec person;   // measured in the first frame, extent human …
+  CharacterSpec person;   // measured in the first frame, extent human
   BodyModel body;         // the same with 18 dofs
   BodyModel paper_body;
   Track track{};
