@@ -35,8 +35,8 @@ struct Robot {
     double mass = 0.0;                               // kg; 0 if the file has none
     Vec3d com{};                                     // m, link frame
     Mat3d inertia{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the com, link axes
-    std::vector<Shape> collides;                     // collision shapes, as far as they are simple
-    std::vector<Shape> shown;                        // visual shapes, as far as they are simple
+    std::vector<Shape> collides;                     // simple collision shapes
+    std::vector<Shape> shown;                        // simple visual shapes
 
     // Corners of boxes around the collision shapes (m, link frame).
     [[nodiscard]] std::vector<Vec3d> corners() const;
