@@ -24,7 +24,7 @@ enum Kind : std::uint64_t {
 };
 constexpr std::size_t kMostMessages = 512;                    // of an object
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 20;  // of a block of messages
-constexpr std::uint64_t kShared = 2;  // a flag of messages that stand elsewhere
+constexpr std::uint64_t kShared = 2;                          // flag of messages stored elsewhere
 
 std::size_t padded(std::size_t size) { return (size + 7) / 8 * 8; }
 

@@ -70,7 +70,7 @@ class Reader {
                                              std::size_t size) const;
 
   Source source_;
-  std::uint64_t root_ = 0;  // where the object "/" is
+  std::uint64_t root_ = 0;  // address of the object "/"
 };
 
 // Text of an attribute; empty if absent. Fails if it is no text.

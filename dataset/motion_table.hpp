@@ -42,8 +42,8 @@ class MotionTable {
   std::span<const DatasetSeries> series_;
   std::vector<DataDof> dofs_;
   ParameterList list_;
-  std::vector<std::string> parameters_;  // names, sorted …
-  std::vector<std::size_t> order_;       // … and their numbers in the list
+  std::vector<std::string> parameters_;  // sorted names
+  std::vector<std::size_t> order_;       // their indices in the list
   std::vector<std::string> feet_;        // names, sorted
   Table table_;
 };

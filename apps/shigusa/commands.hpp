@@ -86,7 +86,7 @@ void add_character_options(CLI::App& command, CharacterOptions& options);
 // Help texts of file options that depend on the command.
 struct FileHelp {
   std::string usual;  // default formats
-  std::string rate;   // Hz, likewise
+  std::string rate;   // Hz, default rate
   bool rare = false;  // all of these options are
 };
 void add_file_options(CLI::App& command, FileOptions& options, const FileHelp& help);

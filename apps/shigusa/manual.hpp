@@ -13,7 +13,7 @@ namespace shigusa::app {
 // One option or argument in help, manual and completion.
 struct OptionManual {
   std::string name{};   // "--goal"; of an argument "TASK"
-  std::string form{};   // of its value, as OptionHelp has it; empty of a flag
+  std::string form{};   // of its value, as in OptionHelp; empty for a flag
   std::string brief{};  // its line
   std::string full{};   // full description; the line if that is complete
   bool argument = false;
@@ -36,7 +36,7 @@ struct OptionGroupManual {
 // A command, or the whole program, with its subcommands.
 struct CommandManual {
   std::string path;   // "shigusa dataset merge"
-  std::string group;  // the heading that it stands under: "Many"
+  std::string group;  // its heading: "Many"
   std::string brief;
   std::string full;  // further sentences, or nothing
   std::vector<std::string> examples;

@@ -40,7 +40,7 @@ class PageServer {
 
   Page page_;
   std::vector<Visit> visits_;                 // the oldest first; of the server's thread
-  std::unique_ptr<MHD_Daemon, Stop> daemon_;  // the last, as its thread uses the others
+  std::unique_ptr<MHD_Daemon, Stop> daemon_;  // last member, as its thread uses the others
 };
 
 }  // namespace shigusa::app

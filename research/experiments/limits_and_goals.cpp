@@ -17,7 +17,7 @@ namespace {
 constexpr int kEvaluations = 600;
 constexpr int kBlock = 128;  // goals at a time, until enough motions are delivered
 constexpr int kStarts = 8;
-constexpr int kManyStarts = 60;  // where the body did not get there
+constexpr int kManyStarts = 60;  // for goals that were not reached
 // Tolerance (rad) of limits for rounding.
 constexpr double kRounding = 1e-9;
 
@@ -28,8 +28,8 @@ struct Judged {
   int over_limit = 0;      // motions that pass a limit at some frame
   double excess = 0.0;     // rad, the most
   int feet_moved = 0;      // motions in which a planted foot slides
-  bool met = false;        // said to be reached, and every motion ends there
-  bool said = false;       // said to be reached
+  bool met = false;        // reported as reached, and every motion ends there
+  bool said = false;       // reported as reached
   bool reachable = false;  // by the independent method
 };
 

@@ -17,8 +17,8 @@ struct Plan {
   int goals = 30;               // drawn for each body
   int seeds = 32;               // default number of seeds of searches
   int few_seeds = 8;            // for long series
-  int slow_seeds = 2;           // where a motion takes long
-  int motions = 5000;           // delivered for each body, of the experiment on limits …
+  int slow_seeds = 2;           // for slow motions
+  int motions = 5000;           // delivered per body in the experiment on limits
   int human_goals = 10000;      // goals drawn for the body human
 };
 [[nodiscard]] Plan quick_plan();

@@ -27,8 +27,9 @@ struct Case {
   double height = 0.0;            // of the goal above the floor
   double ahead = 0.0;             // of the goal, from the ankles
   double aside = 0.0;             // of the goal, from the middle
-  double rise = 0.0;              // of the grip, over its way: -1 straight down, 1 straight up
-  double arm = 0.0;               // of a level reach: how far it is, in arms
+  double rise = 0.0;              // of the grip, relative to its path: -1 straight down, 1 straight
+                                  // up
+  double arm = 0.0;               // of a level reach: distance in arm lengths
   bool straight = false;          // knees stay straight
   std::vector<Known> recorded{};  // of a person's reach; no other bands hold for it
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFoot = 0.26;        // m, of a body of kUsualStature
 constexpr double kJoltsSeen = 20.0;   // greater ones count as this
-constexpr double kSpeedShare = 0.05;  // of its peak: a hand that is slower stands
+constexpr double kSpeedShare = 0.05;  // of its peak: a slower hand counts as still
 constexpr std::size_t kSegments = 6;
 
 constexpr std::array kNodes{"upper_leg", "lower_leg", "foot", "upper_arm", "lower_arm", "hand"};

@@ -20,11 +20,12 @@ struct Figures {
   double back = 0.0;          // m, backward travel of the hips
   double travel = 0.0;        // m, of the hips
   double mass = 0.0;          // share of the foot's length, forward travel of the centre of mass
-  double bow = 0.0;           // of the distance, forwards, where the wrist is farthest off its line
-  double peak = 0.0;          // of the time, when the wrist is fastest
-  double shoulder = 0.0;      // of the wrist's way forwards, the shoulder's
+  double bow = 0.0;           // of the distance: largest forward deviation of the wrist from its
+                              // line
+  double peak = 0.0;          // of the time: moment of the wrist's greatest speed
+  double shoulder = 0.0;      // share of the shoulder in the wrist's forward travel
   double index = 0.0;         // change of the knee over those of ankle, hip and back
-  double style = 0.0;         // 100 stoop, 0 squat; 50 where the shoulders stay
+  double style = 0.0;         // 100 stoop, 0 squat; 50 if the shoulders do not move
   double first = 0.0;         // of the variance of six segments' angles, the first component's
   double lumbar = 0.0;        // deg, change of the back's bend
   double hip = 0.0;           // deg, change of the hips' bend
@@ -33,7 +34,7 @@ struct Figures {
   double head = 0.0;          // m, above the hips at the end
   double free_elbow = 0.0;    // deg, of the other arm
   double clavicle = 0.0;      // of the arm's elevation, the clavicle's
-  double jolt = 0.0;  // the greatest change from frame to frame: of 3 cm, or 30 % of strength
+  double jolt = 0.0;  // greatest change between frames, in units of 3 cm or 30 % of strength
   double hard = 0.0;  // 0 possible, 1 strains, 2 impossible, 3 not reached
 };
 

@@ -9,10 +9,10 @@
 namespace shigusa::bench {
 
 struct LearnSettings {
-  CriteriaSettings start = default_criteria();  // where the search begins
-  int evaluations = 160;                        // mixtures that are measured
-  double step = 0.12;   // standard deviation that the search begins with, of a gene
-  bool scales = false;  // of the criteria that compare with people are searched too
+  CriteriaSettings start = default_criteria();  // initial mixture of the search
+  int evaluations = 160;                        // number of evaluated mixtures
+  double step = 0.12;                           // initial standard deviation per gene
+  bool scales = false;  // also searches the scales of criteria that compare with people
   // Queries with some thousand motions: with fewer, chance differences exceed those between
   // mixtures.
   MeasureSettings measure{.motions = 2000};

@@ -16,11 +16,11 @@ inline constexpr double kLeastWeight = 0.002;
 inline constexpr double kMostWeight = 4.0;
 inline constexpr double kDropped = 0.004;
 
-// How the points of a search are read as mixtures.
+// Mapping from points of a search to mixtures.
 class MixtureSpace {
  public:
   // Weights of `fixed` for the criteria that ensure a possible motion, searched weights for the
-  // others; with scales, the scales of the latter are searched too.
+  // others; with `scales`, the scales of those that compare with people are searched too.
   MixtureSpace(CriteriaSettings fixed, bool scales);
 
   [[nodiscard]] int genes() const { return static_cast<int>(members_.size()); }

@@ -10,13 +10,13 @@
 // Rules that people's figures obey. Sources are those of shared/people/people.md.
 namespace shigusa::bench {
 
-// Between these a figure is one of people's.
+// Range of a figure among people.
 struct Band {
   double low;
   double high;
 };
 
-// How far one figure, or an order of figures, is from people's.
+// Distance of one figure, or of an order of figures, from people's.
 struct Term {
   std::size_t rule;    // in rule_names()
   double value;        // the figure, or the violation of the order

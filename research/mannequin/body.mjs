@@ -4,7 +4,7 @@ import { carve, cone, ellipsoid, frameAt, join, sections } from './field.mjs';
 
 export const kStature = 1.741;
 
-const kArmOut = (27 * Math.PI) / 180; // arms and legs are made held out, so that nothing touches
+const kArmOut = (27 * Math.PI) / 180; // abduction of arms and legs in the mesh, so that nothing touches
 const kLegOut = (9 * Math.PI) / 180;
 
 export const joints = {
@@ -14,7 +14,7 @@ export const joints = {
 export const lengths = { upper_arm: 0.323826, lower_arm: 0.254186, hand: 0.188028, upper_leg: 0.426545, lower_leg: 0.428286, ankle: 0.067899, foot: 0.138932 };
 export const kHeadTop = 1.741;
 
-const kFlesh = 0.09; // share of a heavy person's that an average one has, so that their volumes are their masses'
+const kFlesh = 0.09; // share of a heavy person's flesh in an average one, for which volumes match masses
 
 const arm = frameAt(joints.upper_arm, kArmOut);
 const fore = frameAt(arm.world(0, lengths.upper_arm, 0), kArmOut);
@@ -60,7 +60,7 @@ export function makeBody({ female = 0, fat = 0 } = {}) {
 }
 
 function makeTrunk(m) {
-  // height: half width (twice, as both sides are alike), to the front, to the back, exponent
+  // height: half width (twice, for both sides), depth to the front, depth to the back, exponent
   const rows = [
     [0.835, m(0.03, 0.03), 0.03, 0.04],
     [0.858, m(0.082, 0.086, 0.014), m(0.066, 0.064, 0.012), 0.072],
@@ -111,7 +111,7 @@ function makeHead(m) {
     [1.6, m(0.055, 0.047, 0.01, 0.002), m(0.055, 0.047, 0.01, 0.002), 0.05, m(0.054, 0.048, 0.008), 2, 0, 0.006],
   ]);
   const skull = ellipsoid([0, 1.6535, 0.006], [m(0.0755, 0.073), 0.0885, m(0.0945, 0.092)]);
-  // from the chin to the brow; the back lies within the skull
+  // from the chin to the brow; the back is inside the skull
   const w = (man, woman, more = 0, less = 0) => m(man, woman, more, less);
   const face = sections([
     [1.526, w(0.031, 0.024, 0.018, 0.002), w(0.031, 0.024, 0.018, 0.002), w(0.027, 0.023, 0.003), 0.04, 2.4, 0, 0.074],
@@ -228,7 +228,7 @@ function makeLeg(m) {
     [0.44, m(0.036, 0.033, 0.004), m(0.036, 0.033, 0.004), m(0.037, 0.034, 0.004), m(0.04, 0.0365, 0.004), 2.2],
   ]);
   const patella = ellipsoid([0, 0, 0.042], [m(0.025, 0.023), 0.03, 0.0185]);
-  // along the foot, from the heel: half widths, top and sole below the ankle
+  // along the foot, from the heel: half widths, height of top and sole below the ankle
   const f = (z, out, inn, top, low = 0.067899) => {
     const slim = m(1, 0.9, 0.06, 0.02);
     const half = (top + low) / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bones that move the mannequin, as its mesh is made: the body's own nodes, followers of their joints and the fingers.
+// Bones of the mannequin in the pose of its mesh: the body's own nodes, followers of their joints and the fingers.
 import { fingers, frames, joints, kHeadTop, lengths } from './body.mjs';
 
 const { arm, fore, hand, leg, shank, foot } = frames;
@@ -49,7 +49,7 @@ const sided = [
   { name: 'lower_leg', kind: 'node', place: shank.origin, angle: leg.angle },
   { name: 'foot', kind: 'node', place: foot.origin, angle: leg.angle },
   { name: 'toes', kind: 'node', place: foot.world(0, 0.04753, lengths.foot), angle: leg.angle },
-  // half: turns by half of what its joint does; swing: without the joint's turn about the limb; roll: with half of that
+  // half: half of its joint's rotation; swing: the rotation without its twist about the limb; roll: with half of the twist
   { name: 'upper_arm_half', kind: 'half', of: 'upper_arm', place: arm.origin, angle: arm.angle / 2 },
   { name: 'upper_arm_swing', kind: 'swing', of: 'upper_arm', place: arm.origin, angle: arm.angle },
   { name: 'upper_arm_roll', kind: 'roll', of: 'upper_arm', place: arm.origin, angle: arm.angle },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shapes as functions of a place: how far it is from the surface, m, negative inside. Distances are near enough to
-// true ones for blending and for stepping onto the surface; none of the shapes has an edge.
+// Shapes as signed distance functions: m from the surface, negative inside. They are accurate enough for blending and
+// for projection onto the surface; no shape has an edge.
 
 /** The union, its seam rounded over `k` metres. */
 export function join(a, b, k) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// make.mjs [FILE]: the studio's mannequin as one file. Sculpts a person as a smooth field, covers the left half with
-// triangles, moves these onto a woman's, a heavy and a light person's field, and finds what each bone carries. The same
-// bytes each time. src/view/mannequin_file.ts reads it.
+// make.mjs [FILE]: writes the studio's mannequin as one file. Sculpts a person as a smooth field, covers the left half
+// with triangles, moves these onto the fields of a woman, a heavy and a light person, and computes the skin weights.
+// The output is deterministic. Its reader is src/view/mannequin_file.ts.
 import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
@@ -103,7 +103,7 @@ export function makeFile() {
     numbers((v) => morphs.flatMap((one) => one[v].map((value) => Math.round(value / kShiftStep)))),
     numbers((v) => weights[v]),
     numbers((v) => paints[v].map((value) => Math.min(Math.max(Math.round(value / kPaint), -128), 127))),
-    // what moves nothing of a vertex is the first bone
+    // unused entries of a vertex refer to the first bone
     Buffer.from([0, 1, 2, 3].flatMap((k) => order.map((v) => (weights[v][k] > 0 ? skin[v].indices[k] : 0)))),
   ]);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A mesh in few bytes: triangles in the order of a walk over their edges, vertices in the order in which the walk
-// meets them, and each number as what is left of it after a guess by the triangle that was there before.
-// src/view/mannequin_pack.ts reads it.
+// Compact encoding of a mesh: triangles in the order of a walk over their edges, vertices in the order of their first
+// visit, and each number as the residual of a prediction from the preceding triangle. Its reader is
+// src/view/mannequin_pack.ts.
 
 /** The triangles in the order of a walk, their corners by the vertices' new numbers, and the vertices in their new order. */
 export function walk(triangles, count) {

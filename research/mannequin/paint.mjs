@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is drawn on the mannequin, as smooth functions of a place of the skin, m: how far inside of the darker joints, how
-// far inside of the visor, and how far past the seam at a limb's root it is.
+// Paint of the mannequin as smooth functions on the skin, m: signed distances inside the darker joints, inside the
+// visor, and past the seam at a limb's root.
 import { frames, joints, lengths } from './body.mjs';
 import { smoothstep } from './field.mjs';
 import { armShare, belowGroin, headShare } from './skin.mjs';

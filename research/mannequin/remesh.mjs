@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Triangles of even shape and of a wanted size on a surface that a field tells: long edges are split, short ones
-// collapsed, edges turned towards six at each vertex, vertices moved to the middle of their neighbours and back onto
-// the surface. What lies in the plane x = 0 stays in it.
+// Isotropic remeshing of an implicit surface to a target edge length: long edges are split, short ones collapsed, edges
+// flipped towards six at each vertex, vertices moved to the centroid of their neighbours and projected onto the surface.
+// Vertices in the plane x = 0 stay in it.
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -37,9 +37,9 @@ export function ontoSurface(field, p, steps = 4) {
 export class Remesher {
   constructor(field, wanted, { positions, triangles }) {
     this.field = field;
-    this.wanted = wanted; // edge's length at a place, m
+    this.wanted = wanted; // target edge length at a place, m
     this.positions = positions;
-    this.triangles = triangles; // null where gone
+    this.triangles = triangles; // null if removed
     this.around = positions.map(() => []); // a vertex's triangles
     triangles.forEach((triangle, t) => triangle.forEach((v) => this.around[v].push(t)));
     this.size = positions.map(wanted);
@@ -125,7 +125,7 @@ export class Remesher {
       if (tris.length === 0 || distance(this.positions[a], this.positions[b]) > 0.8 * this.target(a, b)) continue;
       const [borderA, borderB] = [this.onBorder(a), this.onBorder(b)];
       if (borderA && borderB && tris.length === 2) continue;
-      if (borderA && !borderB) [a, b] = [b, a]; // a goes, b stays
+      if (borderA && !borderB) [a, b] = [b, a]; // a is removed, b stays
       const ringA = this.neighbours(a);
       const common = [...this.neighbours(b)].filter((v) => ringA.has(v));
       if (common.length !== tris.length) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How fine the mesh is where: the length of its edges at a place on the surface, m.
+// Resolution of the mesh: target edge length at a place on the surface, m.
 import { frames, joints, lengths } from './body.mjs';
 import { smoothstep } from './field.mjs';
 

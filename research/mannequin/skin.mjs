@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bones carry a place of the skin, and how much: smooth over each joint, with helpers that turn by a part.
+// Skin weights of the bones at a place of the skin: smooth over each joint, with helper bones that turn by a part.
 import { fingers, frames, lengths } from './body.mjs';
 import { boneOf, bones } from './bones.mjs';
 import { smoothstep } from './field.mjs';

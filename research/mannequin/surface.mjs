@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The left half of a body's surface as triangles: surface nets over a grid, whose cut with the plane of symmetry is a border.
+// Left half of a body's surface as triangles: surface nets over a grid, with a border in the plane of symmetry.
 
 /** `field` over the box from `low` to `high`, whose first cells lie about x = 0. */
 export function polygonise(field, low, high, step) {

@@ -6,7 +6,7 @@
 
 namespace shigusa::bench {
 
-// Which of the preset flat's parameters are fitted to a record.
+// Selection of the preset flat's parameters that are fitted to a record.
 struct FitKind {
   const char* name;
   GeneCode code = GeneCode::natural;

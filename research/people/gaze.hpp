@@ -5,7 +5,7 @@
 
 namespace shigusa::bench {
 
-// How many motions of one hand end with the eyes on the goal.
+// Counts of one-handed motions that end with the eyes on the goal.
 [[nodiscard]] std::string gaze_section();
 
 }  // namespace shigusa::bench

@@ -30,7 +30,7 @@ class Graph {
   // The canvas outlives the graph.
   Graph(strip::Canvas& canvas, const Place& place, GraphAxis x, GraphAxis y);
 
-  // All that lies between two heights, first.
+  // Shades the range between two heights; call before the lines.
   void band(double low, double high, strip::Colour colour);
   void line(const std::vector<GraphPoint>& points, strip::Colour colour, double width,
             double dash = 0.0);

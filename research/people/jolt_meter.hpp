@@ -9,7 +9,7 @@
 
 namespace shigusa::bench {
 
-// The joints around a jolt, by the first of these that is so.
+// Cause of a jolt: the first of these that applies.
 enum class JoltEvent {
   first_frames,  // the motion begins
   last_frames,   // it ends
@@ -21,7 +21,7 @@ enum class JoltEvent {
 inline constexpr std::array kJoltEvents{"frames 1–2",     "frames 59–60", "stopped by a limit",
                                         "leaves a limit", "a kink",       "smooth, but strong"};
 
-// A motion's greatest change of one kind from a frame to the next.
+// Greatest change of one kind between consecutive frames of a motion.
 struct Jolt {
   double size = 0.0;  // m of the pressure, or the share of a strength
   int frame = 0;      // the later of the two

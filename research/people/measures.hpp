@@ -12,9 +12,9 @@ struct Looks {
   double drop = 0.0;        // m, descent of the pelvis from start to end
   double back = 0.0;        // m, backward travel of the pelvis
   double path_ratio = 0.0;  // the hand's path over the distance
-  double bow = 0.0;         // m, forwards: where the hand is farthest from its straight line
+  double bow = 0.0;         // m, largest forward deviation of the hand from its straight line
   double peak_speed = 0.0;  // m/s, of the hand
-  double peak_time = 0.0;   // of that, as a share of the duration
+  double peak_time = 0.0;   // time of peak_speed, as a share of the duration
 };
 [[nodiscard]] Looks looks_of(const Track& track);
 
@@ -35,7 +35,7 @@ struct Apart {
 };
 [[nodiscard]] Apart apart(const Recorded& reach, const Track& generated);
 
-// Of two recorded reaches of one man, each in the world of its own feet.
+// Differences of two recorded reaches of one man, each relative to its own feet.
 [[nodiscard]] Apart apart(const Recorded& a, const Recorded& b);
 
 // Mean over the chosen degrees of freedom of the root mean square (rad) of their differences over

@@ -8,7 +8,7 @@
 
 namespace shigusa::bench {
 
-// One way to choose a motion for a reach, by its name: "uniform weights", "best-scored of 8".
+// A method to choose a motion for a reach, with its name: "uniform weights", "best-scored of 8".
 struct Chosen {
   std::string way;
   Track track;
@@ -16,15 +16,15 @@ struct Chosen {
   std::vector<ScoreTerm> criteria{};  // of generated ones
 };
 
-// A reach with all that was made for it.
+// A reach with all motions generated for it.
 struct Compared {
   Recorded reach;
-  std::vector<Chosen> chosen{};       // the same ways in the same order for each reach
+  std::vector<Chosen> chosen{};       // the same methods in the same order for each reach
   std::vector<FittedReach> fitted{};  // of fit_kinds()
   std::vector<Apart> fitted_apart{};
   std::optional<Apart> nearest_other{};  // his own, of the reaches with the same kind of start
   double own_duration = 0.0;             // s, default duration of shigusa
-  Score recorded_score{};                // of his own motion, as `shigusa score` has it
+  Score recorded_score{};                // of his own motion, as from `shigusa score`
   int candidates = 0;
 };
 
@@ -40,7 +40,7 @@ struct NamedPicture {
 [[nodiscard]] Result<std::vector<NamedPicture>> people_pictures(
     const std::vector<Compared>& compared);
 
-// A part of the page and the pictures that it shows.
+// A part of the page with its pictures.
 struct Drawn {
   std::string text;
   std::vector<NamedPicture> pictures{};

@@ -18,10 +18,10 @@ struct Segment {
   int first = 0;
   int last = 0;
 };
-// The downward ones ("…-low"). Fails on a file that cannot be read or has none.
+// Selects the downward reaches ("…-low"). Fails on a file that cannot be read or has none.
 [[nodiscard]] Result<std::vector<Segment>> downward_segments(const std::filesystem::path& manifest);
 
-// Where the joints are that postures are compared by (m, world of the reach).
+// Joints by which postures are compared (m, world of the reach).
 enum Joint {
   right_shoulder,
   right_elbow,
@@ -38,7 +38,7 @@ enum Joint {
 };
 using Joints = std::vector<Vec3d>;  // (kJoints)
 
-// A motion by its joints' places, and by the angles of two bodies.
+// A motion as joint positions, and as angles of two bodies.
 struct Track {
   double frame_time = 0.0;     // s
   std::vector<Joints> joints;  // (frames)
@@ -53,21 +53,21 @@ struct Track {
 struct Recorded {
   Segment segment;
   SkeletonMotion motion;  // the whole file
-  CharacterSpec person;   // measured in the first frame, extent human …
+  CharacterSpec person;   // measured in the first frame, extent human
   BodyModel body;         // the same with 18 dofs
   BodyModel paper_body;
   Track track{};
   double fit_mean = 0.0;        // m, between the body's joints and his
   double paper_fit_mean = 0.0;  // m, with 18 dofs
 
-  // The input of shigusa: his body, where his hand ends, and his time.
+  // Input of shigusa: his body, the end position of his hand, and his duration.
   [[nodiscard]] Task task() const;
 };
 // `heels`: on a body with lifting heels.
 [[nodiscard]] Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& segment,
                                           bool heels = false);
 
-// A motion of a body that has these joints; without the angles of another body.
+// A motion of a body with these joints; without the angles of another body.
 [[nodiscard]] Track joints_track(const BodyModel& body, const Clip& clip);
 
 // A generated motion of the reach's body.

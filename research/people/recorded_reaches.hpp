@@ -23,8 +23,8 @@ struct RecordedReach {
   std::string person;     // "boxS1"
   bool both = false;      // hands
   double duration = 0.0;  // s
-  double from = 0.0;      // m, height of the wrist at the start …
-  double height = 0.0;    // … and at the end
+  double from = 0.0;      // m, height of the wrist at the start
+  double height = 0.0;    // m, height of the wrist at the end
   double ahead = 0.0;     // m, at the end
   ReachFigures figures;
 };

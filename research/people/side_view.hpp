@@ -15,7 +15,7 @@ struct SidePoint {
 };
 [[nodiscard]] inline SidePoint from_the_side(const Vec3d& at) { return {at.z, at.y}; }
 
-// How a figure is coloured.
+// Colouring of a figure.
 struct FigureColours {
   strip::Colour near_arm, body, near_leg, far_limbs;
 };

@@ -46,7 +46,7 @@ class TabRow {
   std::vector<std::string_view> cells_;
 };
 
-// Fails where a table's head lacks a column.
+// Fails if a table's head lacks a column.
 inline Result<void> expect_columns(const std::vector<std::string_view>& head,
                                    std::initializer_list<const char*> columns,
                                    const std::filesystem::path& table) {

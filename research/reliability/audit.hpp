@@ -60,14 +60,14 @@ struct Audit {
   double seconds = 0.0;                 // spent on tasks
   std::map<std::string, int> statuses;  // by word
   std::map<std::string, int> verdicts;  // by word, of candidates
-  std::map<std::string, int> best;      // … of the first candidates that meet their goals
+  std::map<std::string, int> best;      // by word, of the first candidates that meet their goals
   double worst[kPromises] = {};
   int over_limit = 0;                 // candidates that report exceeding a limit
   double head = -1.0;                 // m, deepest in the head, of those reported as free of
                                       // collisions
   double shank = -1.0;                // the same in shanks
   int fleshed = 0;                    // reported as free, of built-in bodies
-  int through = 0;                    // … and deeper than kThroughFlesh in either
+  int through = 0;                    // of these, deeper than kThroughFlesh in either
   int resting = 0;                    // reported as free, with resting hands among obstacles
   int rest_through = 0;               // of these, hands that pass through their support on the way
   int torques = 0;                    // motions with independently computed torques

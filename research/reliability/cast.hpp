@@ -21,7 +21,7 @@ struct CastMember {
   double stature = 0.0;            // m
   bool toes = false;               // its heels may lift
   std::optional<RobotTree> robot;  // by the file itself; of MJCF by the URDF that a result holds
-  std::shared_ptr<const MujocoFile> mujoco{};  // … and by MuJoCo, or null
+  std::shared_ptr<const MujocoFile> mujoco{};  // the file loaded by MuJoCo, or null
 };
 
 // The person of the file measured on a seat (m).

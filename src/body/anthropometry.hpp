@@ -13,16 +13,16 @@ struct SegmentParameters {
   double mass;          // fraction of the body's mass
   double com;           // fraction of the segment's length, from its first-named end
   double r_sagittal;    // radius of gyration about the fore-aft axis, fraction of length
-  double r_transverse;  // … about the left-right axis
-  double r_long;        // … about the segment's own axis
+  double r_transverse;  // the same about the left-right axis
+  double r_long;        // the same about the segment's own axis
 };
 
 // One of three parts of the trunk, cut transversely. Same source.
 struct TrunkPart {
   double mass;          // fraction of the body's mass
   double length;        // fraction of mid-hips – C7
-  double r_sagittal;    // radius of gyration, fraction of the part's length, …
-  double r_transverse;  // … as above
+  double r_sagittal;    // radius of gyration about the fore-aft axis, fraction of the part's length
+  double r_transverse;  // the same about the left-right axis
   double r_long;
 };
 

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Whether a pipe in a folder has no process at its other end. The program's own streams, /dev/stdin
-// and a shell's /dev/fd/63, have one.
+// Whether a path is a named pipe, which may have no process at its other end. The program's own
+// streams, /dev/stdin and a shell's /dev/fd/63, have one.
 bool waits_for_another(const fs::path& path, mode_t mode) {
   const std::string name = path.string();
   return S_ISFIFO(mode) && !name.starts_with("/dev/") && !name.starts_with("/proc/");
@@ -43,7 +43,7 @@ Result<std::string> read_text_file(const fs::path& path, std::size_t max_bytes) 
   struct stat status {};
   if (!file || fstat(file.number(), &status) != 0) return refused(path, "open", errno);
   if (waits_for_another(path, status.st_mode)) return refused_pipe(path);
-  // waiting for readable ones is right
+  // reads of the permitted kinds may wait
   if (fcntl(file.number(), F_SETFL, 0) != 0) return refused(path, "open", errno);
   std::string bytes;
   char block[1 << 16];

@@ -48,7 +48,7 @@ bool abandoned(const Descriptor& entry) {
 
 }  // namespace
 
-// Names of staging folders, and of temporary files from earlier versions.
+// Removes abandoned staging folders, and temporary files of earlier versions.
 void remove_leftovers(const Descriptor& folder) {
   using Type = std::filesystem::file_type;
   for (const std::string& name : names_in(folder)) {

@@ -313,7 +313,7 @@ class BvhReader {
       return fail_here(say("no_channels", motion_.clip.frames));
     }
     promised_ = motion_.clip.frames;
-    // a value takes a digit and, but for the last, a blank
+    // a value takes a digit and, except for the last, a blank
     const std::size_t values = (cursor_.bytes_left() + 1) / 2;
     if (lenient_ && values < value_count()) {
       motion_.clip.frames = static_cast<int>(values / channels_.size());

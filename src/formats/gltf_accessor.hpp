@@ -43,8 +43,8 @@ class GltfNumbers {
   AccessorComponent kind_;
   bool normalised_ = false;
   AccessorElements elements_;           // none: zeros
-  std::vector<std::size_t> elsewhere_;  // of a sparse accessor: elements, rising, …
-  AccessorElements replaced_;           // … that are these
+  std::vector<std::size_t> elsewhere_;  // indices of a sparse accessor, ascending
+  AccessorElements replaced_;           // their values
 };
 
 // An attribute requested of a primitive, with its components and content.

@@ -76,7 +76,7 @@ class SkeletonFilter {
 
   std::array<std::string, kMaxDepth> path_;        // the last key at each depth
   std::array<int, kMaxDepth + 1> members_{};       // objects and lists so far at each depth
-  int dropped_ = std::numeric_limits<int>::max();  // the depth of the key that was not wanted
+  int dropped_ = std::numeric_limits<int>::max();  // depth of the key that is dropped
   std::size_t values_ = 0;
 };
 

@@ -32,7 +32,7 @@ struct FileNode {
   int mesh_index = -1;
   int skin_index = -1;
   bool joint = false;     // of a skin or of VRM
-  bool needed = false;    // stands in the skeleton
+  bool needed = false;    // part of the skeleton
   bool added = false;     // by add_nodes
   bool left_out = false;  // damaged, or a descendant of a damaged node
 };

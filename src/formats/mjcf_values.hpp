@@ -25,10 +25,10 @@ struct MjcfPart {
 struct MjcfSettings {
   bool degrees = true;
   bool autolimits = true;           // a range is a limit
-  bool from_inertial = true;        // a body's <inertial> counts …
+  bool from_inertial = true;        // whether a body's <inertial> counts
   bool from_geoms = true;           // whether missing ones come from the shapes
   std::array<int, 2> groups{0, 5};  // of shapes that have mass
-  double total_mass = 0.0;          // kg; 0: as it is
+  double total_mass = 0.0;          // kg; 0: not scaled
   std::string euler = "xyz";        // order of the angles; capitals: about fixed axes
 };
 
@@ -71,7 +71,7 @@ class MjcfValues {
     std::vector<const XmlElement*> elements;
   };
   struct Found {
-    const XmlElement* at = nullptr;  // the element that has it
+    const XmlElement* at = nullptr;  // the element with the attribute
     const char* text = nullptr;
     int distance = 0;  // classes from the element's own words
   };

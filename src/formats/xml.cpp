@@ -196,7 +196,7 @@ class XmlReader {
   XmlLimits limits_;
   std::string_view name_;
   std::size_t at_ = 0;
-  std::size_t counted_ = 0;  // lines are counted as far as here
+  std::size_t counted_ = 0;  // position up to which lines are counted
   int line_ = 1;
   XmlElement top_;  // parent of the root element
   std::vector<XmlElement*> open_;

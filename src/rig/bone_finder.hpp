@@ -105,7 +105,7 @@ class BoneFinder {
   bool any_given_ = false;       // by the file
   std::vector<BoneName> names_;  // (nodes)
   HumanoidMap map_;
-  int chest_ = -1;               // where the arms meet, or the trunk ends
+  int chest_ = -1;               // junction of the arms, or end of the trunk
   bool deforming_only_ = false;  // only names of bones prefixed DEF- count
   bool flat_ = false;            // the arms have no trunk as ancestor
 };

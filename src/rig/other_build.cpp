@@ -93,7 +93,7 @@ class Build {
                        [&](Bone bone) { return apart(i, map_[bone]) < kSame * length_[limb]; });
   }
 
-  // Joints of a leg or an arm besides the two of the person, each with one below it.
+  // Reason from further legs or arms by name: joints beside the person's, each with a child joint.
   [[nodiscard]] Message more_by_names() const {
     using P = BonePart;
     constexpr std::array kUppers{std::array{P::upper_leg, P::leg},
@@ -118,7 +118,7 @@ class Build {
     return {};
   }
 
-  // Pairs of chains that hang on the trunk beside the limbs and reach as low as the feet.
+  // Reason from pairs of chains below the trunk, beside the limbs, that reach down to the feet.
   [[nodiscard]] Message more_to_the_floor() const {
     if (by_names_) return {};
     constexpr double kLeast = 0.6;  // of a leg
@@ -132,7 +132,7 @@ class Build {
                        0.5;
     const Vec3d down = normalized(feet - hips, {});
     const double floor = dot(feet, down);
-    // a skirt hangs beside the legs
+    // bones of a skirt are beside the legs
     const auto is_low = [&](int i) {
       const Vec3d off = tree_.at(i) - hips;
       return dot(tree_.at(i), down) > floor - kLow * leg &&

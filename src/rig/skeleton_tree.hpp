@@ -55,8 +55,8 @@ class SkeletonTree {
   std::span<const SkinVertex> skin_;
   std::vector<std::vector<int>> children_;
   std::vector<double> reach_;
-  std::vector<int> first_;  // place in a walk through the tree …
-  std::vector<int> last_;   // … and the place after the last node below
+  std::vector<int> first_;  // preorder index
+  std::vector<int> last_;   // preorder index after the last descendant
   double extent_ = 0.0;
 };
 

@@ -32,11 +32,11 @@ struct Robot {
   };
   struct Link {
     std::string name;                                // unique
-    double mass = 0.0;                               // kg; 0 where the file has none
+    double mass = 0.0;                               // kg; 0 if the file has none
     Vec3d com{};                                     // m, link frame
     Mat3d inertia{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // kg·m², about the com, link axes
-    std::vector<Shape> collides;                     // collision shapes, as far as they are simple
-    std::vector<Shape> shown;                        // visual shapes, as far as they are simple
+    std::vector<Shape> collides;                     // simple collision shapes
+    std::vector<Shape> shown;                        // simple visual shapes
 
     // Corners of boxes around the collision shapes (m, link frame).
     [[nodiscard]] std::vector<Vec3d> corners() const;
@@ -53,7 +53,7 @@ struct Robot {
     double lower = -kPi;   // rad, or m
     double upper = kPi;    // rad, or m
     bool limited = false;  // limited by the file to less than a full turn
-    double effort = 0.0;   // N·m; 0 where the file has none
+    double effort = 0.0;   // N·m; 0 if the file has none
     double rest = 0.0;     // rad, or m: position in the start posture
     bool floats = false;   // floating or planar: several degrees of freedom
     // rad, limits of the file, for a turning joint

@@ -52,7 +52,7 @@ struct PersonLimb {
 
 struct PersonJoints {
   int pelvis = -1;                 // link
-  int chest = -1;                  // link where the arms leave
+  int chest = -1;                  // common ancestor of the arms
   std::vector<PersonJoint> spine;  // from the pelvis to the chest
   std::vector<PersonJoint> neck;   // from the chest to the head
   std::array<PersonLimb, 2> legs;  // left, right

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWide = 2.0 * kTwoPi;       // rad: no joint of a limb turns twice round
 constexpr double kNarrow = radians(kTwoPi);  // rad: radians that were taken for degrees
-constexpr double kMostDegrees = 360.0;       // more stands for no limit
+constexpr double kMostDegrees = 360.0;       // larger values mean no limit
 constexpr double kPerRadian = 180.0 / kPi;
 constexpr std::size_t kFewest = 4;  // distinct limits needed to infer a unit
 
@@ -28,7 +28,7 @@ void mend_limits(Robot& robot) {
   std::size_t told = 0;
   std::size_t wide = 0;
   std::size_t narrow = 0;
-  std::set<std::pair<double, double>> different;  // the same for all joints stand for no limits
+  std::set<std::pair<double, double>> different;  // identical limits of all joints mean no limits
   bool degrees = true;
   for (const Robot::Joint& joint : robot.joints) {
     if (!joint.ends || !joint.turns) continue;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSteps = 200;
 constexpr double kRate = 0.15;   // of the way left, in a step
-constexpr double kFlat = 1e-7;   // m: a foot that is so near its place stands
+constexpr double kFlat = 1e-7;   // m: tolerance of a foot's position
 constexpr double kAside = 0.15;  // of an arm that hangs, how far its hand is aside
 // Lateral distance of a hand, as a share of its drop, beyond which the arm sticks out.
 constexpr double kHanging = 0.35;

@@ -34,11 +34,11 @@ inline constexpr std::uint64_t kShardTasks = 1000;
 
 /// A series of numbers stored for each frame of a motion.
 enum class DatasetSeries {
-  angles,     ///< of the joints
-  torques,    ///< of the joints
-  nodes,      ///< of the skeleton's nodes, how each is turned in its parent, and the root's place
-  positions,  ///< of the skeleton's nodes, in the world
-  centre_of_mass,  ///< in the world
+  angles,          ///< joint angles
+  torques,         ///< joint torques
+  nodes,           ///< local rotations of the skeleton's nodes, and the root's position
+  positions,       ///< world positions of the skeleton's nodes
+  centre_of_mass,  ///< centre of mass in the world
   pressure,        ///< centre of pressure on the floor
   contacts,        ///< support of each foot
 };
@@ -56,9 +56,9 @@ inline constexpr std::array kEnumWords<DatasetSeries>{
 
 /// Selection of motions that a data set keeps.
 enum class KeptMotions {
-  possible,  ///< those that meet their goals and that the body could make
-  reached,   ///< all that meet their goals
-  all,       ///< also those that end nearest to goals out of reach
+  possible,  ///< reach their goals and are possible for the body
+  reached,   ///< reach their goals
+  all,       ///< all, including those that end nearest to goals out of reach
 };
 /// Words of KeptMotions.
 template <>
@@ -70,13 +70,13 @@ inline constexpr std::array kEnumWords<KeptMotions>{
 
 /// Range of a shard's tasks, [first, last).
 struct TaskRange {
-  std::uint64_t first = 0;  ///< number of a task
-  std::uint64_t last = 0;   ///< number of the task after the last
+  std::uint64_t first = 0;  ///< first task number
+  std::uint64_t last = 0;   ///< one past the last task number
 };
 
 /// A task drawn from a plan.
 struct DrawnTask {
-  TaskFile file;             ///< as a file of it would say; the character is measured
+  TaskFile file;             ///< the task with a measured character
   std::uint64_t person = 0;  ///< number of the person
 };
 
@@ -94,16 +94,17 @@ class DatasetPlan {
   /// Reads and parses a plan's file; its characters are read relative to the file's folder.
   [[nodiscard]] static Result<DatasetPlan> read(const std::filesystem::path& path);
 
-  [[nodiscard]] const std::string& name() const;     ///< for the data card
-  [[nodiscard]] const std::string& licence() const;  ///< for the data card
-  [[nodiscard]] std::uint64_t seed() const;          ///< of all draws
+  [[nodiscard]] const std::string& name() const;     ///< title for the data card
+  [[nodiscard]] const std::string& licence() const;  ///< licence for the data card
+  [[nodiscard]] std::uint64_t seed() const;          ///< seed of all draws
   [[nodiscard]] std::uint64_t tasks() const;         ///< number of tasks
-  [[nodiscard]] std::uint64_t people() const;        ///< of which tasks draw one; 0: each its own
-  [[nodiscard]] std::uint64_t shard_tasks() const;   ///< tasks of a shard, but for the last
+  [[nodiscard]] std::uint64_t people() const;        ///< people shared by the tasks; 0: one per
+                                                     ///< task
+  [[nodiscard]] std::uint64_t shard_tasks() const;   ///< tasks of a shard, except the last one
   [[nodiscard]] std::uint64_t shards() const;        ///< number of shards
-  [[nodiscard]] TaskRange tasks_of(std::uint64_t shard) const;     ///< of one shard
-  [[nodiscard]] const std::vector<DatasetSeries>& series() const;  ///< that are kept
-  [[nodiscard]] KeptMotions motions() const;                       ///< that are kept
+  [[nodiscard]] TaskRange tasks_of(std::uint64_t shard) const;     ///< tasks of one shard
+  [[nodiscard]] const std::vector<DatasetSeries>& series() const;  ///< stored series
+  [[nodiscard]] KeptMotions motions() const;                       ///< stored motions
   /// The plan as JSON text in a canonical form, which shards store.
   [[nodiscard]] const std::string& text() const;
   /// SHA-256 of text() and of the characters' files, 64 hexadecimal digits: equal for all shards of
@@ -131,34 +132,34 @@ class DatasetPlan {
 
 /// Progress of making a data set.
 struct DatasetReport {
-  std::uint64_t tasks = 0;    ///< that were made in this run
-  std::uint64_t motions = 0;  ///< of these
-  std::uint64_t of = 0;       ///< tasks that this run has to make
-  double seconds = 0.0;       ///< since its beginning
+  std::uint64_t tasks = 0;    ///< tasks made in this run
+  std::uint64_t motions = 0;  ///< motions of these tasks
+  std::uint64_t of = 0;       ///< tasks to be made in this run
+  double seconds = 0.0;       ///< elapsed time of the run
 };
 
 /// Settings of making a data set; only `shards` changes the output.
 struct DatasetSettings {
-  std::filesystem::path folder;                        ///< that gets the shards
-  std::uint64_t first_shard = 0;                       ///< first one to be made
-  std::optional<std::uint64_t> last_shard{};           ///< the one after the last; none: all
-  int threads = 0;                                     ///< 0: one for each core
-  SimdSet simd = widest_simd_set();                    ///< of the searches
-  std::function<void(const DatasetReport&)> report{};  ///< called now and then
+  std::filesystem::path folder;                        ///< destination of the shards
+  std::uint64_t first_shard = 0;                       ///< first shard to make
+  std::optional<std::uint64_t> last_shard{};           ///< one past the last shard; none: all
+  int threads = 0;                                     ///< 0: one per core
+  SimdSet simd = widest_simd_set();                    ///< SIMD set of the searches
+  std::function<void(const DatasetReport&)> report{};  ///< called regularly
   /// if it becomes true, work ends after the current shard
   const std::atomic<bool>* cancel = nullptr;
 };
 
 /// Counts and times of a run.
 struct DatasetRun {
-  std::uint64_t made = 0;       ///< shards that were made
-  std::uint64_t there = 0;      ///< shards that were there before
-  std::uint64_t left = 0;       ///< shards that are not made, as the work was cancelled
-  std::uint64_t tasks = 0;      ///< of the shards that were made
-  std::uint64_t motions = 0;    ///< the same
-  double seconds = 0.0;         ///< that all of it took
-  double search_seconds = 0.0;  ///< of all threads together, that searches took
-  double thread_seconds = 0.0;  ///< of all threads together, that making tasks took
+  std::uint64_t made = 0;       ///< shards made
+  std::uint64_t there = 0;      ///< shards that existed before
+  std::uint64_t left = 0;       ///< shards left when the work was cancelled
+  std::uint64_t tasks = 0;      ///< tasks of the shards made
+  std::uint64_t motions = 0;    ///< motions of the shards made
+  double seconds = 0.0;         ///< elapsed time
+  double search_seconds = 0.0;  ///< time of searches, summed over threads
+  double thread_seconds = 0.0;  ///< time of making tasks, summed over threads
 };
 
 /// File name of a shard, "shard-000012.h5".

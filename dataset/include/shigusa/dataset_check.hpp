@@ -14,24 +14,24 @@ namespace shigusa {
 
 /// Progress of a check.
 struct CheckReport {
-  std::uint64_t shards = 0;    ///< that were looked at
-  std::uint64_t of = 0;        ///< that are there
-  std::uint64_t replayed = 0;  ///< tasks that were made again
-  std::uint64_t problems = 0;  ///< that were found
+  std::uint64_t shards = 0;    ///< shards examined
+  std::uint64_t of = 0;        ///< existing shards
+  std::uint64_t replayed = 0;  ///< tasks made again
+  std::uint64_t problems = 0;  ///< problems found
 };
 
 /// Settings of a check.
 struct CheckSettings {
-  double share = 0.001;              ///< of the tasks that are made again, 0 to 1; at least one is
-  int threads = 0;                   ///< 0: one for each core
-  SimdSet simd = widest_simd_set();  ///< of the searches; changes no result
-  std::function<void(const CheckReport&)> report{};  ///< called now and then
-  const std::atomic<bool>* cancel = nullptr;         ///< ends the work once it is true
+  double share = 0.001;              ///< share of the tasks to make again, 0 to 1; at least one is
+  int threads = 0;                   ///< 0: one per core
+  SimdSet simd = widest_simd_set();  ///< SIMD set of the searches; does not change results
+  std::function<void(const CheckReport&)> report{};  ///< called regularly
+  const std::atomic<bool>* cancel = nullptr;         ///< ends the work once true
 };
 
 /// A problem of a data set.
 struct DatasetProblem {
-  std::string file;  ///< its name in the folder
+  std::string file;  ///< file name in the folder
   std::string says;  ///< description of the problem
 };
 
@@ -40,15 +40,15 @@ inline constexpr std::size_t kMostProblems = 1000;
 
 /// Result of a check.
 struct CheckRun {
-  std::uint64_t shards = 0;                ///< that are there
-  std::vector<std::uint64_t> missing{};    ///< numbers of shards that are not there: no problem
-  std::uint64_t bytes = 0;                 ///< of the shards
-  std::uint64_t replayed = 0;              ///< tasks that were made again
+  std::uint64_t shards = 0;                ///< existing shards
+  std::vector<std::uint64_t> missing{};    ///< numbers of missing shards, which are no problem
+  std::uint64_t bytes = 0;                 ///< total size of the shards
+  std::uint64_t replayed = 0;              ///< tasks made again
   std::uint64_t motions = 0;               ///< of these tasks
   bool index = false;                      ///< whether there is an index
   std::vector<DatasetProblem> problems{};  ///< by file; the first kMostProblems
-  std::uint64_t problem_count = 0;         ///< all of them
-  double seconds = 0.0;                    ///< that it took
+  std::uint64_t problem_count = 0;         ///< number of all problems
+  double seconds = 0.0;                    ///< elapsed time
 };
 
 /// Checks a data set: SHA-256, plan and tasks of every shard; all numbers of a sample of the tasks,

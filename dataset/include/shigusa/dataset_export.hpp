@@ -18,7 +18,7 @@ namespace shigusa {
 
 /// Format in which the motions of a data set are exported to other programs.
 enum class DataFormat {
-  npz,        ///< NumPy archives, one a motion
+  npz,        ///< NumPy archives, one per motion
   humanml3d,  ///< HumanML3D's joint positions and sentences
   csv,        ///< one table
   glb,        ///< glTF animations of the skeleton
@@ -26,7 +26,7 @@ enum class DataFormat {
 
 /// Properties of such a format.
 struct DataFormatInfo {
-  DataFormat format;        ///< that the row is of
+  DataFormat format;        ///< the format itself
   std::string_view word;    ///< its word in options
   std::string_view about;   ///< one sentence
   double rate = 0.0;        ///< default frame rate (Hz); 0: the motion's own
@@ -65,39 +65,39 @@ inline constexpr auto kEnumWords<DataFormat> = words_of_table(kDataFormats,
 
 /// Progress of an export.
 struct DataExportReport {
-  std::uint64_t tasks = 0;    ///< of the data set that were looked at
-  std::uint64_t of = 0;       ///< tasks that are to be looked at
-  std::uint64_t motions = 0;  ///< that were written
+  std::uint64_t tasks = 0;    ///< tasks of the data set examined
+  std::uint64_t of = 0;       ///< tasks to examine
+  std::uint64_t motions = 0;  ///< motions written
 };
 
 /// Selection of motions to export, with settings.
 struct DataExportSettings {
   std::filesystem::path from;           ///< folder of the data set
   std::filesystem::path to;             ///< folder for the files
-  DataFormat format = DataFormat::npz;  ///< of the files
+  DataFormat format = DataFormat::npz;  ///< format of the files
   bool force = false;                   ///< write into a folder that is not empty
-  std::optional<std::string> split{};   ///< "train", "validation" or "test": people of it only
+  std::optional<std::string> split{};   ///< "train", "validation" or "test": only people of it
   std::optional<TaskRange> tasks{};     ///< only motions of these
   std::optional<Verdict> verdict{};     ///< only motions of this verdict or a better one
-  std::optional<std::uint64_t> most{};  ///< no more motions than these
+  std::optional<std::uint64_t> most{};  ///< largest number of motions
   std::optional<double> rate{};         ///< Hz, for formats with a selectable rate
-  bool series = false;                  ///< of csv: a file of each motion's series too
+  bool series = false;                  ///< csv only: also a file of each motion's series
   /// humanml3d only: shorter motions hold their last pose up to this number of frames; 0: no
   /// padding
   std::size_t least_frames = 0;
   std::filesystem::path character{};  ///< glb only: character to move; empty: the task's own
-  std::function<void(const DataExportReport&)> report{};  ///< called now and then
-  const std::atomic<bool>* cancel = nullptr;              ///< ends the work once it is true
+  std::function<void(const DataExportReport&)> report{};  ///< called regularly
+  const std::atomic<bool>* cancel = nullptr;              ///< ends the work once true
 };
 
 /// Counts of an export.
 struct DataExportRun {
-  std::uint64_t motions = 0;   ///< that were written
-  std::uint64_t left_out = 0;  ///< that the form cannot hold
-  std::string why{};           ///< why the first of these was left out
-  std::uint64_t searched = 0;  ///< of glb: motions that were searched anew for the character
+  std::uint64_t motions = 0;   ///< motions written
+  std::uint64_t left_out = 0;  ///< motions that the format cannot hold
+  std::string why{};           ///< reason for the first of these
+  std::uint64_t searched = 0;  ///< glb only: motions searched again for the character
   std::uint64_t missed = 0;    ///< glb only: motions whose goals the character cannot reach
-  bool stopped = false;        ///< `cancel` ended it before all were written
+  bool stopped = false;        ///< whether `cancel` ended it early
 };
 
 /// Exports motions of a data set to other programs, with a README.md that describes the folder.

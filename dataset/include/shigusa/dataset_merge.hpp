@@ -25,26 +25,26 @@ inline constexpr std::uint64_t kMostMappedShards = 5000;
 
 /// Progress of a merge.
 struct MergeReport {
-  std::uint64_t shards = 0;  ///< that were read
-  std::uint64_t of = 0;      ///< that are there
+  std::uint64_t shards = 0;  ///< shards read
+  std::uint64_t of = 0;      ///< existing shards
 };
 
 /// Settings of an index.
 struct MergeSettings {
-  std::string program = "shigusa";  ///< as the data card names it, with its version
+  std::string program = "shigusa";  ///< name of the program with its version, for the data card
   std::function<void(const MergeReport&)> report{};  ///< called after each shard
-  const std::atomic<bool>* cancel = nullptr;         ///< ends the work once it is true
+  const std::atomic<bool>* cancel = nullptr;         ///< ends the work once true
 };
 
 /// Counts of an index.
 struct MergeRun {
-  std::uint64_t shards = 0;              ///< that it is of
-  std::vector<std::uint64_t> missing{};  ///< numbers of the shards that are not there
-  std::uint64_t tasks = 0;               ///< of the shards that are there
-  std::uint64_t motions = 0;             ///< the same
-  std::uint64_t bytes = 0;               ///< of the index
-  bool mapped = true;                    ///< false: there are more than kMostMappedShards
-  double seconds = 0.0;                  ///< that it took
+  std::uint64_t shards = 0;              ///< shards in the index
+  std::vector<std::uint64_t> missing{};  ///< numbers of missing shards
+  std::uint64_t tasks = 0;               ///< tasks of existing shards
+  std::uint64_t motions = 0;             ///< motions of existing shards
+  std::uint64_t bytes = 0;               ///< size of the index
+  bool mapped = true;                    ///< false if there are more than kMostMappedShards
+  double seconds = 0.0;                  ///< elapsed time
 };
 
 /// Joins the shards of a data set: writes kIndexName, an HDF5 file in which every table of the

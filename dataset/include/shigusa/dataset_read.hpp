@@ -20,13 +20,13 @@ namespace shigusa {
 /// One motion of a data set: its request, its quality, and the parameters that it is made from.
 /// Further columns are accessible with HDF5 readers (docs/data.md).
 struct DatasetMotion {
-  std::uint64_t task = 0;               ///< number of the task, which DatasetPlan::task draws again
+  std::uint64_t task = 0;               ///< number of the task, for DatasetPlan::task
   double stature = 0.0;                 ///< m
   double mass = 0.0;                    ///< kg
-  Sex sex = Sex::male;                  ///< of the person
+  Sex sex = Sex::male;                  ///< sex of the person
   std::optional<double> seat{};         ///< m, height of the seat; empty for a standing person
-  std::vector<Goal> goals{};            ///< of the task, in its order
-  int rank = 1;                         ///< of the task's candidates, from 1
+  std::vector<Goal> goals{};            ///< goals of the task, in order
+  int rank = 1;                         ///< rank among the task's candidates, from 1
   double score = 0.0;                   ///< lower is better
   double duration = 0.0;                ///< s
   Verdict verdict = Verdict::possible;  ///< whether the body could make the motion
@@ -34,7 +34,7 @@ struct DatasetMotion {
   /// "right_knee.flexion.weight", "squat_rad". Motions of similar bodies have the same names. Valid
   /// during the call.
   std::span<const std::string> names{};
-  std::vector<double> parameters{};  ///< (names) their values; NaN of a freedom that is locked
+  std::vector<double> parameters{};  ///< (names) their values; NaN for a locked one
 };
 
 /// Visits all motions of a data set's folder, ordered by shard, task and rank. Fails if a shard is

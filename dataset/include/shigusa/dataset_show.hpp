@@ -14,8 +14,8 @@ inline constexpr std::size_t kShownMax = 1000;
 
 /// Settings of a page.
 struct ShowSettings {
-  std::size_t motions = 48;                   ///< of the contact sheet, at most kShownMax
-  const std::atomic<bool>* cancel = nullptr;  ///< ends the work once it is true
+  std::size_t motions = 48;                   ///< motions on the contact sheet, at most kShownMax
+  const std::atomic<bool>* cancel = nullptr;  ///< ends the work once true
 };
 
 /// Self-contained HTML page of a data set: numbers, a contact sheet of motions sampled by the
