@@ -29,33 +29,23 @@ enum class LimbKind {
 
 /// The anatomical kind of a joint or of an effector.
 enum class JointKind {
-  other,
-  /             //< no anatomical counterpart, as in robots
-      hips,     ///< the pelvis
+  other,        ///< no anatomical counterpart, as in robots
+  hips,         ///< the pelvis
   spine,        ///< the lowest joint of the back
   chest,        ///< the joint above it
   upper_chest,  ///< the joint above that
   neck,         ///< above the shoulders
-  head,
-  /  //< joint between neck and skull
-      clavicle,
-  /  //< joint of the clavicle with the breastbone
-      shoulder,
-  /           //< root of the arm
-      elbow,  ///< bends the arm
-  wrist,
-  /  //< root of the hand
-      hand,
-  /  //< the grip, an effector
-      hip,
-  /          //< root of the leg
-      knee,  ///< bends the leg
-  ankle,
-  /  //< root of the foot
-      toes,
-  /  //< joint that bends where a heel lifts
-      foot,
-  /  //< the sole, an effector
+  head,         ///< joint between neck and skull
+  clavicle,     ///< joint of the clavicle with the breastbone
+  shoulder,     ///< root of the arm
+  elbow,        ///< bends the arm
+  wrist,        ///< root of the hand
+  hand,         ///< the grip, an effector
+  hip,          ///< root of the leg
+  knee,         ///< bends the leg
+  ankle,        ///< root of the foot
+  toes,         ///< joint that bends where a heel lifts
+  foot,         ///< the sole, an effector
 };
 /// The words of JointKind.
 template <>
@@ -73,19 +63,15 @@ inline constexpr std::array kBackJoints{JointKind::spine, JointKind::chest, Join
 
 /// The anatomical movement of a joint's degree of freedom.
 enum class FreedomKind {
-  other,
-  /             //< no anatomical name; also the value for an effector
-      flexion,  ///< bends
-  abduction,
-  /             //< moves a limb away from the midline
-      lateral,  ///< bends the trunk to the side
-  rotation,
-  /               //< turns about the segment's long axis
-      inversion,  ///< turns the sole inwards
-  elevation,      ///< lifts the shoulder
-  protraction,
-  /               //< moves the shoulder forwards
-      deviation,  ///< bends the hand sideways
+  other,        ///< no anatomical name; also the value for an effector
+  flexion,      ///< bends
+  abduction,    ///< moves a limb away from the midline
+  lateral,      ///< bends the trunk to the side
+  rotation,     ///< turns about the segment's long axis
+  inversion,    ///< turns the sole inwards
+  elevation,    ///< lifts the shoulder
+  protraction,  ///< moves the shoulder forwards
+  deviation,    ///< bends the hand sideways
 };
 /// The words of FreedomKind.
 template <>
@@ -102,20 +88,15 @@ inline constexpr std::array kEnumWords<FreedomKind>{
 /// The anatomical place of a degree of freedom or an effector: "left_hip.flexion" is the dof
 /// "flexion" of the joint "hip" of the left leg.
 struct JointPlace {
-  std::optional<Side> side{};
-  /  //< empty for the trunk and for midline parts
-      LimbKind limb = LimbKind::trunk;
-  /  //< the limb it belongs to
-      JointKind joint_kind = JointKind::other;
-  /  //< kind of `joint`
-      FreedomKind freedom_kind = FreedomKind::other;
-  /                         //< kind of `freedom`
-      std::string joint{};  ///< "hip", "upper_chest", "hand"
-  std::string freedom{};
-  /  //< "flexion"; empty for an effector
+  std::optional<Side> side{};                     ///< empty for the trunk and for midline parts
+  LimbKind limb = LimbKind::trunk;                ///< the limb it belongs to
+  JointKind joint_kind = JointKind::other;        ///< kind of `joint`
+  FreedomKind freedom_kind = FreedomKind::other;  ///< kind of `freedom`
+  std::string joint{};                            ///< "hip", "upper_chest", "hand"
+  std::string freedom{};                          ///< "flexion"; empty for an effector
 
-      /// Whether the place is this dof of this joint, on either side.
-      [[nodiscard]] bool is(JointKind a_joint, FreedomKind a_freedom) const {
+  /// Whether the place is this dof of this joint, on either side.
+  [[nodiscard]] bool is(JointKind a_joint, FreedomKind a_freedom) const {
     return joint_kind == a_joint && freedom_kind == a_freedom;
   }
 };
@@ -137,35 +118,30 @@ inline constexpr int kBaseLink = -1;
 struct Dof {
   std::string joint;  ///< "right_hip"
   std::string name;   ///< "right_hip.flexion"
-  int parent = kBaseLink;
-  /                     //< index of the link that carries the joint: an earlier dof, or kBaseLink
-      Vec3d offset{};   ///< m, the joint's centre in the parent's link frame
+  int parent =
+      kBaseLink;        ///< index of the link that carries the joint: an earlier dof, or kBaseLink
+  Vec3d offset{};       ///< m, the joint's centre in the parent's link frame
   Axis axis = Axis::x;  ///< rotation axis in the parent's link frame
-  double sign = 1.0;
-  /  //< +1 or -1, so that a positive angle is the anatomical direction
-      std::optional<Mat3d> turn{};
-  /  //< R_LA of a slanting axis, which is `axis` of the frame A; empty: A is L
-      double lower = -kPi;       ///< rad, hard limit
-  double upper = kPi;            ///< rad, hard limit
+  double sign = 1.0;    ///< +1 or -1, so that a positive angle is the anatomical direction
+  std::optional<Mat3d>
+      turn{};           ///< R_LA of a slanting axis, which is `axis` of the frame A; empty: A is L
+  double lower = -kPi;  ///< rad, hard limit
+  double upper = kPi;   ///< rad, hard limit
   double torque_positive = 1.0;  ///< N·m, strength towards larger angles, > 0
   double torque_negative = 1.0;  ///< N·m, strength towards smaller angles, > 0
   /// Compliance relative to other dofs of the same weight, in (0, 1]: below 1 for a dof that moves
   /// last (the toes).
   double give = 1.0;
-  JointPlace part{};  ///< by the name; BodyModel sets it
+  JointPlace part{};  ///< parsed from `name` by BodyModel
 };
 
 /// A coupling of an upper limit to another angle: hamstrings let the hip flex further when the knee
 /// bends. upper(q) = Dof::upper + gain · clamp(q[driver] / driver_full, 0, 1).
 struct LimitCoupling {
-  int dof = 0;
-  /  //< index of the dof whose upper limit grows
-      int driver = 0;
-  /  //< index of the dof that drives the limit
-      double gain = 0.0;
-  /  //< rad, the largest growth
-      double driver_full = 1.0;
-  /  //< rad, > 0: driver angle of the full growth
+  int dof = 0;               ///< index of the dof whose upper limit grows
+  int driver = 0;            ///< index of the dof that drives the limit
+  double gain = 0.0;         ///< rad, the largest growth
+  double driver_full = 1.0;  ///< rad, > 0: driver angle of the full growth
 };
 
 /// Mass, centre of mass and inertia of one link.
@@ -177,33 +153,26 @@ struct MassProperties {
 
 /// A point on a link that goals can be given for (end effector).
 struct Effector {
-  std::string name;  ///< "right_hand"
-  std::string node;
-  /  //< exported skeleton's node with its origin at the point: "right_hand_grip"
-      int link = 0;
-  /                   //< index of the link that carries the point
-      Vec3d point{};  ///< m, in the link frame
-  int limb_root = 0;
-  /                       //< first dof of the effector's limb: the shoulder's for a hand
-      JointPlace part{};  ///< by the name; BodyModel sets it
+  std::string name;   ///< "right_hand"
+  std::string node;   ///< exported skeleton's node with its origin at the point: "right_hand_grip"
+  int link = 0;       ///< index of the link that carries the point
+  Vec3d point{};      ///< m, in the link frame
+  int limb_root = 0;  ///< first dof of the effector's limb: the shoulder's for a hand
+  JointPlace part{};  ///< parsed from `name` by BodyModel
 };
 
 /// A collision shape: a segment with a radius at each end, fixed to `link`.
 struct Capsule {
-  std::string name;  ///< "trunk"
-  int link = kBaseLink;
-  /                     //< index of the link that carries the segment
-      Vec3d from{};     ///< m, link frame
-  Vec3d to{};           ///< m, link frame
-  double radius = 0.0;  ///< m, > 0, at `from`
-  std::optional<Side> leg{};
-  /  //< side of the leg that it belongs to; empty elsewhere
-      double to_radius = radius;
-  /  //< m, > 0, at `to`; linear in between
-      double give = 0.0;
-  /  //< m, depth to which soft tissue yields without a collision
-      bool grown_on = false;
-  /  //< an arm's capsule that begins inside the trunk; the two are not tested for collision
+  std::string name;           ///< "trunk"
+  int link = kBaseLink;       ///< index of the link that carries the segment
+  Vec3d from{};               ///< m, link frame
+  Vec3d to{};                 ///< m, link frame
+  double radius = 0.0;        ///< m, > 0, at `from`
+  std::optional<Side> leg{};  ///< side of the leg that it belongs to; empty elsewhere
+  double to_radius = radius;  ///< m, > 0, at `to`; linear in between
+  double give = 0.0;          ///< m, depth to which soft tissue yields without a collision
+  bool grown_on = false;  ///< an arm's capsule that begins inside the trunk; the two are not tested
+                          ///< for collision
 };
 
 /// Bend of the toes (rad) at which the heel bears no more load; below it the load share falls with
@@ -212,133 +181,90 @@ inline constexpr double kHeelLifts = radians(3.0);
 /// A heel that can lift. The planted link is then the forefoot, and the rest of the foot turns
 /// about the toes' joint. Points are in the frame of the foot's link.
 struct Heel {
-  int toes = 0;
-  /  //< dof of the toes: 0 with the heel down, growing as it lifts
-      int ankle = 0;
-  /  //< dof of the ankle's dorsiflexion; the toes bend beyond its limit
-      Vec3d back{};
-  /  //< m, rearmost point of the sole, with the heel down
-      Vec3d forefoot_centre{};
-  /  //< m, middle of the forefoot's sole
-      std::vector<Vec3d> forefoot;
-  /  //< m, corners of the forefoot's sole
+  int toes = 0;                 ///< dof of the toes: 0 with the heel down, growing as it lifts
+  int ankle = 0;                ///< dof of the ankle's dorsiflexion; the toes bend beyond its limit
+  Vec3d back{};                 ///< m, rearmost point of the sole, with the heel down
+  Vec3d forefoot_centre{};      ///< m, middle of the forefoot's sole
+  std::vector<Vec3d> forefoot;  ///< m, corners of the forefoot's sole
 };
 
 /// A planted foot, or the thigh of a seated person: it bears weight for the whole motion and must
 /// not move.
 struct Foot {
-  std::string name;  ///< "left_foot"
-  std::string node;
-  /  //< exported skeleton's node that moves with it
-      int link = kBaseLink;
-  /                            //< index of the link that carries the sole
-      Vec3d centre{};          ///< m, middle of the sole, link frame
+  std::string name;            ///< "left_foot"
+  std::string node;            ///< exported skeleton's node that moves with it
+  int link = kBaseLink;        ///< index of the link that carries the sole
+  Vec3d centre{};              ///< m, middle of the sole, link frame
   std::vector<Vec3d> outline;  ///< m, corners of the sole, counter-clockwise from above, link frame
-  std::optional<Heel> heel{};
-  /  //< empty: the foot stays flat
+  std::optional<Heel> heel{};  ///< empty: the foot stays flat
 };
 
 /// A node of the skeleton that files of the body hold; it moves with `link`.
 struct BodyNode {
-  std::string name;  ///< VRM 1.0 humanoid vocabulary in snake_case; empty for an end site
-  int parent = -1;
-  /  //< index of an earlier node; -1 for a root
-      int link = kBaseLink;
-  /                   //< index of the link that carries the node
-      Vec3d point{};  ///< m, the node's origin in the link frame
-  bool end_site = false;
-  /  //< marks the tip of its parent; without motion of its own
+  std::string name;       ///< VRM 1.0 humanoid vocabulary in snake_case; empty for an end site
+  int parent = -1;        ///< index of an earlier node; -1 for a root
+  int link = kBaseLink;   ///< index of the link that carries the node
+  Vec3d point{};          ///< m, the node's origin in the link frame
+  bool end_site = false;  ///< marks the tip of its parent; without motion of its own
 };
 
 /// A joint of a robot's file and its mapping to the body, for writing motions in the file's terms.
 struct RobotJoint {
-  std::string name;
-  /  //< the file's name of the joint
-      int dof = -1;
-  /  //< index of the corresponding dof; -1 for a joint kept at a constant value
-      double angle = 0.0;
-  /  //< rad, or m if it slides: the constant value where dof is -1
-      double sign = 1.0;
-  /  //< factor from the dof's angle q to the file's angle, +1 or -1
-      bool slides = false;
-  /  //< prismatic: the value is a length
+  std::string name;     ///< the file's name of the joint
+  int dof = -1;         ///< index of the corresponding dof; -1 for a joint kept at a constant value
+  double angle = 0.0;   ///< rad, or m if it slides: the constant value where dof is -1
+  double sign = 1.0;    ///< factor from the dof's angle q to the file's angle, +1 or -1
+  bool slides = false;  ///< prismatic: the value is a length
 };
 
 /// A joint of a robot's file between the world and the root link.
 struct RootJoint {
-  std::size_t joint = 0;
-  /  //< index into RobotFrame::joints
-      Transformd origin;
-  /  //< the joint frame at value 0, in the previous joint's frame
-      Vec3d axis{1, 0, 0};
-  /  //< unit vector of the joint frame: rotation axis, or direction of sliding
-      bool slides = false;
-  /  //< prismatic: slides along its axis
+  std::size_t joint = 0;  ///< index into RobotFrame::joints
+  Transformd origin;      ///< the joint frame at value 0, in the previous joint's frame
+  Vec3d axis{1, 0, 0};  ///< unit vector of the joint frame: rotation axis, or direction of sliding
+  bool slides = false;  ///< prismatic: slides along its axis
 };
 
 /// The pose of a robot's root link, for a body made from a robot's file. The robot's world has z up
 /// and x ahead; its origin is shigusa's.
 struct RobotFrame {
-  std::string root;
-  /  //< name of the file's root link, or of the first link below a world link
-      int link = kBaseLink;
-  /  //< index of the body's link that carries the root link
-      Transformd root_in_link;
-  /  //< pose of the root link's frame in that link's frame
-      std::vector<RobotJoint> joints;
-  /  //< all movable joints, in the file's order
-      /// The six joints from `world` to the root link, outermost first; empty: the root floats
-      /// freely.
-      std::vector<RootJoint> carriers{};
-  Transformd world{};
-  /  //< pose of the file's world link in the robot's world; used with carriers
+  std::string root;      ///< name of the file's root link, or of the first link below a world link
+  int link = kBaseLink;  ///< index of the body's link that carries the root link
+  Transformd root_in_link;         ///< pose of the root link's frame in that link's frame
+  std::vector<RobotJoint> joints;  ///< all movable joints, in the file's order
+  /// The six joints from `world` to the root link, outermost first; empty: the root floats
+  /// freely.
+  std::vector<RootJoint> carriers{};
+  Transformd world{};  ///< pose of the file's world link in the robot's world; used with carriers
 };
 
 /// A node whose position in the character's file differs from the body's; goals for the node refer
 /// to this point.
 struct NodePlace {
-  std::string node;
-  /  //< name of a node of the body
-      Vec3d point{};
-  /  //< m, the file's position in the frame of the node's link
+  std::string node;  ///< name of a node of the body
+  Vec3d point{};     ///< m, the file's position in the frame of the node's link
 };
 
 /// The complete description of a body. BodyModel checks it once and keeps it.
 struct BodyDefinition {
-  std::string name;
-  /  //< "full_body", or the name of the character's file
-      double stature = 0.0;
-  /  //< m, standing height
-      double mass = 0.0;
-  /  //< kg, of all links and loads together
-      double load = 0.0;
-  /  //< kg, the heaviest load of a hand, included in mass
-      double lumbar_part = 1.0;
-  /  //< the back's share of a bend, relative to a man's
-      Transformd base;
-  /  //< X_WB, the base link's frame in the world: +Y up, facing +Z, floor at y = 0
-      std::vector<Dof> dofs;             ///< parents before children
+  std::string name;          ///< "full_body", or the name of the character's file
+  double stature = 0.0;      ///< m, standing height
+  double mass = 0.0;         ///< kg, of all links and loads together
+  double load = 0.0;         ///< kg, the heaviest load of a hand, included in mass
+  double lumbar_part = 1.0;  ///< the back's share of a bend, relative to a man's
+  Transformd base;  ///< X_WB, the base link's frame in the world: +Y up, facing +Z, floor at y = 0
+  std::vector<Dof> dofs;                 ///< parents before children
   std::vector<LimitCoupling> couplings;  ///< upper limits that grow with other angles
-  MassProperties base_mass;
-  /  //< mass of the base link
-      std::vector<MassProperties> masses;
-  /  //< (dofs), mass of the link that each dof moves
-      std::vector<Effector> effectors;
-  /  //< the hands, or the ends of a robot's arms
-      std::vector<Foot> feet;
-  /  //< planted feet, the base among them if it is a foot
-      std::vector<Capsule> capsules;
-  /  //< collision shapes
-      std::vector<BodyNode> nodes;
-  /  //< the exported skeleton, parents before children
-      std::vector<double> start;
-  /  //< (dofs) rad, start posture
-      std::optional<RobotFrame> robot;
-  /  //< empty unless the body is from a robot's file
-      std::vector<Message> doubts;
-  /  //< warnings for the user: guesses made while building the body
-      std::vector<NodePlace> places;
-  /  //< positions of nodes that differ from the file's
+  MassProperties base_mass;              ///< mass of the base link
+  std::vector<MassProperties> masses;    ///< (dofs), mass of the link that each dof moves
+  std::vector<Effector> effectors;       ///< the hands, or the ends of a robot's arms
+  std::vector<Foot> feet;                ///< planted feet, the base among them if it is a foot
+  std::vector<Capsule> capsules;         ///< collision shapes
+  std::vector<BodyNode> nodes;           ///< the exported skeleton, parents before children
+  std::vector<double> start;             ///< (dofs) rad, start posture
+  std::optional<RobotFrame> robot;       ///< empty unless the body is from a robot's file
+  std::vector<Message> doubts;    ///< warnings for the user: guesses made while building the body
+  std::vector<NodePlace> places;  ///< positions of nodes that differ from the file's
 };
 
 /// An articulated body on a fixed base: immutable after construction, shared by all threads.
@@ -464,10 +390,8 @@ class BodyModel {
 
 /// The sex that selects the tables of masses and strengths.
 enum class Sex {
-  male,
-  /  //< tables of men
-      female,
-  /  //< tables of women
+  male,    ///< tables of men
+  female,  ///< tables of women
 };
 /// The words of Sex.
 template <>
@@ -476,14 +400,11 @@ inline constexpr std::array kEnumWords<Sex>{EnumWord{Sex::male, "male"},
 
 /// A standing person's build.
 struct BodyBuild {
-  double stature = 1.741;  ///< m, 0.5..2.5
-  double mass = 73.0;      ///< kg, 2..300
-  Sex sex = Sex::male;
-  /  //< tables of masses and strengths
-      Side base = Side::right;
-  /  //< foot that is the fixed base
-      bool heels = false;
-  /  //< heels may lift; human_body only
+  double stature = 1.741;   ///< m, 0.5..2.5
+  double mass = 73.0;       ///< kg, 2..300
+  Sex sex = Sex::male;      ///< tables of masses and strengths
+  Side base = Side::right;  ///< foot that is the fixed base
+  bool heels = false;       ///< heels may lift; human_body only
 };
 
 /// Mean standing height (m) of the sex.
