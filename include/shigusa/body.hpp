@@ -118,15 +118,15 @@ inline constexpr int kBaseLink = -1;
 struct Dof {
   std::string joint;  ///< "right_hip"
   std::string name;   ///< "right_hip.flexion"
-  int parent =
-      kBaseLink;        ///< index of the link that carries the joint: an earlier dof, or kBaseLink
+  /// Index of the link that carries the joint: an earlier dof, or kBaseLink.
+  int parent = kBaseLink;
   Vec3d offset{};       ///< m, the joint's centre in the parent's link frame
   Axis axis = Axis::x;  ///< rotation axis in the parent's link frame
   double sign = 1.0;    ///< +1 or -1, so that a positive angle is the anatomical direction
-  std::optional<Mat3d>
-      turn{};           ///< R_LA of a slanting axis, which is `axis` of the frame A; empty: A is L
-  double lower = -kPi;  ///< rad, hard limit
-  double upper = kPi;   ///< rad, hard limit
+  /// R_LA of a slanting axis, which is `axis` of the frame A; empty: A is L.
+  std::optional<Mat3d> turn{};
+  double lower = -kPi;           ///< rad, hard limit
+  double upper = kPi;            ///< rad, hard limit
   double torque_positive = 1.0;  ///< N·m, strength towards larger angles, > 0
   double torque_negative = 1.0;  ///< N·m, strength towards smaller angles, > 0
   /// Compliance relative to other dofs of the same weight, in (0, 1]: below 1 for a dof that moves

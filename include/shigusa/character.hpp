@@ -71,11 +71,11 @@ struct CharacterSpec {
   /// a T- or A-pose, that pose. From a rest pose, a T- or an A-pose the person is posed
   /// standing at ease.
   std::optional<int> frame{};
-  std::optional<std::string> animation{};  ///< glTF: the animation's name or index, by default the
-                                           ///< first if a frame is given; MJCF: the
-  // keyframe's
-  std::optional<double>
-      seat{};          ///< m, kSeatMin..kSeatMax: height of the seat; empty: the person stands
+  /// glTF: the animation's name or index, by default the first if a frame is given; MJCF: the
+  /// name or index of the keyframe that is the start posture.
+  std::optional<std::string> animation{};
+  /// m, kSeatMin..kSeatMax: height of the seat; empty: the person stands.
+  std::optional<double> seat{};
   bool heels = false;  ///< heels may lift; only for a standing person of BodyExtent::human whose
                        ///< file has toes
   BoneRequest map{};   ///< overrides the bones found by the file's metadata and names
