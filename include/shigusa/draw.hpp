@@ -20,9 +20,9 @@ namespace shigusa {
 /// A limb of the figure, to be accented.
 enum class Limb {
   left_arm,   ///< the figure's left arm
-  right_arm,  ///< of its right
+  right_arm,  ///< the figure's right arm
   left_leg,   ///< the figure's left leg
-  right_leg,  ///< of its right
+  right_leg,  ///< the figure's right leg
 };
 
 /// Largest number of poses in a strip.

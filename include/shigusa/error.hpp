@@ -18,12 +18,12 @@ namespace shigusa {
 /// Message too: a number, a sentence, or a text that stays untranslated, such as a name from a
 /// file.
 struct Message {
-  Message() = default;                                       ///< says nothing
+  Message() = default;                                       ///< an empty message
   Message(std::string words) : text(std::move(words)) {}     ///< a text without a key
   Message(std::string_view words) : text(words) {}           ///< a text without a key
   Message(const char* words) : text(words) {}                ///< a text without a key
   operator const std::string&() const { return text; }       ///< the English text
-  [[nodiscard]] bool empty() const { return text.empty(); }  ///< says nothing
+  [[nodiscard]] bool empty() const { return text.empty(); }  ///< whether the text is empty
 
   std::string text;  ///< English text; for a number its digits as in the sentence
   std::string_view
