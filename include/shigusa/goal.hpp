@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-inline constexpr double kLoadMax = 500.0;  ///< kg
+inline constexpr double kLoadMax = 500.0;  ///< largest load, kg
 
 /// A copy of the body with a load (kg, 0..kLoadMax) as a point mass at an effector's point: its
 /// weight and inertia count for torques, balance and the floor.
