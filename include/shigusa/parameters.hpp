@@ -85,15 +85,15 @@ struct Timing {
 /// The name and ranges of a member of Timing.
 struct TimingNumber {
   std::string_view name;      ///< "bow"
-  double low;                 ///< the least that is allowed
-  double high;                ///< the most that is allowed
+  double low;                 ///< smallest allowed value
+  double high;                ///< largest allowed value
   double searched_low;        ///< smallest value in searches
   double searched_high;       ///< largest value in searches
   bool searched;              ///< searched by default; otherwise it stays 0
   std::string_view sentence;  ///< its effect, one sentence
 };
 
-inline constexpr double kDelayMax = 0.5;  ///< share of the duration
+inline constexpr double kDelayMax = 0.5;  ///< largest delay, share of the duration
 /// Largest bow and sway, as a share of the path's length: bow forwards (backwards if < 0), sway
 /// outwards (inwards if < 0). People's reaches leave their lines by 0.1 to 0.2.
 inline constexpr double kBowMax = 0.3;
@@ -180,8 +180,8 @@ struct ParameterInfo {
   /// angle, the dofs that turn the elbow, or the limbs of a contraction. For a posture: the index
   /// of the mode or timing.
   std::vector<int> applies_to{};
-  double low = 0.0;             ///< the least that is allowed
-  double high = 0.0;            ///< the most that is allowed
+  double low = 0.0;             ///< smallest allowed value
+  double high = 0.0;            ///< largest allowed value
   double shown_low = 0.0;       ///< smallest sensible value
   double shown_high = 0.0;      ///< largest sensible value
   double start = 0.0;           ///< value before a search
