@@ -325,8 +325,8 @@ struct GenerateResult {
 /// The task with the duration of the generated motions, for playing them again.
 [[nodiscard]] Task played_task(Task task, const GenerateResult& generation);
 
-/// Distance (rad) up to which two motions are one candidate for the preset paper: root mean square
-/// over the dofs, the largest over the frames.
+/// Distance (rad) up to which two motions are one candidate for the presets paper and layers: root
+/// mean square over the dofs, the largest over the frames.
 inline constexpr double kDistinctPosture = radians(5.0);
 /// Distance of final postures (rad, root mean square) up to which two motions are one candidate for
 /// natural presets (PresetTraits::natural).

@@ -20,8 +20,8 @@
 #include <shigusa/score.hpp>
 #include <shigusa/search.hpp>
 
-/// Natural whole-body motion from the goals of hands and feet. A BodyModel with Goals makes a Task;
-/// generate() finds Candidates for it, and write_result() keeps them as files. Metres, kilograms,
-/// seconds and radians everywhere; the world has +Y up, and a person faces +Z with the left towards
-/// +X.
+/// Natural whole-body motion from goals for hands, feet and other joints. A BodyModel and Goals
+/// make a Task; generate() searches Candidates for it, and write_result() writes them to files.
+/// Units are metres, kilograms, seconds and radians; the world has +Y up, and a person faces +Z
+/// with the left towards +X.
 namespace shigusa {}
