@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-/// How far a long piece of work has come.
+/// The progress of long work.
 struct ProgressReport {
   std::string_view stage;   ///< "search", "export"; valid during the call only
   double fraction = 0.0;    ///< 0..1 of this stage, at most; the work may converge earlier
