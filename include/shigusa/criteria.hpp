@@ -305,9 +305,9 @@ struct SupportMargin {
 };
 
 /// Balance of a motion: margins of the plumb line of the centre of mass and of the floor's centre
-/// of pressure against the support polygon. The margin of the pressure is the moment (N·m) that
-/// keeps the body from tipping over its weight; where the floor bears that weight it is the
-/// distance of the centre of pressure, and without floor force it is not below 0. Motions faster
+/// of pressure against the support polygon. The margin of the pressure is the moment (N·m) about an
+/// edge that holds the body from tipping, over its weight; where the floor bears that weight, it is
+/// the distance of the centre of pressure. No floor can provide a margin below 0. Motions faster
 /// than gravity let the pressure leave the feet for a moment; a centre of mass outside the feet
 /// means a fall or a step.
 struct SupportMargins {

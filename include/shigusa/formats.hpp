@@ -230,17 +230,17 @@ enum class BvhFaults {
 /// allowed; `name` stands for the file in them.
 ///
 /// - A joint's rotation is the product of its axis rotations in channel order, R = R1 R2 R3; an
-/// axis may occur twice.
+///   axis may occur twice.
 /// - Position channels replace the OFFSET along their axis, for every joint, as animation tools
-/// write the full position of a joint in its parent there. MakeHuman writes a difference to the
-/// OFFSET instead; this is assumed if joints below the roots have position channels that are nearly
-/// all 0 in the first frame while the OFFSETs are not.
+///   write the full position of a joint in its parent there. MakeHuman writes a difference to the
+///   OFFSET instead; this is assumed if joints below the roots have position channels that are
+///   nearly all 0 in the first frame while the OFFSETs are not.
 /// - A name is the rest of its line, spaces included. Bytes that are not UTF-8 and control
-/// characters become '_', a joint without a name is called "joint", and repeated names get "_2",
-/// "_3", … so that names are unique. End sites have no name.
+///   characters become '_', a joint without a name is called "joint", and repeated names get "_2",
+///   "_3", … so that names are unique. End sites have no name.
 /// - Keywords and channels may be in lower case. Values may be spread over lines in any way, but
-/// there must be exactly frames × channels of them; one extra frame is ignored, since some writers
-/// count frames from 0.
+///   there must be exactly frames × channels of them; one extra frame is ignored, since some
+///   writers count frames from 0.
 [[nodiscard]] Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name);
 
 /// Parses BVH text with its channels. Faults that BvhFaults::told tolerates: missing motion or
