@@ -12,8 +12,8 @@
 
 namespace shigusa {
 
-/// The parts of a person that nothing should pass through. A trunk is one part, or pelvis, spine,
-/// chest and upper chest where it has joints: a body has the one or the others.
+/// The parts of a person that collide. A rigid trunk is the one part `trunk`, a trunk with joints
+/// is pelvis, spine, chest and upper chest.
 enum class BodyPart {
   head,             ///< the skull without its lower part
   jaw,              ///< the lower part of the skull

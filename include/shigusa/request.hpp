@@ -161,7 +161,7 @@ struct Request {
   double gaze_lead = 0.0;
   /// The parameters that are searched, and how; adopt_preset changes it with its criteria.
   Preset preset = Preset::flat;
-  /// The parameters of the first layer, of presets with layers.
+  /// The reading of the parameters of the first layer; only for presets with layers.
   LayerReading layer_reading = LayerReading::shared_contractions;
   /// The search algorithm; empty: the preset's own.
   std::optional<SearchMethod> search{};
@@ -172,18 +172,18 @@ struct Request {
   CriteriaSettings criteria = traits_of(Preset::flat).criteria();
   /// Parameters that the search keeps: "squat_deg=60", "right_elbow.flexion.locked=true".
   std::vector<std::string> fixed_assignments{};
-  /// The method that makes motions from parameters; nlp_ik not of presets with layers.
+  /// The method that makes motions from parameters; nlp_ik does not support presets with layers.
   MotionGenerator generator = MotionGenerator::weighted_ik;
-  /// 1; kPhasesMax of old tasks, which are refused.
+  /// Number of phases: 1. Tasks with more are refused.
   int phases = 1;
   /// The motion of the character's fingers, where it has some.
   FingerPlay finger_play = FingerPlay::grip;
   /// The seed of all random numbers: the same seed gives the same motions.
   std::uint64_t seed = 0;
-  /// The most candidates that are delivered, 1..1000.
+  /// Largest number of candidates delivered, 1..1000.
   int candidates = traits_of(Preset::flat).candidates;
-  /// The most motions that the search scores, from kPaperPopulation; empty: the paper's genetic
-  /// algorithm runs until it converges, other algorithms score usual_evaluations.
+  /// Largest number of motions that the search scores, at least kPaperPopulation; empty: the
+  /// paper's genetic algorithm runs until it converges, other algorithms score usual_evaluations.
   std::optional<int> evaluations{};
 };
 
