@@ -14,202 +14,199 @@
 
 namespace shigusa {
 
-/// The paper's order of importance, range > balance > torque (section 3.3), with rule R8's weights.
+/// Weight of joint_range; the paper's order is range > balance > torque (section 3.3, rule R8).
 inline constexpr double kPaperRangeWeight = 0.5;
-inline constexpr double kPaperBalanceWeight = 0.3;  ///< of the balance
-inline constexpr double kPaperTorqueWeight = 0.2;   ///< of the torque
+inline constexpr double kPaperBalanceWeight = 0.3;  ///< weight of balance (rule R8)
+inline constexpr double kPaperTorqueWeight = 0.2;   ///< weight of torque (rule R8)
 
-/// Share of a joint's range by which a limit may be passed until the penalty is full (rule R8a).
+/// Excess beyond a limit, as a share of the joint's range, at which the penalty is 1 (rule R8a).
 inline constexpr double kRangeMargin = 0.2;
-/// Sets the scale of the criterion joint_range: how far joints pass their limits.
+/// Settings of the criterion joint_range: how far joints exceed their limits.
 struct JointRangeSettings {
   double margin = kRangeMargin;  ///< share of the range, > 0
 };
 
-/// Lean at which the penalty is full (rule R8b): the toes' edge is 0.13 m ahead of mid-foot and the
-/// centre of mass about 1.0 m high standing, 0.7 m stooping.
+/// Lean at which the penalty is 1 (rule R8b): the toes' edge is 0.13 m ahead of mid-foot and the
+/// centre of mass about 1.0 m high when standing, 0.7 m when stooping.
 inline constexpr double kBalanceLean = 0.20;
-/// Sets the scale of the criterion balance: how far the centre of mass leans from the feet.
+/// Settings of the criterion balance: horizontal distance of the centre of mass from the feet,
+/// relative to its height.
 struct BalanceSettings {
-  double lean = kBalanceLean;  ///< horizontal over vertical, > 0
+  double lean = kBalanceLean;  ///< horizontal distance over height, > 0
 };
 
-/// Root mean square share of the joints' strength at which the penalty is full (rule R8c). It
-/// saturates there: torque is heavy-tailed.
+/// Root-mean-square share of the joints' strength at which the penalty is 1 (rule R8c). The penalty
+/// saturates there, as torques are heavy-tailed.
 inline constexpr double kTorqueShare = 0.6;
-/// Sets the scale of the criterion torque: how much of their strength the joints need.
+/// Settings of the criterion torque: joint torques relative to the joints' strength.
 struct TorqueSettings {
-  double share = kTorqueShare;  ///< of strength, > 0
+  double share = kTorqueShare;  ///< share of the strength, > 0
 };
 
-/// People keep so much between the plumb line of their centre of mass and the edge of what they
-/// stand on (m): some 2 to 3 cm.
+/// Distance that people keep between the plumb line of their centre of mass and the edge of their
+/// support polygon (m): some 2 to 3 cm.
 inline constexpr double kBalanceReserve = 0.03;
-/// Sets the scale of the criterion balance_zone: how near the plumb line of the centre of mass
-/// comes to the edge of the feet's support polygon.
+/// Settings of the criterion balance_zone: how near the plumb line of the centre of mass comes to
+/// the edge of the support polygon.
 struct BalanceZoneSettings {
   double margin = kBalanceReserve;  ///< m, > 0
 };
 
-/// Mean discomfort of the joints at which the penalty is full: a quarter of them at the ends of
-/// their range.
+/// Mean discomfort of the joints at which the penalty is 1: a quarter of them at the ends of their
+/// range.
 inline constexpr double kDiscomfortShare = 0.25;
-/// Sets the scale of the criterion discomfort: how far joints are from neutral, and how near their
-/// ends.
+/// Settings of the criterion discomfort: distance of the joints from their neutral angles and
+/// nearness to their limits.
 struct DiscomfortSettings {
-  double share = kDiscomfortShare;  ///< of the joints at their ends, > 0
+  double share = kDiscomfortShare;  ///< share of the joints at a limit, > 0
 };
 
-/// Root mean square joint acceleration at which the penalty is full (rad/s²): that of a turn by 90°
-/// in 1 s with the minimum-jerk profile, sqrt(120 / 7) · (π / 2) / (1 s)², were all joints to make
-/// it.
+/// Root-mean-square joint acceleration at which the penalty is 1 (rad/s²): that of turning all
+/// joints by 90° in 1 s with the minimum-jerk profile, sqrt(120 / 7) · (π / 2) / (1 s)².
 inline constexpr double kJointAcceleration = 6.5;
-/// Sets the scale of the criterion joint_acceleration: how hard joints are sped up and slowed down.
+/// Settings of the criterion joint_acceleration: root-mean-square acceleration of the joints.
 struct JointAccelerationSettings {
   double acceleration = kJointAcceleration;  ///< rad/s², > 0
 };
 
-/// Work at which the penalty is full, as a share of the body's weight times its stature: about what
-/// it takes to lower a body into a deep squat, and as much again.
+/// Work at which the penalty is 1, as a share of body weight times stature: about the work of
+/// lowering a body into a deep squat and raising it again.
 inline constexpr double kWorkShare = 0.4;
-/// Sets the scale of the criterion work: the mechanical work of all joints.
+/// Settings of the criterion work: the mechanical work of all joints.
 struct WorkSettings {
-  double share = kWorkShare;  ///< of weight times stature, > 0
+  double share = kWorkShare;  ///< share of weight times stature, > 0
 };
 
-/// Share of strength at which the penalty is full: all of it. 0.75 is about 180 N·m in a man of 73
-/// kg: with a muscle lever of 6 cm and the upper body's own weight the disc then bears the 3400 N
-/// that NIOSH takes for the limit of what is harmless (Waters et al., Ergonomics 36 (1993)
-/// 749-776). The penalty grows on beyond it, or a heavy load would say nothing about how to lift
-/// it.
+/// Share of strength at which the penalty is 1. A share of 0.75 is about 180 N·m in a man of 73 kg:
+/// with a muscle lever of 6 cm and the weight of the upper body, the disc then bears the 3400 N of
+/// NIOSH's limit (Waters et al., Ergonomics 36 (1993) 749-776). The penalty grows beyond that
+/// limit, so that it still distinguishes ways of lifting a heavy load.
 inline constexpr double kLowBackShare = 1.0;
-/// Sets the scale of the criterion low_back: the moment about the lowest lumbar joint.
+/// Settings of the criterion low_back: the moment about the lowest lumbar joint (L5/S1).
 struct LowBackSettings {
-  double share = kLowBackShare;  ///< of strength, > 0
+  double share = kLowBackShare;  ///< share of the strength, > 0
 };
 
-/// Height of the head above the pelvis, as a share of their distance, from which on nothing is
-/// amiss: a trunk that leans by 60°.
+/// Height of the head above the pelvis, as a share of their distance, below which the penalty
+/// begins: a trunk that leans by 60°.
 inline constexpr double kHeadHeight = 0.5;
-/// Sets the scale of the criterion head: whether the head stays up and can look at the goal.
+/// Settings of the criterion head: whether the head stays up and can look at the goal.
 struct HeadSettings {
   double height = kHeadHeight;  ///< share, > 0
-  /// m, world: the point that the eyes are on. A task without one looks at its goals; where there
-  /// are none only the head's height counts.
+  /// Gaze target, m, world. Empty: the task's goals; without goals only the head's height counts.
   std::optional<Vec3d> gaze_target{};
 };
 
-/// Depth (m) of a collision at which the penalty is full.
+/// Collision depth (m) at which the penalty is 1.
 inline constexpr double kCollisionFull = 0.05;
-/// A hand that rests on a part of the body or on an obstacle touches it, which is no collision.
+/// A contact of a resting hand with a body part or an obstacle, which does not count as a
+/// collision.
 struct RestingPlace {
-  int link = 0;    ///< of the hand
-  std::string on;  ///< name of the part or the obstacle
+  int link = 0;    ///< index of the hand's link
+  std::string on;  ///< name of the capsule or the obstacle
 };
-/// Sets the scale of the criterion collision: how deep parts are in one another, in obstacles or in
+/// Settings of the criterion collision: how deep body parts are in one another, in obstacles or in
 /// the floor.
 struct CollisionSettings {
   double full = kCollisionFull;         ///< m, > 0
-  std::vector<Obstacle> obstacles{};    ///< of the task
-  std::vector<RestingPlace> resting{};  ///< of the task's supports
+  std::vector<Obstacle> obstacles{};    ///< obstacles of the task
+  std::vector<RestingPlace> resting{};  ///< hand contacts of the task
 };
 
-/// How far outside the support polygon (m) the penalty is full.
+/// Distance outside the support polygon (m) at which the penalty is 1.
 inline constexpr double kPressureOutside = 0.10;
-/// Sets the scale of the criterion centre_of_pressure: how far the floor would press outside the
-/// feet.
+/// Settings of the criterion centre_of_pressure: how far the centre of pressure lies outside the
+/// support polygon.
 struct PressureSettings {
   double outside = kPressureOutside;  ///< m, > 0
 };
 
-/// How far outside the support polygon (m) a pressure weighs as much as a joint that needs twice
-/// its strength.
+/// Distance of the centre of pressure outside the support polygon (m) that costs as much as a joint
+/// that needs twice its strength.
 inline constexpr double kFeasibilityOutside = 0.05;
-/// Sets the scale of the criterion feasibility: whether the body could make the motion at all.
+/// Settings of the criterion feasibility: whether the body could make the motion at all.
 struct FeasibilitySettings {
   double outside = kFeasibilityOutside;  ///< m, > 0
 };
 
-/// Half the difference (rad) of the knees from people's proportions at which half of the penalty is
-/// reached.
+/// Half the difference (rad) of the knees from people's proportions at which the penalty is 0.5.
 inline constexpr double kCoordinationAngle = 0.35;
-/// Sets the scale of the criterion coordination: whether knees bend along with the trunk as
+/// Settings of the criterion coordination: whether the knees bend in proportion to the trunk, as
 /// people's do.
 struct CoordinationSettings {
   double angle = kCoordinationAngle;  ///< rad, > 0
-  std::vector<int> effectors{};       ///< of the task's goals; all hands where none are given
+  std::vector<int> effectors{};       ///< indices of the goals' effectors; empty: all hands
 };
 
-/// Share of its length by which a hand's path is off people's where half of the penalty is reached.
+/// Deviation of a hand's path from people's, as a share of its length, at which the penalty is 0.5.
 inline constexpr double kPathOffset = 0.2;
-/// Sets the scale of the criterion hand_curve: how far hands leave the ways that people's take.
+/// Settings of the criterion hand_curve: deviation of hand paths from people's.
 struct HandCurveSettings {
-  double offset = kPathOffset;   ///< of the way's length, > 0
-  std::vector<int> effectors{};  ///< of the task's goals; all hands where none are given
+  double offset = kPathOffset;   ///< share of the path's length, > 0
+  std::vector<int> effectors{};  ///< indices of the goals' effectors; empty: all hands
 };
 
-/// Way (m) of a shoulder beyond what its goal needs at which half of the penalty is reached.
+/// Distance (m) that a shoulder travels beyond the need of its goal at which the penalty is 0.5.
 inline constexpr double kTravelDistance = 0.3;
-/// Sets the scale of the criterion trunk_travel: how far the trunk goes where the arm would do.
+/// Settings of the criterion trunk_travel: travel of the trunk where the arm alone would reach.
 struct TrunkTravelSettings {
   double distance = kTravelDistance;  ///< m, > 0
-  std::vector<int> effectors{};       ///< of the task's goals; all hands where none are given
+  std::vector<int> effectors{};       ///< indices of the goals' effectors; empty: all hands
 };
 
-/// Distance (m) of the centre of mass from where people have it at which half of the penalty is
-/// reached.
+/// Distance (m) of the centre of mass from its place in people's reaches at which the penalty is
+/// 0.5.
 inline constexpr double kMassDistance = 0.08;
-/// Sets the scale of the criterion mass_ahead: whether the centre of mass goes along with the
-/// hands.
+/// Settings of the criterion mass_ahead: whether the centre of mass moves along with the hands.
 struct MassAheadSettings {
   double distance = kMassDistance;  ///< m, > 0
-  std::vector<int> effectors{};     ///< of the task's goals; all hands where none are given
+  std::vector<int> effectors{};     ///< indices of the goals' effectors; empty: all hands
 };
 
-/// Change of a torque or of the floor's pressure within 1/60 s at which half of the penalty is
-/// reached, as a share of what counts as a jolt: 30 % of the strength, or 3 cm.
+/// Change of a torque or of the centre of pressure within 1/60 s at which the penalty is 0.5, as a
+/// share of a visible jolt: 30 % of the strength, or 3 cm.
 inline constexpr double kJoltLimit = 1.0;
-/// Sets the scale of the criterion jolts: how suddenly torques and the floor's pressure change.
+/// Settings of the criterion jolts: how suddenly torques and the centre of pressure change.
 struct JoltsSettings {
-  double limit = kJoltLimit;  ///< of a jolt, > 0
+  double limit = kJoltLimit;  ///< share of a jolt, > 0
 };
 
-/// A criterion of the user's own: any scalar function of the motion; smaller is better. Its penalty
-/// is value / scale, held to [0, 1] as the built-in ones are. NaN makes the motion the worst of
-/// all.
+/// A user-defined criterion: any scalar function of the motion, smaller is better. Its penalty is
+/// value / scale, clamped to [0, 1] like those of the built-in criteria. A motion with the value
+/// NaN ranks last.
 struct UserCriterion {
-  std::string name;     ///< in scores and messages
+  std::string name;     ///< name in scores and messages
   double weight = 0.1;  ///< ≥ 0
-  double scale = 1.0;   ///< value at which the penalty is full, > 0
-  /// gives the value of a whole motion; called from one thread at a time
+  double scale = 1.0;   ///< value at which the penalty is 1, > 0
+  /// Computes the value of a whole motion; never called by two threads at once.
   std::function<double(const BodyModel&, const Motion&)> value{};
 };
 
-/// The criteria that a motion is scored by: score = Σ weight · penalty, lower is better. Weights
-/// are 0 or more; a criterion whose weight is 0 is not computed.
+/// A mixture of criteria: score = Σ weight · penalty, lower is better. Weights are ≥ 0; a criterion
+/// of weight 0 is not computed.
 struct CriteriaSettings {
-  double joint_range_weight = kPaperRangeWeight;   ///< of joints beyond their limits
-  double balance_weight = kPaperBalanceWeight;     ///< of the lean from the feet
-  double torque_weight = kPaperTorqueWeight;       ///< of the torque
-  double balance_zone_weight = 0.0;                ///< of the way to the edge of the feet
-  double discomfort_weight = 0.0;                  ///< of joints far from neutral
-  double joint_acceleration_weight = 0.0;          ///< of joint accelerations
-  double work_weight = 0.0;                        ///< of mechanical work
-  double low_back_weight = 0.0;                    ///< of the moment about L5/S1
-  double head_weight = 0.0;                        ///< of the head's height and gaze
-  double collision_weight = 0.0;                   ///< of collisions
-  double pressure_weight = 0.0;                    ///< of a pressure outside the feet
-  double feasibility_weight = 0.0;                 ///< of what the body cannot do
-  double coordination_weight = 0.0;                ///< of knees out of proportion
-  double hand_curve_weight = 0.0;                  ///< of ways that hands do not take
-  double trunk_travel_weight = 0.0;                ///< of a trunk that moves where the arm would do
-  double mass_ahead_weight = 0.0;                  ///< of a centre of mass held back
-  double jolts_weight = 0.0;                       ///< of sudden torques
-  JointRangeSettings joint_range{};                ///< scale of joint_range
-  BalanceSettings balance{};                       ///< scale of balance
-  TorqueSettings torque{};                         ///< scale of torque
-  BalanceZoneSettings balance_zone{};              ///< scale of balance_zone
-  DiscomfortSettings discomfort{};                 ///< scale of discomfort
+  double joint_range_weight = kPaperRangeWeight;  ///< joints beyond their limits
+  double balance_weight = kPaperBalanceWeight;    ///< lean of the centre of mass
+  double torque_weight = kPaperTorqueWeight;      ///< joint torques
+  double balance_zone_weight = 0.0;               ///< distance to the edge of the support polygon
+  double discomfort_weight = 0.0;                 ///< joints far from neutral
+  double joint_acceleration_weight = 0.0;         ///< joint accelerations
+  double work_weight = 0.0;                       ///< mechanical work
+  double low_back_weight = 0.0;                   ///< moment about L5/S1
+  double head_weight = 0.0;                       ///< height of the head and gaze
+  double collision_weight = 0.0;                  ///< collisions
+  double pressure_weight = 0.0;                   ///< centre of pressure outside the feet
+  double feasibility_weight = 0.0;                ///< motions beyond the body's ability
+  double coordination_weight = 0.0;               ///< knees out of proportion to the trunk
+  double hand_curve_weight = 0.0;                 ///< hand paths unlike people's
+  double trunk_travel_weight = 0.0;               ///< needless travel of the trunk
+  double mass_ahead_weight = 0.0;                 ///< centre of mass that does not follow the hands
+  double jolts_weight = 0.0;                      ///< sudden changes of torque and pressure
+  JointRangeSettings joint_range{};               ///< scale of joint_range
+  BalanceSettings balance{};                      ///< scale of balance
+  TorqueSettings torque{};                        ///< scale of torque
+  BalanceZoneSettings balance_zone{};             ///< scale of balance_zone
+  DiscomfortSettings discomfort{};                ///< scale of discomfort
   JointAccelerationSettings joint_acceleration{};  ///< scale of joint_acceleration
   WorkSettings work{};                             ///< scale of work
   LowBackSettings low_back{};                      ///< scale of low_back
@@ -222,30 +219,31 @@ struct CriteriaSettings {
   TrunkTravelSettings trunk_travel{};              ///< scale of trunk_travel
   MassAheadSettings mass_ahead{};                  ///< scale of mass_ahead
   JoltsSettings jolts{};                           ///< scale of jolts
-  std::vector<UserCriterion> user{};               ///< the user's own
+  std::vector<UserCriterion> user{};               ///< user-defined criteria
 };
 
-/// Tells the criteria that look at reaching hands which effectors those are.
+/// Sets the effectors of each criterion that measures reaching hands.
 void set_reaching(CriteriaSettings& settings, const std::vector<int>& effectors);
 
-/// The paper's three by rule R8's weights: what CriteriaSettings is by default.
+/// The paper's three criteria with the weights of rule R8: the default CriteriaSettings.
 [[nodiscard]] CriteriaSettings paper_criteria();
 
-/// The mixture of the presets flat and human (docs/criteria.md has its weights): what a posture and
-/// a motion cost a body; of large weight what people's reaches look like; and, of no weight against
-/// what is free, stands and is within the body's strength, collisions, pressure and feasibility.
+/// The mixture of the presets flat and human, with weights listed in docs/criteria.md. It combines
+/// the effort of posture and motion, likeness to people's reaches with large weights, and
+/// collisions, pressure and feasibility, which cost nothing in a motion that is collision-free,
+/// balanced and within the body's strength.
 [[nodiscard]] CriteriaSettings default_criteria();
 
-/// The criteria that a Pareto view weighs against each other: joint range, as discomfort near its
-/// ends (no motion within limits has any of the paper's own), balance and torque, a third each.
+/// The mixture for Pareto fronts: discomfort, balance and torque, a third each. Discomfort near the
+/// ends of the range replaces the paper's joint range, which is 0 for motions within limits.
 [[nodiscard]] CriteriaSettings pareto_criteria();
 
-/// A mixture that files and the command line call by its name.
+/// A named mixture, as used in files and on the command line.
 struct CriteriaPreset {
   std::string_view name;           ///< "default"
   CriteriaSettings (*settings)();  ///< makes the mixture
 };
-/// "paper", "default" and "pareto".
+/// The named mixtures: "paper", "default" and "pareto".
 [[nodiscard]] std::span<const CriteriaPreset> criteria_presets();
 
 /// The names of the built-in criteria, in the table's order.
@@ -253,95 +251,96 @@ struct CriteriaPreset {
 
 /// One line of a score's breakdown.
 struct ScoreTerm {
-  std::string name;      ///< of the criterion
-  double weight = 0.0;   ///< of the penalty in the total
+  std::string name;      ///< name of the criterion
+  double weight = 0.0;   ///< weight of the penalty in the total
   double penalty = 0.0;  ///< 0..1
 };
 
 /// The score of one motion, lower is better, with its breakdown.
 struct Score {
   double total = 0.0;  ///< Σ weight · penalty
-  /// the built-in criteria whose weight is above 0, in the table's order, then the user's in theirs
+  /// Built-in criteria of weight above 0, in the order of criterion_names, then user-defined ones.
   std::vector<ScoreTerm> terms;
 };
 
-/// The score that a motion gets which misses its goal, leaves its path or moves a planted foot: no
-/// other is worse.
+/// The score of a motion that misses its goal, leaves its path or moves a planted foot; no score is
+/// higher.
 [[nodiscard]] double worst_score(const CriteriaSettings& settings);
 
-/// Scores a whole motion, which has torques and a centre of mass for each frame.
+/// Scores a whole motion with torques and a centre of mass in each frame.
 [[nodiscard]] Score score_motion(const BodyModel& body, const Motion& motion,
                                  const CriteriaSettings& settings);
 
-/// The share of its strength that a joint needs at most, and when.
+/// The peak load of one joint, relative to its strength.
 struct JointLoad {
-  int dof = 0;          ///< freedom of the body
-  double torque = 0.0;  ///< N·m, then
-  double share = 0.0;   ///< of the strength in its direction
-  double time = 0.0;    ///< s
+  int dof = 0;          ///< index of the dof
+  double torque = 0.0;  ///< N·m, at the peak
+  double share = 0.0;   ///< torque over the strength in its direction
+  double time = 0.0;    ///< s, of the peak
 };
-/// (dofs) the loads of a whole motion.
+/// Peak loads of a whole motion: (dofs).
 [[nodiscard]] std::vector<JointLoad> joint_loads(const BodyModel& body, const Motion& motion);
 
-/// A joint that passes its limit during a motion.
+/// A joint that exceeds its limit during a motion.
 struct LimitExcess {
-  std::string dof;      ///< name of the freedom
+  std::string dof;      ///< name of the dof
   double excess = 0.0;  ///< rad, the most at any frame
 };
-/// The joints that pass their limits by more than anyone sees, the worst first.
+/// The joints that visibly exceed their limits, the worst first.
 [[nodiscard]] std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip);
 
-/// (nodes) X_WN, the place of each node of the body in the world, by its angles: (dofs) rad.
+/// World poses X_WN of the body's nodes at the angles (dofs, rad): (nodes).
 [[nodiscard]] std::vector<Transformd> node_places(const BodyModel& body,
                                                   std::span<const double> angles);
 
-/// (frames) m, on the floor: the centre of pressure of a whole motion that is at rest before and
-/// after, of a body on the feet that stand. Where nothing presses, it is that of a force of 1 N.
+/// Centres of pressure of a motion that is at rest before and after: (frames) m, on the floor, for
+/// a body on its planted feet. With less than 1 N on the floor, a force of 1 N is assumed.
 [[nodiscard]] std::vector<Vec3d> centres_of_pressure(const BodyModel& body, const Motion& motion);
 
-/// How far (m) inside the support polygon something stays at least, less than 0 outside it, and
-/// when (s, from the motion's beginning).
+/// The smallest distance of a point inside the support polygon during a motion, below 0 outside,
+/// and its time.
 struct SupportMargin {
   double distance = 0.0;  ///< m
-  double time = 0.0;      ///< s
+  double time = 0.0;      ///< s, from the start
 };
 
-/// Whether a person could stand through a motion: the plumb line of the centre of mass, and the
-/// floor's centre of pressure, both against the support polygon. The pressure's is the moment (N·m)
-/// by which the body is held from tipping, over its weight: where the floor bears that weight, the
-/// distance of the centre of pressure; no floor gives less than 0. Motions faster than gravity let
-/// it leave the feet for a moment; a centre of mass that leaves them is a fall or a step.
+/// Balance of a motion: margins of the plumb line of the centre of mass and of the floor's centre
+/// of pressure against the support polygon. The margin of the pressure is the moment (N·m) about an
+/// edge that holds the body from tipping, over its weight; where the floor bears that weight, it is
+/// the distance of the centre of pressure. No floor can provide a margin below 0. Motions faster
+/// than gravity let the pressure leave the feet for a moment; a centre of mass outside the feet
+/// means a fall or a step.
 struct SupportMargins {
-  SupportMargin centre_of_mass;  ///< of its plumb line
-  SupportMargin pressure;        ///< of the centre of pressure
+  SupportMargin centre_of_mass;  ///< margin of its plumb line
+  SupportMargin pressure;        ///< margin of the centre of pressure
 };
 
-/// Both in one frame (m, inside the support polygon; less than 0 outside).
+/// The balance margins in one frame (m, inside the support polygon; below 0 outside).
 struct SupportFrame {
-  double centre_of_mass = 0.0;  ///< m, of its plumb line
-  double pressure = 0.0;        ///< m, of the centre of pressure
+  double centre_of_mass = 0.0;  ///< m, margin of its plumb line
+  double pressure = 0.0;        ///< m, margin of the centre of pressure
 };
 
-/// (frames) both in each frame of a whole motion that is at rest before and after. None of a body
-/// without feet, or with feet of no size.
+/// Balance margins of a motion that is at rest before and after: (frames). Empty for a body without
+/// feet or with feet of no size.
 [[nodiscard]] std::vector<SupportFrame> support_frames(const BodyModel& body, const Motion& motion);
-/// The least of both in such a motion; nothing where support_frames has none.
+/// The smallest balance margins of a motion; nothing where support_frames is empty.
 [[nodiscard]] std::optional<SupportMargins> support_margins(const BodyModel& body,
                                                             const Motion& motion);
 
-/// Flesh gives way by so much (m): less is no collision.
+/// Depth below which soft tissue yields and nothing counts as a collision (m).
 inline constexpr double kCollisionDepth = 0.005;
-/// Greater depths in flesh are impossible (m).
+/// Largest possible depth in soft tissue (m).
 inline constexpr double kFleshDepth = 0.02;
-/// Greater depths in an obstacle are impossible (m): of both, only the body yields.
+/// Largest possible depth in an obstacle (m): smaller than kFleshDepth, as only the body yields.
 inline constexpr double kHardDepth = 0.01;
 
-/// Where a motion collides most.
+/// The deepest collision of a motion.
 struct CollisionFound {
-  double depth = 0.0;  ///< m, beyond what the start posture has; 0 where nothing collides
-  std::string limb;    ///< capsule, "right_forearm"
-  std::string other;   ///< capsule, obstacle or "floor"
-  double time = 0.0;   ///< s
+  double depth = 0.0;  ///< m, beyond the depth in the start posture; 0 without a collision
+  std::string limb;    ///< name of the capsule, "right_forearm"
+  std::string other;   ///< name of the capsule or obstacle, or "floor"
+  double time = 0.0;   ///< s, from the start
   bool hard = false;   ///< `other` is an obstacle
 };
 /// Finds the deepest collision of a body in a clip: arms with the body, any part with obstacles,
@@ -349,12 +348,12 @@ struct CollisionFound {
 [[nodiscard]] CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
                                                const CollisionSettings& settings = {});
 
-/// How suddenly a motion changes at most from one of its frames to the next, as if it had 60 of
-/// them. A person sees a jolt where the floor's centre of pressure moves by more than 3 cm then, or
-/// a torque by more than 30 % of its joint's strength both ways together.
+/// The largest change of a motion within 1/60 s. People see a jolt where the floor's centre of
+/// pressure moves by more than 3 cm, or a torque changes by more than 30 % of its joint's strength
+/// in both directions together, in that time.
 struct Suddenness {
-  double pressure = 0.0;  ///< m, by which the centre of pressure moves; 0 of a body without feet
-  double torque = 0.0;    ///< share of the strength, by which a torque changes
+  double pressure = 0.0;  ///< m, displacement of the centre of pressure; 0 for a body without feet
+  double torque = 0.0;    ///< change of a torque, as a share of the joint's strength
 
   /// Whether the motion jolts.
   [[nodiscard]] bool jolts() const;
@@ -362,18 +361,18 @@ struct Suddenness {
 /// Measures a whole motion that is at rest before and after.
 [[nodiscard]] Suddenness suddenness(const BodyModel& body, const Motion& motion);
 
-/// The demands of a motion, generated or recorded, on its body.
+/// The demands of a generated or recorded motion on the body.
 struct MotionMeasures {
-  std::vector<JointLoad> loads;             ///< (dofs)
+  std::vector<JointLoad> loads;             ///< (dofs) peak loads
   std::vector<LimitExcess> over_limit;      ///< the worst first
-  std::optional<SupportMargins> support{};  ///< of a body that stands
-  CollisionFound collides;  ///< the deepest at any frame, with itself, an obstacle or the floor
-  Suddenness sudden;        ///< the most from frame to frame
+  std::optional<SupportMargins> support{};  ///< balance margins; empty for a body without feet
+  CollisionFound collides;  ///< the deepest collision with itself, an obstacle or the floor
+  Suddenness sudden;        ///< the largest change within 1/60 s
 };
 /// Measures a whole motion that is at rest before and after.
 [[nodiscard]] MotionMeasures measure_motion(const BodyModel& body, const Motion& motion,
                                             const CollisionSettings& collision);
-/// The joint that needs most of its strength; null of a body without joints.
+/// The joint with the largest load share; null for a body without joints.
 [[nodiscard]] const JointLoad* most_loaded(const MotionMeasures& measures);
 
 }  // namespace shigusa

@@ -13,49 +13,49 @@
 
 namespace shigusa {
 
-/// The kinds of editable numbers.
+/// The kinds of editable parameters.
 enum class EditableKind {
-  weight,  ///< of a freedom in the weighted IK
-  angle,   ///< degrees, of the posture
-  share,   ///< a number without a unit
+  weight,  ///< weight of a dof in the weighted IK
+  angle,   ///< angle of the posture, in degrees
+  share,   ///< dimensionless number
 };
 
-/// One of the numbers that a person edits of a motion. "name=value" is an assignment (see
-/// assign_parameter); so is, of a weight, "joint.locked=true", with `joint` the name without
-/// ".weight".
+/// A parameter of a motion that a person can edit. "name=value" is an assignment (see
+/// Request::fixed_assignments); for a weight so is "joint.locked=true", where `joint` is the name
+/// without ".weight".
 struct EditableParameter {
   std::string name;  ///< "right_knee.flexion.weight", "squat_deg", "bow"
-  /// "right_leg", "left_arm", "trunk", "posture", "path"
+  /// Group of the parameter: "right_leg", "left_arm", "trunk", "posture", "path".
   std::string group;
-  EditableKind kind = EditableKind::weight;  ///< of the number
-  double value = 0.0;                        ///< angles in degrees
-  double low = 0.0;                          ///< sensible; of a posture less is allowed
-  double high = 0.0;                         ///< sensible; of a posture more is allowed
-  bool locked = false;                       ///< of a weight: the freedom keeps its start angle
-  std::string_view sentence{};               ///< its effect
+  EditableKind kind = EditableKind::weight;  ///< kind of the parameter
+  double value = 0.0;                        ///< current value; angles in degrees
+  double low = 0.0;             ///< smallest sensible value; posture parameters may be smaller
+  double high = 0.0;            ///< largest sensible value; posture parameters may be larger
+  bool locked = false;          ///< for weights: the dof keeps its start angle
+  std::string_view sentence{};  ///< effect of the parameter, one sentence
 };
 
-/// All of a candidate's, the posture's first; the list is the result's.
+/// The editable parameters of a candidate, those of the posture first. `list` is
+/// GenerateResult::parameters, `values` Candidate::parameters.
 [[nodiscard]] std::vector<EditableParameter> editable_parameters(const ParameterList& list,
                                                                  const Parameters& values);
 
-/// The parameters as JSON text: a list of {"name", "group", "kind", "value", "low", "high", "scale"
+/// Formats parameters as JSON: a list of {"name", "group", "kind", "value", "low", "high", "scale"
 /// ("linear" or "log"), "unit" ("" or "deg"), "locked", "sentence"}.
 [[nodiscard]] std::string format_parameters(const std::vector<EditableParameter>& parameters);
 
-/// "left_hand" of "right_hand" and the reverse; a name without a side stays.
+/// The name of the opposite side: "left_hand" for "right_hand" and the reverse; a name without a
+/// side stays.
 [[nodiscard]] std::string mirrored_name(std::string_view name);
 
-/// The task on the other side of the body's middle, x = 0: goals, contacts, obstacles and
-/// fixed parameters change sides. The person is the same, with their own left and right, and stands
-/// at the start as before: of somebody who is alike on both sides, and stands so, the motion is the
-/// mirror image; anybody else reaches the mirrored goal from their own posture. Fails on a body of
-/// one side.
+/// Mirrors a task at the plane x = 0: goals, contacts, obstacles and fixed parameters change sides.
+/// The person and their start posture stay, so that the motion is the exact mirror image only for a
+/// symmetric person in a symmetric posture. Fails on a body of one side.
 [[nodiscard]] Result<TaskFile> mirrored(TaskFile task);
 
-/// The values of a motion's mirror image: each goes to the parameter of the other side, and a turn
-/// of the trunk changes its sign. `from` and `to` are the lists of both tasks, whose bodies may
-/// stand on either foot.
+/// Mirrors parameter values: each goes to the parameter of the other side, and turns of the trunk
+/// change sign. `from` and `to` are the parameter lists of the original and the mirrored task,
+/// whose bodies may have different base feet.
 [[nodiscard]] Parameters mirrored(const ParameterList& from, const ParameterList& to,
                                   const Parameters& values);
 
@@ -63,28 +63,29 @@ struct EditableParameter {
 [[nodiscard]] Result<std::vector<std::string>> parse_assignments(std::string_view text,
                                                                  std::string_view name);
 
-/// Motions of stored parameters; the player is of the result's task (make_task). Candidates count
-/// from 1; these fail where there is none of that number, naming how many there are.
+/// Replaying stored parameters: `player` must be made for the result's task (make_task). Candidates
+/// are numbered from 1; an unknown number is an error that states how many there are.
 
-/// One candidate's motion with the assignments (see assign_parameter) to its parameters, which stay
-/// changed.
+/// Generates one candidate's motion again, after the assignments (see Request::fixed_assignments)
+/// have changed its parameters in `stored`.
 [[nodiscard]] Result<GenerateResult> replay(MotionPlayer& player, StoredResult& stored,
                                             int candidate,
                                             std::span<const std::string> assignments = {});
-/// All of them, in the result's order. Fails with ErrorCode::cancelled where it is stopped between
-/// two of them; scores that it reports are of the first.
+/// Generates the motions of all candidates again, in the result's order. Fails with
+/// ErrorCode::cancelled if cancelled between two candidates; progress reports the score of the
+/// first.
 [[nodiscard]] Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,
                                                 const Progress& progress = {});
 
-/// Takes task and parameters to the other side (see mirrored). The facts about files stay, and
-/// are of the motions before.
+/// Mirrors the task and parameters of a result (see mirrored). Its facts about files are unchanged
+/// and still describe the original motions.
 [[nodiscard]] Result<void> mirror_result(StoredResult& stored);
 
-/// A new folder for what an edit gives, "edit-1", "edit-2", … While this lives no other program
-/// takes it. Goes again where nothing was written into it.
+/// A new folder for the result of an edit, "edit-1", "edit-2", … No other program takes it while
+/// this object lives. If nothing was written into it, it is removed at the end.
 class EditFolder {
  public:
-  /// Makes the first that is not there yet within a folder, or takes one that a killed program left
+  /// Creates the first unused folder within `within`, or takes over one that a killed program left
   /// without a result.
   [[nodiscard]] static Result<EditFolder> make(const std::filesystem::path& within,
                                                std::string_view name);
@@ -92,7 +93,7 @@ class EditFolder {
   EditFolder& operator=(EditFolder&&) noexcept;  ///< takes over the folder
   ~EditFolder();
 
-  [[nodiscard]] const std::filesystem::path& path() const;  ///< its whole path
+  [[nodiscard]] const std::filesystem::path& path() const;  ///< full path of the folder
 
  private:
   struct Held;
@@ -100,7 +101,7 @@ class EditFolder {
   std::unique_ptr<Held> held_;
 };
 
-/// A result as it would be read back from its file.
+/// Converts a generated result to the form that read_result gives.
 [[nodiscard]] StoredResult stored_result(const TaskFile& file, const GenerateResult& generation);
 
 }  // namespace shigusa

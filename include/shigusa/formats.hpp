@@ -13,55 +13,52 @@
 
 namespace shigusa {
 
-/// The formats of files that are read or written.
+/// The file formats that are read or written.
 enum class FileFormat {
-  bvh,   ///< Biovision hierarchy: people, clips and motions
-  csv,   ///< a table with one row a frame
-  svg,   ///< a strip figure
-  png,   ///< a strip figure
-  pdf,   ///< a strip figure
+  bvh,   ///< Biovision hierarchy: persons, clips and motions
+  csv,   ///< table with one row per frame
+  svg,   ///< strip figure
+  png,   ///< strip figure
+  pdf,   ///< strip figure
   glb,   ///< binary glTF
   vrma,  ///< VRM animation
   vrm,   ///< VRM character
-  fbx,   ///< a character, read as the glTF file of it
+  fbx,   ///< character, converted to glTF when read
   urdf,  ///< robot
-  mjcf,  ///< robot of MuJoCo
+  mjcf,  ///< MuJoCo model of a robot
 };
 
-/// The file that a character must have come from for its motions to leave in a format.
+/// The kind of character file that writing a format requires.
 enum class NeededFile {
-  none,  ///< any character
-  gltf,  ///< glTF, and VRM as one of its kind
-  vrm,   ///< VRM alone
+  none,  ///< none: any character
+  gltf,  ///< glTF, VRM included
+  vrm,   ///< VRM only
 };
 
-/// The facts of a format. All code that reads, writes, lists or describes files goes by this table;
-/// a format that is written has a function write_as (src/document/export_file.hpp), one of people a
-/// function read_person (src/character/character_file.hpp).
+/// The facts of a file format; all readers, writers and lists of formats use this table.
 struct FormatInfo {
-  /// The format that the row is of.
+  /// The format of the row.
   FileFormat format;
-  std::string_view word;                    ///< it is asked for by, and written files end in
-  std::array<std::string_view, 2> endings;  ///< of files that are read: ".glb"; "" where there is
-                                            ///< no other
-  /// The media type of its files.
+  std::string_view word;                    ///< name in options, and ending of written files
+  std::array<std::string_view, 2> endings;  ///< endings of files that are read: ".glb"; "" for none
+  /// Media type of the files.
   std::string_view media_type;
-  std::string_view about;     ///< one sentence
-  bool person = false;        ///< people are read from it,
-  bool robot = false;         ///< robots,
-  bool clip = false;          ///< and recorded motion
-  bool written = false;       ///< a motion can leave in it
-  bool usual = false;         ///< it does where nothing is said and the character can
-  bool rated = false;         ///< it has the motion at the rate that is asked for
-  std::size_t max_bytes = 0;  ///< of a file that is read
-  /// The character's file that writing needs.
+  std::string_view about;     ///< description, one sentence
+  bool person = false;        ///< persons can be read from it
+  bool robot = false;         ///< robots can be read from it
+  bool clip = false;          ///< recorded motions can be read from it
+  bool written = false;       ///< motions can be written in it
+  bool usual = false;         ///< written by default if the character allows it
+  bool rated = false;         ///< written at the requested frame rate
+  std::size_t max_bytes = 0;  ///< size limit of a file that is read
+  /// Kind of character file that writing requires.
   NeededFile needs = NeededFile::none;
-  bool from_svg = false;   ///< made of the SVG by a program that can (FileSettings::from_svg)
-  bool mannequin = false;  ///< built-in bodies leave in it as the mannequin (has_mannequin), where
-                           ///< it is asked for
+  bool from_svg = false;  ///< converted from SVG by FileSettings::from_svg
+  /// Built-in bodies are written as the mannequin on request (see has_mannequin).
+  bool mannequin = false;
 };
 
-/// Bytes.
+/// Bytes of one mebibyte.
 inline constexpr std::size_t kMebibyte = std::size_t{1} << 20;
 
 /// All formats, in the order of FileFormat.
@@ -169,112 +166,113 @@ inline constexpr auto kEnumWords<FileFormat> = words_of_table(kFileFormats, &For
   return kFileFormats[static_cast<std::size_t>(format)];
 }
 
-/// Whether a character's file of a format is what another format needs. An FBX file is taken as the
-/// glTF file of its skeleton.
+/// Whether a character from a file of one format satisfies a NeededFile. FBX counts as glTF, as its
+/// skeleton is converted to glTF.
 [[nodiscard]] constexpr bool is_file(FileFormat character, NeededFile needed) {
   const bool vrm = character == FileFormat::vrm;
   const bool gltf = vrm || character == FileFormat::glb || character == FileFormat::fbx;
   return needed == NeededFile::none || (needed == NeededFile::vrm ? vrm : gltf);
 }
 
-/// Whether this build has the mannequin, which zlib unpacks.
+/// Whether this build contains the mannequin, which needs zlib.
 [[nodiscard]] bool has_mannequin();
 
-/// The ending of a file's name in lower case: ".bvh".
+/// The ending of a file's name, in lower case: ".bvh".
 [[nodiscard]] std::string file_ending(const std::string& name);
 
-/// The format of a file by its name's ending, in any case; nothing where that is none that is read.
+/// The format of a file by the ending of its name, in any case; nothing if no readable format has
+/// it.
 [[nodiscard]] std::optional<FileFormat> format_of_file(const std::string& name);
 
-/// The words or the endings of the formats that are so, for messages: "bvh, glb and vrma".
+/// The words of the formats that satisfy a predicate, as a list for messages: "bvh, glb and vrma".
 [[nodiscard]] std::string format_words(bool (*is_so)(const FormatInfo&),
                                        std::string_view last = "and");
-/// The endings of such formats.
+/// The endings of the formats that satisfy a predicate, as a list for messages.
 [[nodiscard]] std::string format_endings(bool (*is_so)(const FormatInfo&),
                                          std::string_view last = "or");
 
-/// The most bytes of a file; more is refused before memory is taken, as is what is beyond the next
-/// three.
+/// Size limit of a BVH file (bytes). This and the next three limits are checked before memory is
+/// allocated.
 inline constexpr std::size_t kBvhMaxBytes = info_of(FileFormat::bvh).max_bytes;
-/// The most joints and end sites of a file.
+/// Largest number of joints and end sites in a BVH file.
 inline constexpr int kBvhMaxNodes = 4096;
-/// The most frames of a file.
+/// Largest number of frames in a BVH file.
 inline constexpr int kBvhMaxFrames = 200'000;
-inline constexpr std::size_t kBvhMaxTransforms = 8'000'000;  ///< frames × nodes: 450 MB
-/// Numbers beyond this are refused, infinities and NaN among them.
+inline constexpr std::size_t kBvhMaxTransforms = 8'000'000;  ///< largest frames × nodes: 450 MB
+/// Largest magnitude of a number in a BVH file; infinities and NaN are refused too.
 inline constexpr double kBvhMaxValue = 1e9;
 
-/// One column of a BVH's motion.
+/// One channel of a BVH joint: a column of the motion data.
 struct BvhChannel {
-  bool rotates = false;  ///< about the axis; else it moves along it
-  Axis axis = Axis::x;   ///< of the parent's frame
+  bool rotates = false;  ///< rotation about the axis; else translation along it
+  Axis axis = Axis::x;   ///< axis of the parent's frame
 };
-/// (nodes) the channels of each in their order; of end sites none.
+/// (nodes) channels of each node, in file order; empty for end sites.
 using BvhChannels = std::vector<std::vector<BvhChannel>>;
 
-/// A BVH file: its motion, and how it writes it.
+/// The content of a BVH file: motion, channels and faults.
 struct BvhFile {
   SkeletonMotion motion;             ///< in the file's own unit and axes
-  BvhChannels channels;              ///< of its nodes
-  std::vector<Message> doubts{};     ///< faults that were told
-  std::vector<int> unread_frames{};  ///< frames, rising, with values that are no numbers
+  BvhChannels channels;              ///< channels of the nodes
+  std::vector<Message> doubts{};     ///< tolerated faults, as warnings for the user
+  std::vector<int> unread_frames{};  ///< indices of frames with invalid numbers, ascending
 };
 
-/// The way that a file with a damaged motion is taken.
+/// The treatment of a file with damaged motion data.
 enum class BvhFaults {
-  refused,  ///< an error
-  told,     ///< what it still has is taken, with doubts; its skeleton without frames at the least
+  refused,  ///< damage is an error
+  told,     ///< the readable part is used, with doubts; at least the skeleton without frames
 };
 
-/// Parses BVH text. Lengths stay in the file's own unit (BVH does not tell it) and axes in the
-/// file's own directions; angles become rotations. Channels in any order and number per joint, LF
-/// or CRLF, several roots. Errors name the line, the value seen and what is allowed; `name` stands
-/// for the file in them.
+/// Parses BVH text. Lengths stay in the file's unit, which BVH does not state, and axes in the
+/// file's directions; angles become rotations. Accepted are channels in any order and number per
+/// joint, LF or CRLF, and several roots. Errors state the line, the value seen and the values
+/// allowed; `name` stands for the file in them.
 ///
-/// - A joint's rotation is the product of its axis rotations in the order of its channels,
-///   R = R1 R2 R3; one axis may come twice.
-/// - Position channels replace the OFFSET along their axis, for the root as for any other joint:
-///   animation tools write the whole place of the joint in its parent there. MakeHuman writes what
-///   is to be added to the OFFSET: a file whose joints below the roots have position channels, 0
-///   nearly all in its first frame while the OFFSETs are not, is read so.
-/// - A name is the rest of its line, spaces included. Bytes that are no UTF-8 and control
-///   characters become '_', a joint without name is called "joint", and a name that comes again
-///   gets "_2", "_3", … so that names are unique. End sites have no name.
+/// - A joint's rotation is the product of its axis rotations in channel order, R = R1 R2 R3; an
+///   axis may occur twice.
+/// - Position channels replace the OFFSET along their axis, for every joint, as animation tools
+///   write the full position of a joint in its parent there. MakeHuman writes a difference to the
+///   OFFSET instead; this is assumed if joints below the roots have position channels that are
+///   nearly all 0 in the first frame while the OFFSETs are not.
+/// - A name is the rest of its line, spaces included. Bytes that are not UTF-8 and control
+///   characters become '_', a joint without a name is called "joint", and repeated names get "_2",
+///   "_3", … so that names are unique. End sites have no name.
 /// - Keywords and channels may be in lower case. Values may be spread over lines in any way, but
-///   there must be exactly frames × channels of them; one whole frame more is left out, since some
+///   there must be exactly frames × channels of them; one extra frame is ignored, since some
 ///   writers count frames from 0.
 [[nodiscard]] Result<SkeletonMotion> parse_bvh(std::string_view text, std::string_view name);
 
-/// The same with the channels. Faults that may be told: no motion, or one without frames; a frame
-/// time that is none; rows that are missing or more than promised; values that are no numbers.
+/// Parses BVH text with its channels. Faults that BvhFaults::told tolerates: missing motion or
+/// frames, an invalid frame time, missing or surplus rows, and invalid numbers.
 [[nodiscard]] Result<BvhFile> parse_bvh_file(std::string_view text, std::string_view name,
                                              BvhFaults faults = BvhFaults::refused);
 
-/// Reads and parses a BVH file.
+/// Reads a BVH file (see parse_bvh).
 [[nodiscard]] Result<SkeletonMotion> read_bvh(const std::filesystem::path& path);
 
-/// How format_bvh writes a motion.
+/// Settings of format_bvh.
 struct BvhFormat {
-  double unit = 0.01;  ///< m per unit written: centimetres, what animation tools expect of BVH
-  /// Channels of the nodes as another file has them; empty: as described below. A node keeps its
-  /// own where they can tell its motion: three different rotations, and three positions if it
-  /// moves; one that does not loses them. One that lacks positions keeps the order of its
-  /// rotations.
+  double unit = 0.01;  ///< m per written unit; the default, centimetres, is usual for BVH
+  /// Channels of the nodes, as in another file; empty: see format_bvh. A node uses its own channels
+  /// only if they can express its motion: three different rotations, and three positions if it
+  /// moves. A node that does not move loses position channels; a moving node without them keeps the
+  /// order of its rotations.
   BvhChannels channels{};
 };
 
-/// The motion as BVH text: roots with 6 channels, other nodes with Zrotation Xrotation Yrotation; a
-/// node that also moves within its parent has 6 channels as a root has. Angles go on from frame to
-/// frame without jumps of 360°, through gimbal lock too. Numbers are written so that reading them
-/// back moves no origin of a human body by more than 1e-6 m.
+/// Formats a motion as BVH text. Roots have 6 channels, other nodes Zrotation Xrotation Yrotation;
+/// a node that also moves within its parent has 6 channels like a root. Angles are continuous from
+/// frame to frame, without jumps of 360°, also through gimbal lock. Numbers have enough digits that
+/// reading them back moves no origin of a human body by more than 1e-6 m.
 ///
-/// The OFFSET of a root and of a node that moves is written as 0, since tools differ in whether
-/// position channels count from there (three.js) or from the parent (Blender).
-/// Nodes come depth first, children in their order. Blanks within names, braces and control
-/// characters become '_', and names are made unique as parse_bvh does. Needs at least one frame.
+/// The OFFSET of a root and of a moving node is written as 0, since tools differ in whether
+/// position channels are relative to it (three.js) or to the parent (Blender). Nodes are written
+/// depth first, children in order. Blanks within names, braces and control characters become '_',
+/// and names are made unique as in parse_bvh. At least one frame is needed.
 [[nodiscard]] std::string format_bvh(const SkeletonMotion& motion, const BvhFormat& format = {});
 
-/// (nodes) indices in the order that format_bvh writes them.
+/// Node indices in the order of format_bvh: (nodes).
 [[nodiscard]] std::vector<int> bvh_order(const Skeleton& skeleton);
 
 }  // namespace shigusa

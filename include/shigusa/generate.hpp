@@ -17,40 +17,41 @@
 
 namespace shigusa {
 
-/// The posture that a motion ends in, as a person would describe it, measured on the places of
-/// joints.
+/// Descriptive measures of a motion's final posture, computed from joint positions.
 struct FinalPosture {
-  bool sits = false;          ///< on a seat, from where the hips cannot come down
-  double knee_flexion = 0.0;  ///< rad, mean of the knees that stand
-  /// 100 (1 - drop of the hips / drop of the shoulders), people's bending: below 30 a full squat,
-  /// above 90 a full stoop (after S. Schmid et al., European Spine Journal 31 (2022)); none where
-  /// the shoulders come down by less than a tenth of the stature
+  bool sits = false;          ///< sits on a seat, where the hips cannot go down
+  double knee_flexion = 0.0;  ///< rad, mean flexion of the standing legs' knees
+  /// 100 (1 - drop of the hips / drop of the shoulders). In people, values below 30 are a full
+  /// squat and above 90 a full stoop (after S. Schmid et al., European Spine Journal 31 (2022)).
+  /// Empty if the shoulders go down by less than a tenth of the stature.
   std::optional<double> stoop_squat_index;
-  double trunk_lean = 0.0;  ///< rad, of the line from hips to shoulders, forwards is > 0
-  double trunk_turn = 0.0;  ///< rad, of the line of the shoulders about the vertical, left is > 0
-  /// rad, of the elbow about the line from shoulder to hand: 0 hangs down, > 0 points outwards; of
-  /// the first goal's arm, 0 for a hand that is no arm's or an arm that is straight
+  double trunk_lean = 0.0;  ///< rad, lean of the line from hips to shoulders, > 0 forwards
+  /// rad, turn of the line of the shoulders about the vertical, > 0 to the left.
+  double trunk_turn = 0.0;
+  /// Swivel (rad) of the elbow about the line from shoulder to hand: 0 hanging down, > 0 outwards.
+  /// It is that of the first goal's arm; 0 for other effectors and for a straight arm.
   double elbow_swivel = 0.0;
 };
 
-/// A stoop-squat index below this is called a squat; half way between squat and stoop is neither.
+/// Stoop-squat index below which a posture is called a squat; values up to kStoopIndex are a half
+/// squat.
 inline constexpr double kSquatIndex = 40.0;
-/// A stoop-squat index above this is called a stoop.
+/// Stoop-squat index above which a posture is called a stoop.
 inline constexpr double kStoopIndex = 80.0;
 
-/// A word for a posture: of the style, or of what comes beside it.
+/// A word for a posture: its style, or an addition to it.
 enum class PostureWord {
   half_squat,      ///< between squat and stoop
   sitting,         ///< on a seat
-  squat,           ///< the hips come down
-  stoop,           ///< the trunk comes down
+  squat,           ///< the hips go down
+  stoop,           ///< the trunk bends down
   upright,         ///< none of these
   leaning,         ///< the trunk leans forwards
-  knees_bent,      ///< they give way
-  straight_knees,  ///< of a stoop
-  turned_left,     ///< of the shoulders' line
-  turned_right,    ///< of the shoulders' line
-  elbow_out,       ///< away from the body
+  knees_bent,      ///< the knees are bent
+  straight_knees,  ///< straight knees in a stoop
+  turned_left,     ///< turn of the shoulders' line
+  turned_right,    ///< turn of the shoulders' line
+  elbow_out,       ///< elbow away from the body
 };
 /// The words of PostureWord.
 template <>
@@ -68,18 +69,18 @@ inline constexpr std::array kEnumWords<PostureWord>{
     EnumWord{PostureWord::elbow_out, "elbow out"},
 };
 
-/// The words for a posture: its style comes first.
+/// The words that describe a posture, its style first.
 [[nodiscard]] std::vector<PostureWord> words_for(const FinalPosture& posture);
 
-/// "stoop, straight knees", "squat, turned left", "upright, elbow out", "sitting, leaning": the
-/// words for a posture as people read them.
+/// The words that describe a posture as text: "stoop, straight knees", "squat, turned left",
+/// "upright, elbow out", "sitting, leaning".
 [[nodiscard]] std::string posture_words(const FinalPosture& posture);
 
-/// Whether the body could make a motion.
+/// The feasibility of a motion for the body.
 enum class Verdict {
-  possible,    ///< within what its joints, its balance and its shape allow
-  strains,     ///< some people of its stature, mass and sex could
-  impossible,  ///< nobody could
+  possible,    ///< within the limits of joints, strength, balance and shape
+  strains,     ///< feasible for some people of this stature, mass and sex
+  impossible,  ///< feasible for no one
 };
 /// The words of Verdict.
 template <>
@@ -89,11 +90,11 @@ inline constexpr std::array kEnumWords<Verdict>{
     EnumWord{Verdict::impossible, "impossible"},
 };
 
-/// The kinds of reasons that make a motion hard, or impossible.
+/// The kinds of reasons why a motion is hard or impossible.
 enum class ReasonKind {
-  strength,   ///< a joint needs more than it has
-  pressure,   ///< the floor would have to press outside what the feet stand on
-  collision,  ///< a part is in another one, an obstacle or the floor
+  strength,   ///< a joint needs more torque than its strength
+  pressure,   ///< the centre of pressure lies outside the support polygon
+  collision,  ///< a body part is inside another, an obstacle or the floor
   limit,      ///< a joint is beyond its range
 };
 /// The words of ReasonKind.
@@ -105,73 +106,75 @@ inline constexpr std::array kEnumWords<ReasonKind>{
     EnumWord{ReasonKind::limit, "limit"},
 };
 
-/// One reason why a motion is hard.
+/// One reason why a motion is hard or impossible.
 struct Reason {
-  ReasonKind kind = ReasonKind::strength;  ///< what it is about
-  Verdict verdict = Verdict::strains;      ///< how hard that alone makes the motion
-  /// what is asked for: a share of the joint's strength; else m outside the feet, m deep, or rad
-  /// beyond the limit
+  ReasonKind kind = ReasonKind::strength;  ///< kind of the reason
+  Verdict verdict = Verdict::strains;      ///< verdict from this reason alone
+  /// Measure of the reason, by kind: torque as a share of the strength; m outside the support
+  /// polygon; m of collision depth; rad beyond the limit.
   double amount = 0.0;
-  std::string subject{};         ///< freedom, or capsule; empty of the pressure
-  std::string other{};           ///< what the capsule is in
-  double torque = 0.0;           ///< N·m, of strength: that the joint needs
-  double strength = 0.0;         ///< N·m, of strength: that the joint has, in that direction
-  std::optional<double> time{};  ///< s, of the worst moment; none of limits
+  std::string subject{};         ///< name of the dof or capsule; empty for pressure
+  std::string other{};           ///< capsule, obstacle or "floor" that the capsule is in
+  double torque = 0.0;           ///< N·m, for strength: the torque needed
+  double strength = 0.0;         ///< N·m, for strength: the strength in that direction
+  std::optional<double> time{};  ///< s, time of the worst moment; empty for limits
 };
-/// "right_ankle.inversion needs 213 N·m at 0.61 s, 8.5 times its strength".
+/// A reason in words: "right_ankle.inversion needs 213 N·m at 0.61 s, 8.5 times its strength".
 [[nodiscard]] std::string reason_words(const Reason& reason);
 
-/// From where on a motion strains, and from where on it is impossible.
+/// The bounds of a measure for the verdicts.
 struct VerdictBounds {
   double strains;     ///< above this a motion strains
   double impossible;  ///< above this a motion is impossible
 };
-/// Share of a joint's strength. Strengths are those of an average person. A standard deviation of a
-/// quarter of the mean is assumed among people of one sex, so that one in forty has 1.5 times as
-/// much.
+/// Bounds of the torque as a share of a joint's strength. Strengths are those of an average person;
+/// a standard deviation of a quarter of the mean is assumed within one sex, so that one person in
+/// forty has 1.5 times as much.
 inline constexpr VerdictBounds kStrengthBounds{1.0, 1.5};
-/// A robot's file tells the most that its drives give.
+/// Bounds of the torque as a share of a robot's effort limit, which its file states exactly.
 inline constexpr VerdictBounds kEffortBounds{1.0, 1.0};
-/// How far outside the feet (m). Soles are known to a centimetre; a person who tips over the edge
-/// by five for the tenth of a second that such moments last catches it by arms and hips.
+/// Bounds of the distance of the centre of pressure outside the support polygon (m). Soles are
+/// known to a centimetre; a person who tips by 5 cm for the tenth of a second that such moments
+/// last recovers by arms and hips.
 inline constexpr VerdictBounds kPressureBounds{0.01, 0.05};
-/// Beyond this (m) words say "far" alone: where the floor hardly presses, it would have to press at
-/// any distance.
+/// Distance outside the support polygon (m) from which texts say "far" only: with little force on
+/// the floor the distance is arbitrarily large.
 inline constexpr double kFarOutside = 1.0;
-/// Depth (m). Flesh gives way, and capsules are not flesh.
+/// Bounds of the collision depth between body parts (m), which allow for soft tissue and for the
+/// capsules' coarse shape.
 inline constexpr VerdictBounds kCollisionBounds{kCollisionDepth, kFleshDepth};
-/// Depth in an obstacle (m).
+/// Bounds of the collision depth in an obstacle (m).
 inline constexpr VerdictBounds kHardCollisionBounds{kCollisionDepth, kHardDepth};
-/// Beyond a joint's range (rad): ranges of motion differ by 5° to 10° among people.
+/// Bounds of the excess beyond a joint limit (rad): ranges of motion differ by 5° to 10° among
+/// people.
 inline constexpr VerdictBounds kLimitBounds{radians(3.0), radians(10.0)};
 
 /// The verdict on a motion: that of its worst reason, and all reasons, the worst first.
 struct Judgement {
-  Verdict verdict = Verdict::possible;  ///< of the worst reason
-  std::vector<Reason> reasons;          ///< the worst first
-  /// s: where the motion is impossible, and only for its haste, the least duration in which it is
-  /// possible or, if none up to kSlowest times its own is, in which it strains; of a task's
-  /// candidates one in which the task was searched again and something is
+  Verdict verdict = Verdict::possible;  ///< verdict of the worst reason
+  std::vector<Reason> reasons;          ///< all reasons, the worst first
+  /// For a motion that is impossible only because of its speed: the shortest duration (s), up to
+  /// kSlowest times its own, in which it is possible, else in which it strains. For a task's
+  /// candidates, a duration in which the task was searched again and a motion is feasible.
   std::optional<double> possible_in{};
 };
-/// Judges a motion by what was measured of it, without possible_in.
+/// Judges a motion by its measures, without possible_in.
 [[nodiscard]] Judgement judge(const BodyModel& body, const MotionMeasures& measures);
 
-/// Judges the start posture as one that is held still: what is wrong with that, no goal is at fault
-/// for.
+/// Judges the start posture, held still; its reasons are independent of any goal.
 [[nodiscard]] Judgement judge_start(const BodyModel& body);
 
-/// A motion that is slower than this many times its duration is another motion.
+/// Largest factor by which a motion is slowed down to find possible_in.
 inline constexpr double kSlowest = 3.0;
-/// Judges a motion that is at hand, with possible_in.
+/// Judges a motion, with possible_in.
 [[nodiscard]] Judgement judge(const BodyModel& body, const Motion& motion,
                               const MotionMeasures& measures);
 
 /// Whether the candidates meet their goals.
 enum class ReachStatus {
-  reached,      ///< every candidate meets every goal within 1 mm and 0.5°
-  unsteady,     ///< so they do, and every one that was found is impossible: see Judgement
-  unreachable,  ///< the body cannot; candidates end at the closest point
+  reached,      ///< every candidate meets every goal to 1 mm and 0.5°
+  unsteady,     ///< reached, but every motion found is impossible: see Judgement
+  unreachable,  ///< goals out of reach; candidates end at the closest point
 };
 /// The words of ReachStatus.
 template <>
@@ -181,12 +184,12 @@ inline constexpr std::array kEnumWords<ReachStatus>{
     EnumWord{ReachStatus::unreachable, "unreachable"},
 };
 
-/// How an effector goes to its goal.
+/// The kind of an effector's path to its goal.
 enum class PathKind {
   straight,  ///< along the minimum-jerk line
-  bowed,     ///< beside that line, by bow and sway among the parameters
-  detour,    ///< by way of a via point around the body
-  free,      ///< as the posture takes it: no path leads there with these parameters
+  bowed,     ///< off that line, by the parameters bow and sway
+  detour,    ///< by a via point around the body
+  free,      ///< no prescribed path: the motion of the posture leads there
 };
 /// The words of PathKind.
 template <>
@@ -197,218 +200,222 @@ inline constexpr std::array kEnumWords<PathKind>{
     EnumWord{PathKind::free, "free"},
 };
 
-/// How a goal's effector is turned.
+/// The orientation of a goal's effector.
 struct TurnResult {
-  Quatd start{};    ///< R_WE in the start posture, see GoalAxis
-  Quatd reached{};  ///< R_WE at the end
-  /// rad, from the goal's rotation or between its axis and direction
+  Quatd start{};    ///< R_WE in the start posture; for the frame E see GoalAxis
+  Quatd reached{};  ///< R_WE at the end of the motion
+  /// Error (rad) from the goal's rotation, or between its axis and direction; empty for other
+  /// goals.
   std::optional<double> error{};
 };
 
-/// Where a goal's effector ends.
+/// The final state of a goal's effector.
 struct GoalResult {
-  Goal asked;                          ///< the task's, without a load
-  std::string node;                    ///< node of the exported skeleton whose origin it is
-  Vec3d reached{};                     ///< m, world
-  double error = 0.0;                  ///< m, from the goal or its box
-  PathKind path = PathKind::straight;  ///< how it went there
-  TurnResult turn;                     ///< how it is turned
+  Goal asked;                          ///< the task's goal, without its load
+  std::string node;                    ///< exported skeleton's node with its origin at the effector
+  Vec3d reached{};                     ///< m, world: final position
+  double error = 0.0;                  ///< m, distance from the goal or its tolerance box
+  PathKind path = PathKind::straight;  ///< kind of the path
+  TurnResult turn;                     ///< orientation
 };
 
-/// How far a heel lifts, at any frame.
+/// The largest lift of a heel over all frames.
 struct HeelLift {
-  double angle = 0.0;   ///< rad, of the toes
-  double height = 0.0;  ///< m, of the hindmost place of its sole above where it stood
+  double angle = 0.0;   ///< rad, bend of the toes
+  double height = 0.0;  ///< m, rise of the sole's rearmost point
 };
 
-/// How well a planted foot stood.
+/// The slide and heel lift of a planted foot.
 struct ContactResult {
   std::string effector;            ///< name of the foot
   std::string node;                ///< node of the exported skeleton that moves with it
-  double max_slide = 0.0;          ///< m, at any frame
-  std::optional<HeelLift> heel{};  ///< of one that may lift
+  double max_slide = 0.0;          ///< m, largest slide over all frames
+  std::optional<HeelLift> heel{};  ///< empty unless the heel may lift
 };
 
-/// How one hand rests on something.
+/// The contact of a resting hand.
 struct RestResult {
   std::string effector;    ///< name of the hand
-  std::string node;        ///< node of the exported skeleton that its point is
-  std::string on;          ///< what it rests on, as Support has it
-  double max_slide = 0.0;  ///< m, from its place, at any frame after it has arrived
-  double force = 0.0;      ///< N, the most that it presses with
+  std::string node;        ///< exported skeleton's node at the hand's point
+  std::string on;          ///< place of the contact, see Support::on
+  double max_slide = 0.0;  ///< m, largest distance from its place after arrival
+  double force = 0.0;      ///< N, largest force
 };
 
-/// How far the arms of the goals pass through the body (rule R11).
+/// The collision of the goals' arms with the body (rule R11).
 struct ArmCollision {
-  double depth = 0.0;  ///< m, collision_depth of these arms, the deepest
-  int searches = 0;    ///< that the arms took in all
-  bool left = false;   ///< it is deeper than kCollisionDepth all the same
+  double depth = 0.0;  ///< m, greatest depth of these arms in the body
+  int searches = 0;    ///< searches of the arms in total
+  bool left = false;   ///< the depth still exceeds kCollisionDepth
 };
 
-/// One motion to the goals.
+/// One generated motion.
 struct Candidate {
-  Parameters parameters;          ///< that the motion is generated from
+  Parameters parameters;          ///< parameters that generate the motion
   Motion motion;                  ///< from the start posture to the goals
   Score score;                    ///< by the task's criteria
-  std::vector<GoalResult> goals;  ///< in the task's order
-  /// m, largest distance from the path at any frame that follows it
+  std::vector<GoalResult> goals;  ///< final states, in the order of the task's goals
+  /// Largest distance (m) of an effector from its prescribed path.
   double path_error = 0.0;
-  std::vector<ContactResult> contacts;          ///< of planted feet
-  std::vector<RestResult> resting{};            ///< of hands that rest on something
-  MotionMeasures measures;                      ///< what the motion asks of the body
-  Judgement judgement;                          ///< whether the body could make the motion
-  FinalPosture final_posture;                   ///< how it ends
-  std::optional<ArmCollision> arm_collision{};  ///< of plans with several layers
+  std::vector<ContactResult> contacts;          ///< one for each planted foot
+  std::vector<RestResult> resting{};            ///< one for each resting hand
+  MotionMeasures measures;                      ///< demands on the body
+  Judgement judgement;                          ///< feasibility
+  FinalPosture final_posture;                   ///< description of the final posture
+  std::optional<ArmCollision> arm_collision{};  ///< only for presets with layers
 };
 
-/// Counts of what a search took and left out.
+/// Counters of a search: effort, and motions left out by reason.
 struct SearchLog {
   int evaluations = 0;   ///< motions scored by the search
-  int runs = 1;          ///< of the preset paper: with other random numbers each, see generate
-  int generations = 0;   ///< of the search, in all runs
-  int rejected_nan = 0;  ///< motions that a criterion scored NaN
-  int near_copies = 0;   ///< distinct genomes that move nearly as a better one
+  int runs = 1;          ///< runs of the preset paper, each with other random numbers; see generate
+  int generations = 0;   ///< generations in all runs
+  int rejected_nan = 0;  ///< motions with a NaN penalty
+  int near_copies = 0;   ///< distinct genomes whose motion nearly equals a better one
   int missed = 0;        ///< final genomes that missed a goal, left the path or moved a foot
-  int collided = 0;      ///< left out as others pass through nothing, or less deep through it
-  int jolting = 0;       ///< left out as others do not jolt, see Suddenness
-  int strange = 0;       ///< left out as they end as nobody does who need not
-  int over_limit = 0;    ///< of layers that hold limits: left out as others are within them
-  /// candidates whose score in the search was off by over kReplayTolerance
+  int collided = 0;      ///< left out for collisions, as others have none or shallower ones
+  int jolting = 0;       ///< left out for jolts, as others have none; see Suddenness
+  int strange = 0;       ///< left out for an unnatural final posture
+  int over_limit = 0;    ///< left out for exceeding joint limits, as others do not
+  /// Candidates that score worse in the replay than in the search by more than kReplayTolerance.
   int replay_differs = 0;
-  double replay_difference = 0.0;  ///< the most that a candidate's score in the search was off by
-  int cells_searched = 0;          ///< of the arms' libraries, which were in no store
+  double replay_difference = 0.0;  ///< largest excess of a replay's score over the search's
+  int cells_searched = 0;          ///< limb library cells searched, as no store had them
 
-  /// Adds the motions that another search of the task scored.
+  /// Adds the evaluations of another search of the task.
   void spend(const SearchLog& other) {
     evaluations += other.evaluations;
     rejected_nan += other.rejected_nan;
   }
-  /// Adds what another run scored, copied and missed.
+  /// Adds the counters of another run.
   void add_run(const SearchLog& other);
 };
 
 /// The result of a search for motions.
 struct GenerateResult {
   ReachStatus status = ReachStatus::reached;  ///< whether the goals are met
-  double remaining_distance = 0.0;  ///< m, of the best candidate to its goals; 0 when reached
-  double remaining_turn = 0.0;      ///< rad, the largest that is left of a goal's turn; the same
-  /// At least one: the possible ones first, then the impossible ones; by the preset flat, of both
-  /// those first that pass through nothing; each by score, the lowest first.
+  /// m, distance of the best candidate from its goals; 0 if reached.
+  double remaining_distance = 0.0;
+  /// rad, largest orientation error of the best candidate; 0 if reached.
+  double remaining_turn = 0.0;
+  /// At least one candidate. Feasible ones come before impossible ones; with the preset flat
+  /// collision-free ones come first within each group; then by ascending score.
   std::vector<Candidate> candidates;
-  Message fewer;       ///< why there are fewer than asked for; else empty
-  Message conflict{};  ///< which goals are in one another's way, out of reach; else empty
-  std::shared_ptr<const ParameterList> parameters{};  ///< what the candidates' values are of
-  double duration = 0.0;                              ///< s
-  /// The task gives no duration, and nothing that was found is possible in the usual one: this is
-  /// one in which something is. See played_task.
+  Message fewer;       ///< reason for fewer candidates than requested; else empty
+  Message conflict{};  ///< goals that conflict with each other, if out of reach; else empty
+  /// List of the parameters in Candidate::parameters.
+  std::shared_ptr<const ParameterList> parameters{};
+  double duration = 0.0;  ///< s, duration of the motions
+  /// Whether the duration was lengthened because no motion in the usual duration was possible; only
+  /// for tasks without a duration. See played_task.
   bool slowed = false;
-  /// The task gives no duration, and in the usual one the first candidate jolts (see Suddenness) or
-  /// strains: this is a longer one in which it does not, for a strain by 1.3 times at the most. See
-  /// played_task.
+  /// Whether the duration was lengthened because the first candidate in the usual duration jolts
+  /// (see Suddenness) or strains (then by a factor of 1.3 at most); only for tasks without a
+  /// duration. See played_task.
   bool gentled = false;
-  SearchLog log{};                       ///< what it took, and what was left out
-  std::optional<Parameters> best_seen;   ///< the best of all genomes evaluated, kept or not
-  double best_seen_score = 0.0;          ///< of that genome
+  SearchLog log{};  ///< counters of the search
+  /// Parameters of the best genome evaluated, delivered or not.
+  std::optional<Parameters> best_seen;
+  double best_seen_score = 0.0;          ///< score of best_seen
   SearchEnd end = SearchEnd::converged;  ///< why the search ended
 
-  /// Whether the candidates end at their goals.
+  /// Whether the candidates meet their goals.
   [[nodiscard]] bool meets_goals() const { return status != ReachStatus::unreachable; }
 };
 
-/// The task that plays a search's motions again: with the duration that it came to.
+/// The task with the duration of the generated motions, for playing them again.
 [[nodiscard]] Task played_task(Task task, const GenerateResult& generation);
 
-/// Two motions whose joint angles never differ by more than this, root mean square over the dofs,
-/// are one candidate (rad).
+/// Distance (rad) up to which two motions are one candidate for the presets paper and layers: root
+/// mean square over the dofs, the largest over the frames.
 inline constexpr double kDistinctPosture = radians(5.0);
-/// Presets other than the paper's tell candidates apart by how they end: root mean square (rad).
+/// Distance of final postures (rad, root mean square) up to which two motions are one candidate for
+/// natural presets (PresetTraits::natural).
 inline constexpr double kDistinctEnd = radians(10.0);
-/// Where fewer than asked for differ by kDistinctEnd, this is enough (rad): an arm's own pose, an
-/// elbow held higher.
+/// Distance of final postures (rad) used instead of kDistinctEnd if it leaves too few candidates:
+/// another pose of an arm, a higher elbow.
 inline constexpr double kNearEnd = radians(5.0);
-/// A replay in double may bring two ends nearer by this (rad).
+/// Distance (rad) by which a replay in double precision may bring two final postures nearer.
 inline constexpr double kEndSlack = radians(0.1);
-/// Candidates score at most this much worse than the best …
+/// Largest score difference of a candidate from the best one; see also kShownLeast.
 inline constexpr double kCandidateSpread = 0.6;
-/// … but for those that make up this number of motions which could be made: people see as many
-/// whatever they score.
+/// Number of feasible candidates that are delivered whatever their score.
 inline constexpr int kShownLeast = 3;
-/// Where the best bends down, one that is the best of its style may be worse by this: people squat
-/// although it costs more, and stoop although few do.
+/// Largest score difference of the best candidate of another style, if the best one bends down:
+/// people squat although it costs more, and some stoop.
 inline constexpr double kStyleSpread = 1.5;
-/// Searches score in single precision; every candidate is played again in double and scored anew.
-/// Scores may differ by this without being counted: feasibility and jolts take the worst moment of
-/// accelerations, which single precision puts off by some 2e-3 rad/s².
+/// Score difference between search and replay that is not counted in SearchLog. Searches score in
+/// single precision, replays in double; feasibility and jolts depend on peak accelerations, which
+/// single precision changes by some 2e-3 rad/s².
 inline constexpr double kReplayTolerance = 0.05;
-/// How near (m) a candidate must come to the closest point where the goal is out of reach.
+/// Distance (m) from the closest reachable point within which a candidate must end if its goal is
+/// out of reach.
 inline constexpr double kEdgeTolerance = 5e-3;
 
-/// All that a task means for its body.
+/// The internal form of a prepared task; opaque.
 struct Problem;
 
-/// A task that was checked and made a problem once, to be searched or played.
+/// A checked task with its precomputed data, for several searches or players.
 class PreparedTask {
  public:
-  /// Fails as generate would, at once.
+  /// Checks and prepares a task; fails as generate does.
   [[nodiscard]] static Result<PreparedTask> of(const Task& task);
 
-  /// The task with its goals' loads in the body's hands, whose body stands on its contacts.
+  /// The task, with the goals' loads in the body's hands and the body on its contacts.
   [[nodiscard]] const Task& task() const;
-  [[nodiscard]] const Problem& problem() const { return *problem_; }  ///< what was made of it
+  [[nodiscard]] const Problem& problem() const { return *problem_; }  ///< internal form
 
  private:
   explicit PreparedTask(std::shared_ptr<const Problem> problem) : problem_(std::move(problem)) {}
   std::shared_ptr<const Problem> problem_;
 };
 
-/// Finds natural motions for a task: the distinct genomes that the search ends with, ranked
-/// (paper, sections 3.2 and 4). Fails where PreparedTask::of does; an unreachable
-/// goal is a status. When cancelled, returns the best so far. Same task, same result. An
-/// exception of a user's own criterion or search passes through.
+/// Searches natural motions for a task: the distinct genomes at the end of the search, ranked
+/// (paper, sections 3.2 and 4). Fails where PreparedTask::of does; an unreachable goal is a status,
+/// not an error. If cancelled, returns the best so far. Same task, same result. Exceptions of
+/// user-defined criteria and searches are passed on.
 ///
-/// Where nothing that was found is possible, the presets flat and human search again: in the least
-/// duration in which one of the motions is, where the task gives none, then for three times as many
-/// motions, and at last by other random numbers, where the task does not say how many. Times that
-/// are told to be enough (Judgement::possible_in) are ones in which the task was searched again.
+/// If no motion found is possible, the presets flat and human search again: for a task without a
+/// duration, in the shortest duration in which one of the motions is possible; then with three
+/// times the evaluations, then with other random numbers, unless the task sets the evaluations.
+/// Each Judgement::possible_in is a duration in which the task was searched again.
 ///
-/// The preset paper runs again with other random numbers, while fewer than three candidates are
-/// distinct, up to Task::most_runs in all, where the task does not say how many motions are scored.
+/// The preset paper is run again with other random numbers while fewer than three candidates are
+/// distinct, up to Task::most_runs runs, unless the task sets the evaluations.
 ///
-/// The preset layers searches as the paper's section 3.4 has it: the genes of the upper layer
-/// alone, in the paper's code (paper_ga, annealing, random) or in one even in the weights'
-/// logarithms, while arms come from their libraries. Motions are those of the whole body and scored
-/// by the task's criteria. The preset human does so with the best of a few swivels for each upper
-/// motion; the upper motions that are kept are given the best swivel of all, then the best final
-/// angles of free arms.
+/// The preset layers follows the paper's section 3.4: only the genes of the upper layer are
+/// searched, in the paper's code (paper_ga, annealing, random) or uniformly in the logarithm of the
+/// weights; arms come from limb libraries. Whole-body motions are scored by the task's criteria.
+/// The preset human scores each upper motion with the best of a few swivels; the upper motions kept
+/// then get the best swivel of all, then the best final angles of idle arms.
 [[nodiscard]] Result<GenerateResult> generate(const Task& task, const Progress& progress = {});
-/// The same for a task that is prepared.
+/// Searches natural motions for a prepared task.
 [[nodiscard]] Result<GenerateResult> generate(const PreparedTask& task,
                                               const Progress& progress = {});
-/// The results of generate for many tasks, in their order, several at once: on `threads` threads in
-/// all (0: one for each core), whatever Task::batch says of threads. They are the same for any
-/// number of threads, and a task that is wrong fails alone. Progress is of all tasks together; it
-/// is told while the calling thread has one. When cancelled, tasks that have begun give the best so
-/// far, and the others fail with ErrorCode::cancelled.
+/// Generates for many tasks in parallel, on `threads` threads in all (0: one for each core; threads
+/// of Task::batch are ignored). Returns (tasks) results in the order of the tasks, equal to those
+/// of generate() for any number of threads; an invalid task fails alone. Progress covers all tasks
+/// and is reported from the calling thread. When cancelled, tasks that have begun return their best
+/// so far, and the others fail with ErrorCode::cancelled.
 [[nodiscard]] std::vector<Result<GenerateResult>> generate_all(std::span<const Task> tasks,
                                                                int threads = 0,
                                                                const Progress& progress = {});
 
-/// Makes motions of one task from given values of the plan's parameters, without a
-/// search: the parameter editor (paper, section 4.2 and figure 7). Work that depends on the task
-/// alone is done once: the posture that is known to arrive, and the ways around the body. A motion
-/// is the same, whatever was played before it.
+/// Generates motions of one task from given parameter values, without a search: the parameter
+/// editor (paper, section 4.2 and figure 7). Work that depends only on the task is done once. A
+/// motion does not depend on the motions played before.
 class MotionPlayer {
  public:
-  /// Fails on a task that is wrong.
+  /// Prepares a task; fails as PreparedTask::of does.
   [[nodiscard]] static Result<MotionPlayer> of(Task task);
-  MotionPlayer(MotionPlayer&&) noexcept;             ///< takes over all of the other's
-  MotionPlayer& operator=(MotionPlayer&&) noexcept;  ///< takes over all of the other's
+  MotionPlayer(MotionPlayer&&) noexcept;             ///< moves the player
+  MotionPlayer& operator=(MotionPlayer&&) noexcept;  ///< moves the player
   ~MotionPlayer();
 
-  [[nodiscard]] const Task& task() const;                 ///< as it was given
-  [[nodiscard]] const ParameterList& parameters() const;  ///< of the task's plan
-  /// The hand still meets its goal, or comes as near as the given locks allow; the status tells.
-  /// Fails where ParameterList::check does.
+  [[nodiscard]] const Task& task() const;                 ///< the task as given
+  [[nodiscard]] const ParameterList& parameters() const;  ///< parameters of the task's motions
+  /// Generates the motion. Effectors meet their goals, or come as near as the locked dofs allow:
+  /// see GenerateResult::status. Fails where ParameterList::check does.
   [[nodiscard]] Result<GenerateResult> play(const Parameters& parameters);
 
  private:
@@ -417,7 +424,7 @@ class MotionPlayer {
   std::unique_ptr<Made> made_;
 };
 
-/// One motion of a MotionPlayer of the task.
+/// Generates one motion of a task from parameter values, by a MotionPlayer.
 [[nodiscard]] Result<GenerateResult> regenerate(const Task& task, const Parameters& parameters);
 
 }  // namespace shigusa

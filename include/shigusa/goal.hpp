@@ -11,77 +11,80 @@
 
 namespace shigusa {
 
-inline constexpr double kLoadMax = 500.0;  ///< kg
+inline constexpr double kLoadMax = 500.0;  ///< largest load, kg
 
-/// The body with a load (kg, 0..kLoadMax) at an effector's point, as if it were there in a point:
-/// its weight and inertia count for torques, balance and the floor.
+/// A copy of the body with a load (kg, 0..kLoadMax) as a point mass at an effector's point: its
+/// weight and inertia count for torques, balance and the floor.
 [[nodiscard]] BodyModel with_load(const BodyModel& body, int effector, double load);
 
-/// A goal's and an obstacle's coordinates may not exceed this (m): nobody reaches so far, and
-/// numbers stay harmless.
+/// Largest coordinate of goals and obstacles (m).
 inline constexpr double kGoalRange = 100.0;
 
-/// Something in the world that a body should not pass through: a box with round edges. One without
-/// size is a sphere, one with size along a single axis a capsule.
+/// An obstacle: a box with rounded edges. Without size it is a sphere, with size along one axis a
+/// capsule.
 struct Obstacle {
   std::string name;     ///< "table"
-  Vec3d position{};     ///< m, world, of its middle
-  Quatd rotation{};     ///< R_WO, a unit quaternion
-  Vec3d size{};         ///< m, along its own axes, ≥ 0
-  double radius = 0.0;  ///< m, ≥ 0, beyond the size on all sides
+  Vec3d position{};     ///< m, world, centre
+  Quatd rotation{};     ///< R_WO, orientation, a unit quaternion
+  Vec3d size{};         ///< m, side lengths along its own axes, without the radius, ≥ 0
+  double radius = 0.0;  ///< m, ≥ 0, added to the size on all sides
 };
 
-/// The place of a support that is the thigh of the hand's own side.
+/// Value of Support::on for the thigh on the hand's own side.
 inline constexpr std::string_view kThighPlace = "thigh";
 
-/// A hand without a goal that rests on something, and may bear a part of the body's weight there.
+/// A hand without a goal that may rest on the thigh or an obstacle and bear part of the body's
+/// weight there.
 struct Support {
   std::string effector = "left_hand";  ///< see BodyModel::find_effector
-  std::string on{kThighPlace};         ///< kThighPlace, or an obstacle's name
+  std::string on{kThighPlace};         ///< kThighPlace, or the name of an obstacle
   friend bool operator==(const Support&, const Support&) = default;
 };
 
-inline constexpr double kToleranceMax = 10.0;  ///< m
+inline constexpr double kToleranceMax = 10.0;  ///< largest tolerance, m
 
-/// An axis of an effector and where it is to point. The effector's frame is the world's where the
-/// body stands with every angle at 0, facing +Z, arms hanging with the thumbs ahead: of a hand
-/// fingers point to -y, the thumb's side is +z, and the palm faces the body, +x of the right one.
+/// An axis of an effector and its target direction. With all angles at 0, facing +Z and arms
+/// hanging with thumbs ahead, the effector's frame is the world's: the fingers point to -y, the
+/// thumb's side is +z, and the palm faces the body (+x for the right hand).
 struct GoalAxis {
-  Vec3d axis{0, 0, 1};       ///< in the effector's frame; of any length but 0
-  Vec3d direction{0, 1, 0};  ///< in the world; of any length but 0
+  Vec3d axis{0, 0, 1};       ///< in the effector's frame, non-zero
+  Vec3d direction{0, 1, 0};  ///< in the world, non-zero
   friend bool operator==(const GoalAxis&, const GoalAxis&) = default;
 };
 
 /// The final state of one effector.
 struct Goal {
   std::string effector = "right_hand";  ///< see BodyModel::find_effector
-  Vec3d position{};                     ///< m, shigusa's world
-  double load = 0.0;                    ///< kg, 0..kLoadMax, held all the way
-  /// How it is turned from the world's axes to its frame (see GoalAxis), a unit quaternion to
-  /// within kUnitSlack; or one axis, about which it may turn. At most one of both.
+  Vec3d position{};                     ///< m, world
+  double load = 0.0;                    ///< kg, 0..kLoadMax, held during the whole motion
+  /// R_WE, target orientation (frame E: see GoalAxis), a unit quaternion to within kUnitSlack. At
+  /// most one of `rotation` and `axis` is given.
   std::optional<Quatd> rotation{};
-  std::optional<GoalAxis> axis{};  ///< the one axis
-  /// m, ≥ 0: half the sides of the box about `position` where any place will do
+  /// Target direction of one axis, about which the effector may turn.
+  std::optional<GoalAxis> axis{};
+  /// Half the side lengths (m, ≥ 0) of the box about `position`, along the world's axes, in which
+  /// any place meets the goal.
   Vec3d tolerance{};
   friend bool operator==(const Goal&, const Goal&) = default;
 };
 
-/// An axis of a hand by its word, in the hand's frame (see GoalAxis): "palm" where it faces,
-/// "thumb" along what it grips, to the thumb's side, "fingers" where they point. Fails on other
-/// words, and on effectors that are no hands or wrists.
+/// An axis of a hand by name, in the hand's frame (see GoalAxis): "palm", the direction the palm
+/// faces; "thumb", along a gripped rod towards the thumb; "fingers", along the fingers. Fails on
+/// other words, and on effectors that are not hands or wrists.
 [[nodiscard]] Result<Vec3d> hand_axis(std::string_view word, std::string_view effector);
-/// The words that hand_axis knows.
+/// The names of hand_axis.
 [[nodiscard]] std::span<const std::string> hand_axis_words();
 
-/// A direction of the world by its word: "up", "down", "left", "right", "ahead" or "back", as the
-/// body stands at the start; of a hand also "in", to the other hand's side, or "out".
+/// A world direction by name: "up", "down", "left", "right", "ahead" or "back", as the body stands
+/// at the start; for a hand also "in", towards the other hand's side, or "out". Fails on other
+/// words.
 [[nodiscard]] Result<Vec3d> direction_named(std::string_view word,
                                             std::string_view hand = "right_hand");
-/// The words that direction_named knows.
+/// The names of direction_named.
 [[nodiscard]] std::span<const std::string> direction_words();
 
-/// The rotation that points axis `a` to `to_a`, and axis `b`, square to a, as nearly as that allows
-/// to `to_b`. Fails where to_b is along to_a.
+/// The rotation that points axis `a` to `to_a`, and axis `b`, perpendicular to a, as nearly as
+/// possible to `to_b`. Fails if to_b is parallel to to_a.
 [[nodiscard]] Result<Quatd> rotation_pointing(const Vec3d& a, const Vec3d& to_a, const Vec3d& b,
                                               const Vec3d& to_b);
 

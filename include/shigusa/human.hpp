@@ -12,8 +12,8 @@
 
 namespace shigusa {
 
-/// The parts of a person that nothing should pass through. A trunk is one part, or pelvis, spine,
-/// chest and upper chest where it has joints: a body has the one or the others.
+/// The parts of a person that collide. A rigid trunk is the one part `trunk`, a trunk with joints
+/// is pelvis, spine, chest and upper chest.
 enum class BodyPart {
   head,             ///< the skull without its lower part
   jaw,              ///< the lower part of the skull
@@ -42,39 +42,41 @@ inline constexpr int kBodyPartCount = 20;
 /// "left_upper_arm".
 [[nodiscard]] std::string_view body_part_name(BodyPart part);
 
-/// A line with a thickness, in the part's own frame: its origin is the joint that the part hangs on
-/// (of the trunk and its pieces between the hips), y points from its far end to that joint, z
-/// ahead, x to the left; of head, neck and trunk these are the trunk's axes, and a foot's y is up
-/// where it stands. A flat part is two such lines side by side.
+/// The shape of a body part: a segment with a radius at each end, in the part's frame. Its origin
+/// is the joint that the part hangs on (for the trunk and its pieces the point between the hips), y
+/// points from the part's far end to that joint, z ahead, x to the left. Head, neck and trunk use
+/// the trunk's axes, and a foot's y is up where it stands. A flat part is two such shapes side by
+/// side.
 struct PartShape {
   Vec3d from{};               ///< m
   Vec3d to{};                 ///< m
   double radius = 0.0;        ///< m, > 0, at `from`
-  double to_radius = radius;  ///< m, > 0, at `to`; between them it changes evenly
-  Vec3d aside{};              ///< m: of a flat part, from the middle to either line
+  double to_radius = radius;  ///< m, > 0, at `to`; linear in between
+  Vec3d aside{};              ///< m, for a flat part: offset from the middle to either segment
 };
 
-/// (parts) shapes, as far as they are known.
+/// The known shapes of body parts.
 struct PartShapes {
-  std::array<std::optional<PartShape>, kBodyPartCount> shape{};  ///< by the number of the part
+  /// (parts) shapes in the order of BodyPart.
+  std::array<std::optional<PartShape>, kBodyPartCount> shape{};
 
   /// The shape of a part, or nothing.
   [[nodiscard]] const std::optional<PartShape>& operator[](BodyPart part) const {
     return shape[static_cast<std::size_t>(part)];
   }
-  /// The same, to be changed.
+  /// Mutable access.
   [[nodiscard]] std::optional<PartShape>& operator[](BodyPart part) {
     return shape[static_cast<std::size_t>(part)];
   }
 };
 
-/// Corners of a sole, counter-clockwise from above: left of the tip, left of the heel, right of the
-/// heel, right of the tip. m, as the landmarks.
+/// Corners of a sole (m, frame of the landmarks), counter-clockwise from above: left of the tip,
+/// left of the heel, right of the heel, right of the tip.
 using SoleOutline = std::array<Vec3d, 4>;
 
-/// Joint centres and tips of a person in one posture: all that a body's geometry and start posture
-/// are made of. Metres, in shigusa's world: +Y up, facing +Z, left is +X, origin on the floor
-/// between the feet.
+/// Joint centres and tips of a person in one posture, from which a body's geometry and start
+/// posture are built. Metres, world: +Y up, facing +Z, left is +X, origin on the floor between the
+/// feet.
 struct Landmarks {
   /// Joints of a leg (m).
   struct Leg {
@@ -82,9 +84,10 @@ struct Landmarks {
     Vec3d knee;   ///< centre of the joint
     Vec3d ankle;  ///< centre of the joint
     Vec3d toe;    ///< tip of the foot
-    /// the toes' joint, of a character that lifts its heels the file's node; see toes_joint
+    /// Joint of the toes, set for a character whose heels may lift; see toes_joint.
     std::optional<Vec3d> toes{};
-    /// of a character with a mesh the shoe's, at the height of its lowest point; none: by stature
+    /// Sole of the shoe, at the height of its lowest point, for a character with a mesh; empty: by
+    /// the stature.
     std::optional<SoleOutline> sole{};
   };
   /// Joints of an arm (m).
@@ -93,8 +96,8 @@ struct Landmarks {
     Vec3d elbow;                      ///< centre of the joint
     Vec3d wrist;                      ///< centre of the joint
     Vec3d fingertip;                  ///< tip of the third finger
-    std::optional<Vec3d> clavicle{};  ///< its joint with the breastbone; none: part of the trunk
-    /// where the hand holds things: of a character the node nearest to it; see grip_of
+    std::optional<Vec3d> clavicle{};  ///< its joint with the breastbone; empty: part of the trunk
+    /// Grip of the hand, for a character from a file the nearest node; empty: see grip_of.
     std::optional<Vec3d> grip{};
   };
   Leg left_leg;    ///< the person's own left
@@ -103,45 +106,48 @@ struct Landmarks {
   Arm right_arm;   ///< and right
   Vec3d neck;      ///< base of the neck (C7)
   Vec3d head_top;  ///< vertex
-  /// Joints that the paper's rigid trunk does without; a person from a file may lack some.
+  /// Joints of the spine, 0..3, from the lowest up. The paper's rigid trunk has none; a person from
+  /// a file may lack some.
   std::vector<Vec3d> spine{};   ///< 0..3, from below
   std::optional<Vec3d> head{};  ///< between neck and skull
-  /// rad: how far back the line from the hips to the shoulders leans of a trunk that is upright
+  /// Backward lean (rad) of the line from the hips to the shoulders in an upright trunk.
   double trunk_lean = 0.0;
-  PartShapes parts{};  ///< of a character with a mesh, those that it tells
+  PartShapes parts{};  ///< part shapes measured on a mesh, if there is one
 
   /// The leg of a side.
   [[nodiscard]] const Leg& leg(Side side) const {
     return side == Side::left ? left_leg : right_leg;
   }
-  /// The same, to be changed.
+  /// Mutable access.
   [[nodiscard]] Leg& leg(Side side) { return side == Side::left ? left_leg : right_leg; }
   /// The arm of a side.
   [[nodiscard]] const Arm& arm(Side side) const {
     return side == Side::left ? left_arm : right_arm;
   }
-  /// The same, to be changed.
+  /// Mutable access.
   [[nodiscard]] Arm& arm(Side side) { return side == Side::left ? left_arm : right_arm; }
 };
 
-/// The point that an arm's goals are given for: its own grip, or the third knuckle.
+/// The point of an arm that goals are for: its grip, or the third knuckle.
 [[nodiscard]] Vec3d grip_of(const Landmarks::Arm& arm);
 
-/// Where the toes bend: their own joint, or at kToesShare of the way from the ankle to the tip.
+/// The joint of the toes: the measured one, or the point at kToesShare of the way from the ankle to
+/// the tip.
 [[nodiscard]] Vec3d toes_joint(const Landmarks::Leg& leg);
-/// Share of the way from the ankle to the tip of the foot at which toes bend.
+/// Position of the toes' joint between the ankle and the tip of the foot, 0..1.
 inline constexpr double kToesShare = 0.7;
 
 /// Landmarks of a person standing upright at ease: knees bent by 5°, elbows by 10°, arms hanging,
 /// each foot turned out by `toe_out` (rad).
 [[nodiscard]] Landmarks standing_landmarks(double stature, double toe_out);
 
-/// How much of the body moves (table 1 of the paper).
+/// The extent of the moving body (table 1 of the paper).
 enum class BodyExtent {
-  half,  ///< 9 dof: right ankle 1, knee 1, hip 3, shoulder 3, elbow 1; left limbs are mass
-  full,  ///< 18 dof: both sides; both feet stay planted
-  /// 45 dof, with the pelvis' six 51: spine, neck, clavicles, forearms, wrists and ankles' second
-  /// freedom as well, as far as the landmarks tell of them
+  half,  ///< 9 dof: right ankle 1, knee 1, hip 3, shoulder 3, elbow 1; left limbs count as mass
+         ///< only
+  full,  ///< 18 dof: both sides, on both feet
+  /// 45 dof, 51 with the pelvis' six: also spine, neck, clavicles, forearms, wrists and the ankles'
+  /// second dof, as far as the landmarks contain them.
   human,
 };
 /// The words of BodyExtent.
@@ -152,47 +158,48 @@ inline constexpr std::array kEnumWords<BodyExtent>{
     EnumWord{BodyExtent::human, "human"},
 };
 
-/// How build_human makes a body.
+/// Settings of build_human.
 struct HumanSettings {
-  std::string name = "body";             ///< of the body
-  BodyExtent extent = BodyExtent::full;  ///< how much of it moves
+  std::string name = "body";             ///< name of the body
+  BodyExtent extent = BodyExtent::full;  ///< extent of the moving body
   double stature = 1.741;                ///< m
   double mass = 73.0;                    ///< kg
-  Sex sex = Sex::male;                   ///< of the tables of masses and strengths
-  Side base = Side::right;               ///< the foot that bears the body where both stand
-  /// both feet stand, however high the one is above the other
+  Sex sex = Sex::male;                   ///< selects the tables of masses and strengths
+  Side base = Side::right;               ///< fixed base foot if both feet stand
+  /// Whether both feet stand even if one is more than kLiftedFoot above the other.
   bool on_both = false;
-  bool sits = false;  ///< on both thighs, see build_human; not of half extent
-  /// Heels may lift: the body stands on its forefeet, and each foot turns about its toes' joint. Of
-  /// extent human, standing.
+  bool sits = false;  ///< sits on both thighs, see build_human; not for half extent
+  /// Whether heels may lift: the body then stands on its forefeet, and each foot turns about its
+  /// toes' joint. Only for a standing body of extent human.
   bool heels = false;
 };
 
-/// A lifted foot: its sole is more than this above the other's (m).
+/// Height (m) of a sole above the other one beyond which its foot counts as lifted.
 inline constexpr double kLiftedFoot = 0.05;
 
-/// The body whose start posture has exactly these landmarks: their distances become the segment
-/// lengths, masses come from the anthropometric tables by `mass` and `sex`. The trunk is rigid in
-/// the shape of the start posture. The base is the foot of
-/// settings.base, or the one that stands where the other does not (not of half extent). Where the
-/// start posture lies outside a joint limit, that limit is widened to hold it, with a doubt. Half
-/// extent: the left leg's mass moves as the right leg's translation, the left arm's with the trunk,
-/// and leg strengths count for both legs (paper, section 3.1; each number in docs/paper_map.md).
-/// A person who sits has the right thigh as the base, and the left one stands in a foot's place:
-/// the pelvis tips over them and turns no further. The legs below are one piece with their thighs,
-/// and where their soles are on the floor these are a part of what bears the body.
+/// Builds the body whose start posture has exactly these landmarks. Their distances become segment
+/// lengths, and masses come from anthropometric tables by `mass` and `sex`. The trunk is rigid in
+/// the shape of the start posture unless it has spine joints. The base is the foot of
+/// settings.base, or the standing foot if the other is lifted (not for half extent). Joint limits
+/// are widened to include the start posture, with a doubt. Half extent: the left leg's mass moves
+/// with the right leg's translation, the left arm's with the trunk, and leg strengths count for
+/// both legs (paper, section 3.1; numbers in docs/paper_map.md). A seated person has the right
+/// thigh as the base and the left thigh in place of a foot: the pelvis tips over them and does not
+/// turn otherwise. The lower legs are rigid with their thighs, and their soles, if on the floor,
+/// are part of the support polygon.
 [[nodiscard]] BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
                                     std::vector<Message> doubts = {});
 
-/// Each foot of the standing full body is turned out by this: 14° between the feet (McIlroy and
+/// Outward turn of each foot of the standing full body (rad): 14° between the feet (McIlroy and
 /// Maki, Clinical Biomechanics 12 (1997) 66-70). The half body's foot points straight ahead.
 inline constexpr double kStandingToeOut = radians(7.0);
 
-/// Makes the body of 9 freedoms, standing at ease (standing_landmarks).
-[[nodiscard]] BodyModel half_body(const BodyBuild& stature = {});
-/// Makes the body of 18 freedoms, standing at ease.
-[[nodiscard]] BodyModel full_body(const BodyBuild& stature = {});
-/// Makes the body of 45 freedoms, standing at ease.
-[[nodiscard]] BodyModel human_body(const BodyBuild& stature = {});
+/// Builds the half body with 9 dof, standing at ease (standing_landmarks). PreconditionError for a
+/// stature or a mass out of range, as of the others below; open_character returns it as an Error.
+[[nodiscard]] BodyModel half_body(const BodyBuild& build = {});
+/// Builds the full body with 18 dof, standing at ease.
+[[nodiscard]] BodyModel full_body(const BodyBuild& build = {});
+/// Builds the human body with 45 dof, standing at ease.
+[[nodiscard]] BodyModel human_body(const BodyBuild& build = {});
 
 }  // namespace shigusa

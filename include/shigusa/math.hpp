@@ -14,13 +14,13 @@ inline constexpr double kPi = 3.14159265358979323846;
 /// A full turn (rad).
 inline constexpr double kTwoPi = 2.0 * kPi;
 
-/// Tells of a scalar S of the kernel which numbers it is made of.
+/// The element type and number of lanes of a kernel scalar S.
 template <class S>
 struct ScalarTraits {
-  using Element = S;                ///< what each lane is
-  static constexpr int kLanes = 1;  ///< numbers that S holds
+  using Element = S;                ///< type of a lane
+  static constexpr int kLanes = 1;  ///< number of lanes
 };
-/// The type of the constants that a scalar S is computed with.
+/// The element type of a kernel scalar S.
 template <class S>
 using Element = typename ScalarTraits<S>::Element;
 
@@ -37,11 +37,11 @@ using Element = typename ScalarTraits<S>::Element;
 [[nodiscard]] inline double sqrt(double x) { return __builtin_sqrt(x); }
 /// |x|.
 [[nodiscard]] inline double abs(double x) { return __builtin_fabs(x); }
-/// The smaller of both; a where a or b is NaN.
+/// The smaller of a and b; a if a or b is NaN.
 [[nodiscard]] inline double min(double a, double b) { return b < a ? b : a; }
-/// The larger of both; a where a or b is NaN.
+/// The larger of a and b; a if a or b is NaN.
 [[nodiscard]] inline double max(double a, double b) { return a < b ? b : a; }
-/// x held to low..high.
+/// x clamped to low..high.
 template <class S>
 [[nodiscard]] inline S clamp(S x, S low, S high) {
   return min(max(x, low), high);
@@ -62,8 +62,8 @@ template <class S>
 /// Sine and cosine of one angle.
 template <class S>
 struct SinCos {
-  S sin;  ///< of the angle
-  S cos;  ///< of the same
+  S sin;  ///< sine
+  S cos;  ///< cosine
 };
 
 /// sin and cos of an angle in radians; absolute error below 2.3e-16 for |angle| ≤ 1e6 and below
@@ -80,7 +80,7 @@ struct SinCos {
   const double reduced = ((angle - n * kHigh) - n * kMiddle) - n * kLow;
   const double x = in_range ? reduced : __builtin_nan("");
   const double z = x * x;
-  // by pairs (Estrin's scheme), which wait less for each other than Horner's
+  // Estrin's scheme: shorter dependency chains than Horner's
   const double z2 = z * z;
   const double z4 = z2 * z2;
   const double s0 = (1.0 / 120.0 - 1.0 / 5040.0 * z) * z - 1.0 / 6.0;
@@ -95,8 +95,8 @@ struct SinCos {
   const double cosine = (1.0 - 0.5 * z) + z * (z * c);
   // an n out of range must not reach the integer conversion
   const auto quadrant = static_cast<std::uint64_t>(static_cast<std::int64_t>(in_range ? n : 0.0));
-  // by bits, as nobody can foretell the quadrant: an odd one has the two exchanged, and the sign of
-  // the sine is bit 1 of it, of the cosine that of its successor
+  // by bits, as branches on the quadrant mispredict: an odd quadrant exchanges the two; the sign of
+  // the sine is bit 1 of the quadrant, of the cosine that of its successor
   auto sine_bits = __builtin_bit_cast(std::uint64_t, sine);
   auto cosine_bits = __builtin_bit_cast(std::uint64_t, cosine);
   const std::uint64_t exchanged = (sine_bits ^ cosine_bits) & (0 - (quadrant & 1));
@@ -189,16 +189,16 @@ struct SinCos {
   return power * power_of_two(half) * power_of_two(whole - half);
 }
 
-/// A vector of three coordinates, or a point, in the frame and unit that its owner tells.
+/// A vector or point in three dimensions, in the frame and unit that its owner states.
 template <class S>
 struct Vec3 {
   S x{};  ///< along the x axis
   S y{};  ///< along the y axis
   S z{};  ///< along the z axis
 
-  /// The coordinate of that index, 0..2.
+  /// The coordinate at an index, 0..2.
   [[nodiscard]] const S& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
-  /// The same, to be changed.
+  /// Mutable access to a coordinate.
   [[nodiscard]] S& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
 
   /// Adds b.
@@ -237,7 +237,7 @@ template <class S>
   return sqrt(dot(a, a));
 }
 
-/// condition ? yes : no, lane by lane for packs; `Mask` is what comparing two S gives.
+/// condition ? yes : no, lane by lane for packs; `Mask` is the result type of comparing two S.
 template <class Mask, class S>
 [[nodiscard]] Vec3<S> select(const Mask& condition, const Vec3<S>& yes, const Vec3<S>& no) {
   return {select(condition, yes.x, no.x), select(condition, yes.y, no.y),
@@ -250,7 +250,7 @@ template <class Mask, class S>
   return length < 1e-12 ? fallback : a * (1.0 / length);
 }
 
-/// A constant as the kernel's scalar.
+/// Converts a constant to the kernel's scalar type.
 template <class S, class T>
 [[nodiscard]] Vec3<S> to_scalar(const Vec3<T>& a) {
   return {S(a.x), S(a.y), S(a.z)};
@@ -263,7 +263,7 @@ struct Mat3 {
   Vec3<S> cy{S(0), S(1), S(0)};  ///< second column
   Vec3<S> cz{S(0), S(0), S(1)};  ///< third column
 
-  /// The column of that index, 0..2.
+  /// The column at an index, 0..2.
   [[nodiscard]] const Vec3<S>& column(int i) const { return i == 0 ? cx : i == 1 ? cy : cz; }
 
   friend Vec3<S> operator*(const Mat3& m, const Vec3<S>& v) {
@@ -280,13 +280,13 @@ struct Mat3 {
 /// A matrix of double.
 using Mat3d = Mat3<double>;
 
-/// A constant as the kernel's scalar.
+/// Converts a constant to the kernel's scalar type.
 template <class S, class T>
 [[nodiscard]] Mat3<S> to_scalar(const Mat3<T>& m) {
   return {to_scalar<S>(m.cx), to_scalar<S>(m.cy), to_scalar<S>(m.cz)};
 }
 
-/// mᵀ, of a rotation its inverse.
+/// mᵀ, which is the inverse of a rotation.
 template <class S>
 [[nodiscard]] Mat3<S> transpose(const Mat3<S>& m) {
   return {{m.cx.x, m.cy.x, m.cz.x}, {m.cx.y, m.cy.y, m.cz.y}, {m.cx.z, m.cy.z, m.cz.z}};
@@ -298,14 +298,15 @@ template <class S>
   return {dot(m.cx, v), dot(m.cy, v), dot(m.cz, v)};
 }
 
-/// One of a frame's axes.
+/// A coordinate axis of a frame.
 enum class Axis {
   x,  ///< the first
   y,  ///< the second
   z,  ///< the third
 };
 
-/// The columns a and b of a rotation after a turn from a towards b, given its sine and cosine.
+/// Turns the columns a and b of a rotation from a towards b, given the sine and cosine of the
+/// angle.
 template <class S>
 [[gnu::always_inline]] inline void turn_columns(Vec3<S>& a, Vec3<S>& b, const SinCos<S>& turn) {
   const Vec3<S> before = a;
@@ -329,7 +330,8 @@ template <class S>
   return m;
 }
 
-/// The coordinates a and b of a vector, seen after a turn from a towards b.
+/// Transforms the coordinates a and b of a vector into a frame turned from a towards b, given the
+/// sine and cosine of the angle.
 template <class S>
 [[gnu::always_inline]] inline void turn_coordinates(S& a, S& b, const SinCos<S>& turn) {
   const S before = a;
@@ -337,8 +339,8 @@ template <class S>
   b = b * turn.cos - before * turn.sin;
 }
 
-/// v := Rot(axis, -angle) · v, given the sine and cosine of the angle: v seen from a frame that is
-/// turned.
+/// v := Rot(axis, -angle) · v, given the sine and cosine of the angle: v in the coordinates of a
+/// frame turned by the angle.
 template <class S>
 [[gnu::always_inline]] inline void turn_back(Vec3<S>& v, Axis axis, const SinCos<S>& a) {
   switch (axis) {
@@ -368,16 +370,16 @@ template <class S>
   return rotated(Mat3d{}, axis, sin_cos(angle));
 }
 
-/// How `from` must turn to become `to`: axis · sin(angle), world. Near 0 this is the rotation
-/// vector, to the third order; beyond 90° it shrinks again.
+/// The rotation from `from` to `to` as axis · sin(angle), world. Near 0 it equals the rotation
+/// vector to third order; beyond 90° it shrinks again.
 template <class S>
 [[nodiscard]] Vec3<S> rotation_sine(const Mat3<S>& from, const Mat3<S>& to) {
   const Vec3<S> sum = cross(from.cx, to.cx) + cross(from.cy, to.cy) + cross(from.cz, to.cz);
   return sum * S(0.5);
 }
 
-/// How far two rotations are apart: 2 sin(angle / 2), which is the angle to the third order, and
-/// grows up to 180°.
+/// The distance of two rotations: 2 sin(angle / 2), which equals the angle to third order and grows
+/// up to 180°.
 template <class S>
 [[nodiscard]] S rotation_chord(const Mat3<S>& a, const Mat3<S>& b) {
   const Vec3<S> x = a.cx - b.cx;
@@ -397,7 +399,7 @@ template <class S>
   const S sin2 = norm(skew);
   const S cos2 = r.cx.x + r.cy.y + r.cz.z - S(1);
   const S angle = atan2(sin2, cos2);
-  // below that 2 sin θ equals 2 θ to rounding, and is not divided by
+  // below this, 2 sin θ equals 2 θ to rounding; avoids a division by 0
   const auto tiny = sin2 < S(1e-9);
   const Vec3<S> acute = skew * select(tiny, S(0.5), angle / select(tiny, S(1), sin2));
 
@@ -418,9 +420,9 @@ template <class S>
 /// Unit quaternion, order x, y, z, w; q and -q are the same rotation.
 template <class S>
 struct Quat {
-  S x{};      ///< axis · sin(angle / 2), its x
-  S y{};      ///< its y
-  S z{};      ///< its z
+  S x{};      ///< x of axis · sin(angle / 2)
+  S y{};      ///< y of the same
+  S z{};      ///< z of the same
   S w{S(1)};  ///< cos(angle / 2)
 
   friend Quat operator*(const Quat& a, const Quat& b) {
@@ -435,18 +437,18 @@ struct Quat {
 /// A quaternion of double.
 using Quatd = Quat<double>;
 
-inline constexpr double kUnitSlack = 1e-3;  ///< of a unit quaternion's squared length
+inline constexpr double kUnitSlack = 1e-3;  ///< tolerance of a unit quaternion's squared length
 
-/// The square of the length: 1 of a rotation.
+/// The squared length, 1 for a rotation.
 [[nodiscard]] inline double squared_length(const Quatd& q) {
   return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
 }
-/// Whether it is of length 1, to within kUnitSlack.
+/// Whether the squared length is 1 to within kUnitSlack.
 [[nodiscard]] inline bool is_unit(const Quatd& q) {
   return abs(squared_length(q) - 1.0) < kUnitSlack;
 }
 
-/// Of q and -q, which are the same rotation, the one nearer to `near`.
+/// The one of q and -q, which are the same rotation, that is nearer to `near`.
 [[nodiscard]] inline Quatd nearer(const Quatd& q, const Quatd& near) {
   const bool other = q.x * near.x + q.y * near.y + q.z * near.z + q.w * near.w < 0.0;
   return other ? Quatd{-q.x, -q.y, -q.z, -q.w} : q;
@@ -472,8 +474,8 @@ template <class S>
            one - two * (q.x * q.x + q.y * q.y)}};
 }
 
-/// The quaternion of a rotation matrix, with w ≥ 0; from the largest of the four squared parts, so
-/// no small number is divided by.
+/// The quaternion of a rotation matrix, with w ≥ 0, from the largest of its four squared
+/// components, which avoids division by small numbers.
 [[nodiscard]] inline Quatd to_quat(const Mat3d& r) {
   const double xx = r.cx.x;
   const double yy = r.cy.y;
@@ -510,7 +512,7 @@ struct Transform {
 /// A transform of double.
 using Transformd = Transform<double>;
 
-/// X_BA of X_AB.
+/// The inverse X_BA of X_AB.
 template <class S>
 [[nodiscard]] Transform<S> inverse(const Transform<S>& x) {
   return {transpose(x.rotation), -transpose_times(x.rotation, x.translation)};

@@ -13,7 +13,7 @@
 
 namespace shigusa {
 
-/// One named node of a hierarchy; its frame at rest has the parent's orientation.
+/// A named node of a hierarchy; its frame at rest has the parent's orientation.
 struct SkeletonNode {
   std::string name;       ///< unique; empty for an end site
   int parent = -1;        ///< index of an earlier node; -1 for a root
@@ -21,25 +21,25 @@ struct SkeletonNode {
   bool end_site = false;  ///< marks the tip of its parent; carries no motion
 };
 
-/// A hierarchy of named nodes, parents before children: the form that files hold. The kernel
-/// computes on BodyModel instead.
+/// A hierarchy of named nodes, parents before children, as stored in motion files. For computation
+/// see BodyModel.
 struct Skeleton {
   std::vector<SkeletonNode> nodes;  ///< parents before children
 
-  /// Index of the node of that name, or -1.
+  /// Index of the node with this name, or -1.
   [[nodiscard]] int find(std::string_view name) const;
 };
 
-/// A node's place in its parent's frame.
+/// The pose of a node in its parent's frame.
 struct LocalTransform {
   Vec3d translation{};  ///< m
   Quatd rotation{};     ///< from the node's axes to its parent's
 };
 
-/// Motion of a skeleton at a constant frame time.
+/// A motion of a skeleton at a constant frame time.
 struct SkeletonClip {
   double frame_time = 1.0 / 60.0;     ///< s
-  int frames = 0;                     ///< postures, at equal times
+  int frames = 0;                     ///< number of frames
   std::vector<LocalTransform> local;  ///< (frames × nodes) each node in its parent's frame
 
   /// The transforms of all nodes at one frame, 0..frames-1.
@@ -48,10 +48,10 @@ struct SkeletonClip {
   }
 };
 
-/// A skeleton with its motion: what a motion file holds. Metres, seconds, radians.
+/// A skeleton with its motion, the content of a motion file. Metres, seconds, radians.
 struct SkeletonMotion {
   Skeleton skeleton;  ///< the nodes at rest
-  SkeletonClip clip;  ///< how they move
+  SkeletonClip clip;  ///< their motion
 };
 
 /// Origins of all nodes at rest: (nodes), in the file's world, metres.
@@ -61,9 +61,9 @@ struct SkeletonMotion {
 [[nodiscard]] std::vector<Transformd> world_transforms(const Skeleton& skeleton,
                                                        const SkeletonClip& clip, int frame);
 
-/// The bones that a motion needs, named as in the VRM 1.0 humanoid vocabulary.
+/// The bones used here of the VRM 1.0 humanoid vocabulary.
 enum class HumanoidBone {
-  hips,             ///< the root of what moves
+  hips,             ///< pelvis, root of the motion
   neck,             ///< above the shoulders
   head,             ///< turns with the gaze
   left_upper_leg,   ///< thigh: turns about the hip
@@ -86,103 +86,106 @@ enum class HumanoidBone {
   left_shoulder,    ///< clavicle
   right_shoulder,   ///< clavicle
 };
-/// Number of the bones.
+/// Number of humanoid bones.
 inline constexpr int kHumanoidBoneCount = 22;
 
-/// "right_upper_leg".
+/// The name of a bone in snake_case: "right_upper_leg".
 [[nodiscard]] std::string_view humanoid_bone_name(HumanoidBone bone);
 
-/// Which node of a skeleton is which bone; the node's origin is the bone's proximal joint.
+/// The nodes of a skeleton that correspond to humanoid bones; a node's origin is the bone's
+/// proximal joint.
 struct HumanoidMap {
-  std::array<int, kHumanoidBoneCount> node;  ///< node index, or -1 where the skeleton has none
-  std::vector<Message> doubts;               ///< sentences for a person: guesses that may be wrong
-  bool mirrored = false;  ///< what is called left is on the body's right: a mirrored file
+  std::array<int, kHumanoidBoneCount> node;  ///< node index of each bone; -1 for a missing bone
+  std::vector<Message> doubts;               ///< warnings for the user: guesses that may be wrong
+  bool mirrored = false;  ///< left and right names are exchanged: a mirrored file
 
-  /// No bone is known.
+  /// A map without bones.
   HumanoidMap() { node.fill(-1); }
-  /// The node that a bone is, or -1.
+  /// The node index of a bone, or -1.
   [[nodiscard]] int operator[](HumanoidBone bone) const {
     return node[static_cast<std::size_t>(bone)];
   }
-  /// The same, to be changed.
+  /// Mutable access.
   [[nodiscard]] int& operator[](HumanoidBone bone) { return node[static_cast<std::size_t>(bone)]; }
 };
 
-/// Steps of a motion that is generated (rule R6); it has a frame more.
+/// Number of steps of a generated motion (rule R6), which has one frame more.
 inline constexpr int kMotionSteps = 60;
 
-/// A body's motion: joint angles at equally spaced times.
+/// A motion of a body: joint angles at equally spaced times.
 struct Clip {
-  int dofs = 0;                    ///< freedoms of the body
-  int frames = 0;                  ///< postures
+  int dofs = 0;                    ///< degrees of freedom of the body
+  int frames = 0;                  ///< number of frames
   double frame_time = 1.0 / 60.0;  ///< s
   std::vector<double> angles;      ///< (frames × dofs) rad, dof order of BodyModel
 
-  /// (dofs) rad, the angles of one frame, 0..frames-1.
+  /// Angles of one frame, 0..frames-1: (dofs) rad.
   [[nodiscard]] std::span<const double> frame(int index) const {
     return std::span<const double>(angles).subspan(
         static_cast<std::size_t>(index) * static_cast<std::size_t>(dofs),
         static_cast<std::size_t>(dofs));
   }
-  /// From the first frame to the last (s).
+  /// Duration from the first frame to the last (s).
   [[nodiscard]] double duration() const { return frames > 1 ? (frames - 1) * frame_time : 0.0; }
 };
 
-/// Frames a second of the files that motions leave in, where nobody asks for others (Hz).
+/// Default frame rate of motion files (Hz).
 inline constexpr double kUsualRate = 60.0;
-/// The fewest frames a second that can be asked for (Hz).
+/// Smallest frame rate of motion files (Hz).
 inline constexpr double kRateMin = 1.0;
-/// The most frames a second that can be asked for (Hz).
+/// Largest frame rate of motion files (Hz).
 inline constexpr double kRateMax = 240.0;
 
-/// Frames that a motion of this duration (s) has at a rate (frames/s), the first at time 0: the
-/// last one is the first that is not before the motion's end.
+/// Number of frames of a motion of a duration (s) at a rate (frames/s): the first at time 0, the
+/// last the first one at or after the motion's end.
 [[nodiscard]] int frames_at(double duration, double rate);
 
-/// The clip at `rate` frames a second: frame k is the posture at k / rate, and the last one exactly
-/// the clip's last. Between the clip's frames angles follow cubic Hermite splines, whose slope in a
-/// frame is that between its neighbours, and 0 in the first and the last: a motion begins and ends
-/// at rest. Where the clip's frames are h seconds apart, an angle q is off by h³ |d³q/dt³| / 40 at
-/// most. Needs a frame, and a rate from kRateMin to kRateMax.
+/// Resamples a clip at `rate` frames per second: frame k is the posture at k / rate, and the last
+/// frame is the clip's last posture. Angles are interpolated by cubic Hermite splines, whose slope
+/// at a frame is that between its neighbours, and 0 at the first and last frame, as a motion begins
+/// and ends at rest. For frames h seconds apart the error of an angle q is at most h³ |d³q/dt³|
+/// / 40. Needs at least one frame, and a rate in kRateMin..kRateMax.
 [[nodiscard]] Clip resampled(const Clip& clip, double rate);
 
-/// A hand that rests on something, and what it bears, frame after frame.
+/// The contact of a resting hand with its force in each frame.
 struct RestingHand {
-  int effector = 0;            ///< see BodyModel::effector
-  std::optional<int> thigh{};  ///< link that bears the opposite force; none of a thing of the world
-  std::vector<Vec3d> places{};  ///< (frames) m, world: where the hand's point is
-  std::vector<Vec3d> forces{};  ///< (frames) N, world: on the hand
+  int effector = 0;  ///< index of the effector, see BodyModel::effector
+  /// Link of the thigh that bears the opposite force; empty for an obstacle.
+  std::optional<int> thigh{};
+  std::vector<Vec3d> places{};  ///< (frames) m, world: position of the hand's point
+  std::vector<Vec3d> forces{};  ///< (frames) N, world: force on the hand
 };
 
-/// A motion with the quantities that can be read off it. Criteria of the user's own are given this.
+/// A motion with its derived quantities; the input of user-defined criteria.
 struct Motion {
-  Clip clip;                                  ///< joint angles
-  std::vector<double> torques;                ///< (frames × dofs) N·m, dof order of BodyModel
-  std::vector<Vec3d> centre_of_mass;          ///< (frames) m, world
-  std::vector<std::vector<Vec3d>> effectors;  ///< [goal][frame] m, world: where the goal's point is
-  std::vector<RestingHand> resting{};         ///< hands that rest on something
+  Clip clip;                          ///< joint angles
+  std::vector<double> torques;        ///< (frames × dofs) N·m, dof order of BodyModel
+  std::vector<Vec3d> centre_of_mass;  ///< (frames) m, world
+  /// [goal][frame] m, world: position of the goal's effector.
+  std::vector<std::vector<Vec3d>> effectors;
+  std::vector<RestingHand> resting{};  ///< resting hands
 };
 
-/// How far a recorded foot goes from where it is in the first frame.
+/// The largest deviation of a recorded foot from its pose in the first frame.
 struct FootTravel {
   std::string foot;     ///< "right_foot"
-  int node = -1;        ///< of the recorded skeleton
-  bool base = false;    ///< the body stands on it, so that it cannot follow
-  double travel = 0.0;  ///< m, of its joint, the most at any frame
-  double turn = 0.0;    ///< rad, the same
+  int node = -1;        ///< node index in the recorded skeleton
+  bool base = false;    ///< the foot is the body's fixed base, which cannot follow
+  double travel = 0.0;  ///< m, largest displacement of its joint
+  double turn = 0.0;    ///< rad, largest rotation
 };
 
-/// A recorded motion as a body's angles.
+/// A recorded motion fitted to a body.
 struct ClipFit {
-  Clip clip;       ///< with the frames around
-  int before = 0;  ///< how many of these come before the first that is looked at
-  /// m, between recorded joints and the body's, over joints and frames; those of the standing foot
-  /// apart
+  Clip clip;       ///< joint angles, including frames before and after the scored ones
+  int before = 0;  ///< number of frames before the first scored one
+  /// Mean distance (m) of recorded joints from the body's, over joints and frames, without those of
+  /// the standing foot.
   double mean_distance = 0.0;
-  double worst_distance = 0.0;   ///< m, the largest of the same
-  std::string worst_joint;       ///< humanoid bone that it is of
-  int worst_frame = 0;           ///< of the record, when it is
-  std::vector<FootTravel> feet;  ///< how far the recorded feet go
+  double worst_distance = 0.0;   ///< m, largest distance
+  std::string worst_joint;       ///< humanoid bone of the largest distance
+  int worst_frame = 0;           ///< recorded frame of the largest distance
+  std::vector<FootTravel> feet;  ///< movement of the recorded feet
 };
 
 }  // namespace shigusa

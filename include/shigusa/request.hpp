@@ -18,43 +18,44 @@
 
 namespace shigusa {
 
-/// Motions that the preset flat scores where a task says nothing else.
+/// Default evaluations of the preset flat.
 inline constexpr int kFlatEvaluations = 864;
-/// Motions that the preset human scores, each of which takes two of the preset flat.
+/// Default evaluations of the preset human, each as costly as two of the preset flat.
 inline constexpr int kHumanEvaluations = 600;
-/// Motions that the preset flat scores by NLP-IK, which takes some ten times as long for one and
-/// knows no lanes.
+/// Default evaluations with MotionGenerator::nlp_ik, which takes some ten times as long per motion
+/// and has no SIMD.
 inline constexpr int kNlpEvaluations = 300;
 
-/// Candidates of the preset flat: what a person can look over.
+/// Default candidates of the preset flat.
 inline constexpr int kFlatCandidates = 5;
 
-/// How the parameters are searched and what they are.
+/// The parameters of motions, and their search and criteria, under one name.
 enum class Preset {
-  paper,   ///< the paper's own: 4-bit weights of all joints at once, its three criteria and its GA
-  flat,    ///< all parameters at once: logarithmic weights, posture, path; limits held; CMA-ES
-  layers,  ///< the paper's hierarchy: first trunk and limb lengths, then arms from a limb library
-  human,   ///< three layers: trunk and limb lengths, the swivel of arms, then what no goal moves
+  paper,  ///< as published: 4-bit weights of all dofs, the paper's three criteria and genetic
+          ///< algorithm
+  flat,   ///< all parameters at once: logarithmic weights, posture, path; joint limits held; CMA-ES
+  layers,  ///< the paper's hierarchy: trunk and limb lengths, then arms from a limb library
+  human,   ///< three layers: trunk and limb lengths, swivel of arms, idle limbs
 };
 
-/// The facts about a preset, which hold where a task says nothing else.
+/// The defaults and facts of a preset.
 struct PresetTraits {
-  /// The preset that these are of.
+  /// The preset.
   Preset preset;
-  /// Its word in files.
+  /// Word in files.
   std::string_view word;
-  /// Its search in one phrase, as the end of a sentence.
+  /// Description, one phrase.
   std::string_view about;
-  /// The search of its parameters.
+  /// Default search.
   SearchMethod search;
-  /// The criteria that score its motions.
+  /// Default criteria.
   CriteriaSettings (*criteria)();
-  int candidates;                    ///< delivered at most
-  int evaluations;                   ///< scored by searches that do not converge by themselves
-  std::optional<LayerStack> layers;  ///< that it goes by
-  /// As people do: joints keep to their limits, eyes and free limbs go by PostureLaw, and
-  /// candidates differ by how they end; fingers play. The paper knows none of these, and tells
-  /// whole motions apart.
+  int candidates;                    ///< default number of candidates
+  int evaluations;                   ///< default evaluations of searches without convergence
+  std::optional<LayerStack> layers;  ///< stack of layers; empty: none
+  /// Whether motions are made natural: joint limits hold, eyes, fingers and idle limbs move as
+  /// people's do, and candidates differ in their final postures. The paper's presets do none of
+  /// this and compare whole motions.
   bool natural;
 };
 /// All presets, in the order of Preset.
@@ -94,23 +95,25 @@ inline constexpr auto kEnumWords<Preset> = words_of_table(kPresets, &PresetTrait
   return kPresets[static_cast<std::size_t>(preset)];
 }
 
-inline constexpr std::size_t kGoalsMax = 64;  ///< more than any body can meet
-/// The most obstacles of a task.
+inline constexpr std::size_t kGoalsMax = 64;  ///< largest number of goals
+/// Largest number of obstacles.
 inline constexpr std::size_t kObstaclesMax = 64;
-/// The most supports of a task.
+/// Largest number of supports.
 inline constexpr std::size_t kSupportsMax = 8;
-inline constexpr double kTaskDurationMin = 0.05;  ///< s
-inline constexpr double kTaskDurationMax = 60.0;  ///< s
-/// How much earlier or later a motion makes its way, at the most: beyond 1.3 it would turn back.
+inline constexpr double kTaskDurationMin = 0.05;  ///< shortest duration, s
+inline constexpr double kTaskDurationMax = 60.0;  ///< longest duration, s
+/// Largest magnitude of Request::ease; beyond 1.3 a motion would turn back.
 inline constexpr double kEaseMax = 0.8;
-inline constexpr double kGazeLeadMost = 0.35;    ///< share of the duration, of a head that is early
-inline constexpr double kGazeLeadLeast = -0.45;  ///< … and of one that is late
-inline constexpr int kPhasesMax = 2;             ///< of old tasks, which are read and refused
+inline constexpr double kGazeLeadMost =
+    0.35;  ///< largest gaze_lead: head early, share of the duration
+inline constexpr double kGazeLeadLeast =
+    -0.45;                            ///< smallest gaze_lead: head late, share of the duration
+inline constexpr int kPhasesMax = 2;  ///< value of old tasks, which are refused
 
 /// The method that makes a motion from parameters.
 enum class MotionGenerator {
-  weighted_ik,  ///< the weighted pseudo-inverse (WeightedIk)
-  nlp_ik,       ///< constrained minimisation in each frame (Zhao and Badler), always within limits
+  weighted_ik,  ///< weighted pseudo-inverse
+  nlp_ik,       ///< constrained minimisation in each frame (Zhao and Badler), within joint limits
 };
 
 /// The words of MotionGenerator.
@@ -120,10 +123,10 @@ inline constexpr std::array kEnumWords<MotionGenerator>{
     EnumWord{MotionGenerator::nlp_ik, "nlp_ik"},
 };
 
-/// The play of a character's fingers, of which neither search nor criteria know.
+/// The motion of a character's fingers, which neither search nor criteria consider.
 enum class FingerPlay {
-  grip,  ///< a reaching hand opens on the way and closes to a relaxed grip, the other is relaxed
-  none,  ///< they stay as the file has them
+  grip,  ///< a reaching hand opens on the way and closes to a relaxed grip; the other is relaxed
+  none,  ///< fingers stay as in the file
 };
 
 /// The words of FingerPlay.
@@ -158,7 +161,7 @@ struct Request {
   double gaze_lead = 0.0;
   /// The parameters that are searched, and how; adopt_preset changes it with its criteria.
   Preset preset = Preset::flat;
-  /// The parameters of the first layer, of presets with layers.
+  /// The reading of the parameters of the first layer; only for presets with layers.
   LayerReading layer_reading = LayerReading::shared_contractions;
   /// The search algorithm; empty: the preset's own.
   std::optional<SearchMethod> search{};
@@ -169,75 +172,77 @@ struct Request {
   CriteriaSettings criteria = traits_of(Preset::flat).criteria();
   /// Parameters that the search keeps: "squat_deg=60", "right_elbow.flexion.locked=true".
   std::vector<std::string> fixed_assignments{};
-  /// The method that makes motions from parameters; nlp_ik not of presets with layers.
+  /// The method that makes motions from parameters; nlp_ik does not support presets with layers.
   MotionGenerator generator = MotionGenerator::weighted_ik;
-  /// 1; kPhasesMax of old tasks, which are refused.
+  /// Number of phases: 1. Tasks with more are refused.
   int phases = 1;
   /// The motion of the character's fingers, where it has some.
   FingerPlay finger_play = FingerPlay::grip;
   /// The seed of all random numbers: the same seed gives the same motions.
   std::uint64_t seed = 0;
-  /// The most candidates that are delivered, 1..1000.
+  /// Largest number of candidates delivered, 1..1000.
   int candidates = traits_of(Preset::flat).candidates;
-  /// The most motions that the search scores, from kPaperPopulation; empty: the paper's genetic
-  /// algorithm runs until it converges, other algorithms score usual_evaluations.
+  /// Largest number of motions that the search scores, at least kPaperPopulation; empty: the
+  /// paper's genetic algorithm runs until it converges, other algorithms score usual_evaluations.
   std::optional<int> evaluations{};
 };
 
-/// Gives the request a preset, with its criteria and number of candidates where it is another one.
+/// Sets the preset of a request; if it changes, also the preset's criteria and number of
+/// candidates.
 void adopt_preset(Request& request, const Preset& preset);
-/// Asks for a front of the criteria or for none; a front brings its own mixture of them.
+/// Sets Request::pareto; turning it on also sets pareto_criteria().
 void adopt_pareto(Request& request, const bool& pareto);
 
-/// A foot that neither stands nor has a goal lifts by this (m).
+/// Height (m) to which a foot without contact and goal lifts.
 inline constexpr double kFootLift = 0.10;
 
-/// A request on a body, with the settings of its run: `generate` takes it. Another preset's
-/// criteria and number of candidates come by with_preset.
+/// A request on a body, with the settings of a run; the input of generate(). with_preset changes
+/// the preset together with its criteria and number of candidates.
 struct Task : Request {
-  /// The request on that body.
+  /// Combines a body and a request.
   explicit Task(BodyModel of, Request asked = {})
       : Request(std::move(asked)), body(std::move(of)) {}
 
-  BodyModel body;               ///< in its start posture
-  SearchFunction own_search{};  ///< in the place of the named ones, when given; not of layers
-  GeneticSettings genetic{};    ///< of the searches paper_ga and log_ga, which take the task's seed
-  /// The values of fixed_assignments, decoded: the search leaves them as they are.
+  BodyModel body;  ///< the body, with its start posture
+  SearchFunction
+      own_search{};  ///< user-defined search in place of `search`; not for presets with layers
+  GeneticSettings genetic{};  ///< settings of paper_ga and log_ga, whose seed is the task's
+  /// Fixed parameters, decoded from fixed_assignments; the search keeps them.
   std::optional<FixedParameters> fixed{};
-  /// Of the preset flat: motions that are known to be good for tasks like this one, as
-  /// Candidate::parameters of a body with the same freedoms. The search scores them first and
-  /// begins beside the best, as it does with its own table of such motions; 16 of them take that
-  /// table's place, fewer are put before it. None changes nothing.
+  /// Initial guesses for the preset flat: parameters of good motions of similar tasks
+  /// (Candidate::parameters of a body with the same dofs). The search scores them first and begins
+  /// near the best, as with its built-in table; 16 or more replace that table, fewer precede it. An
+  /// empty list has no effect.
   std::vector<Parameters> starts{};
-  int most_runs = 10;        ///< of the preset paper, see generate; ≥ 1
-  LayeredSettings layers{};  ///< of layered presets
-  BatchSettings batch{};     ///< SIMD set and threads; change no result
+  int most_runs = 10;        ///< most runs of the preset paper, see generate; ≥ 1
+  LayeredSettings layers{};  ///< settings of presets with layers
+  BatchSettings batch{};     ///< SIMD set and threads; they do not change results
 };
 
-/// Motions that are scored for a task that does not say how many, but for the paper's search.
+/// Default number of evaluations of a task whose search is not the paper's.
 [[nodiscard]] int usual_evaluations(const Task& task);
 
-/// The search of a task: the method that it names, or its preset's.
+/// The search method of a task: its own, or its preset's.
 [[nodiscard]] SearchMethod search_of(const Task& task);
 
-/// The task by a preset, with its criteria and number of candidates.
+/// The task with another preset, and the preset's criteria and number of candidates.
 [[nodiscard]] Task with_preset(Task task, Preset preset);
 
-/// The criteria that the task's motions are scored by: its own, with the eyes on look_at, or on the
-/// first goal of a limb, or between those of two hands, where nothing else is said.
+/// The criteria that score the task's motions: its own, with the gaze target set, unless given, to
+/// look_at, else the first goal of a limb, or the middle of two hands' goals.
 [[nodiscard]] CriteriaSettings task_criteria(const Task& task);
 
-/// The parameters of the motions that a request's preset makes for its goals on a body. Fails where
-/// a preset of several layers does not know the body, a goal or supports.
+/// The parameters of a request's motions on a body. Fails if a preset with layers does not support
+/// the body, a goal or supports.
 [[nodiscard]] Result<ParameterList> parameter_list(const BodyModel& body, const Request& request);
 
-/// Whether some posture of the task's body on its feet meets the goals: a quick look that may miss
-/// one. Fails where a foot or a goal is not one that motions can have.
+/// Whether some posture of the task's body on its feet meets the goals: a quick test, whose "no"
+/// may be wrong. Fails on an invalid foot or goal.
 [[nodiscard]] Result<bool> seems_in_reach(const Task& task);
 
-/// Notes on goals of hands that may be an oversight: in the body's own head or a foot, where these
-/// are at the start, below the floor (y < 0), or nearer to it than the hand is thick. They refuse
-/// nothing.
+/// Warnings about likely mistakes in hand goals: inside the body's own head or a foot at the start,
+/// below the floor (y < 0), or nearer to the floor than half the hand's thickness. They are not
+/// errors.
 [[nodiscard]] std::vector<Message> goal_notes(const Task& task);
 
 }  // namespace shigusa

@@ -11,26 +11,26 @@
 
 namespace shigusa {
 
-/// How far a long piece of work has come.
+/// The progress of long work.
 struct ProgressReport {
   std::string_view stage;   ///< "search", "export"; valid during the call only
   double fraction = 0.0;    ///< 0..1 of this stage, at most; the work may converge earlier
   int evaluations = 0;      ///< motions scored so far
-  double best_score = 0.0;  ///< lowest score so far; meaningless while evaluations is 0
+  double best_score = 0.0;  ///< lowest score so far; undefined while evaluations is 0
 };
 
-/// How a caller watches and stops long work. All members may be left empty. `report` is called on
-/// the thread that called the work; what it throws is passed on to that caller. Setting `cancel` to
-/// true, from any thread or from a signal handler, ends the work at its next step with the best so
-/// far; so does the `deadline` once it has passed. The result at a deadline depends on the
-/// machine's speed.
+/// Callbacks and stop conditions of long work; all members may be empty. `report` is called on the
+/// calling thread, and its exceptions are passed on to the caller. Setting `cancel` to true, from
+/// any thread or a signal handler, ends the work at its next step with the best result so far; so
+/// does passing the `deadline`. A result at a deadline depends on the machine's speed.
 struct Progress {
   std::function<void(const ProgressReport&)> report{};  ///< called at each step
-  /// ends the work once it is true
+  /// Ends the work once it is true.
   const std::atomic<bool>* cancel = nullptr;
-  std::optional<std::chrono::steady_clock::time_point> deadline{};  ///< ends it once it has passed
+  /// Ends the work once it has passed.
+  std::optional<std::chrono::steady_clock::time_point> deadline{};
 
-  /// Whether the work is to end now.
+  /// Whether the work must end now.
   [[nodiscard]] bool cancelled() const {
     if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return true;
     return deadline && std::chrono::steady_clock::now() >= *deadline;
@@ -64,7 +64,7 @@ class Random {
   /// True with the given probability in [0, 1].
   bool chance(double probability) { return uniform() < probability; }
 
-  /// How many numbers have been drawn.
+  /// Number of numbers drawn so far.
   [[nodiscard]] std::uint64_t counter() const { return counter_; }
 
  private:
@@ -80,42 +80,43 @@ class Random {
   std::uint64_t counter_ = 0;
 };
 
-/// Most threads that may be asked for.
+/// Largest number of threads.
 inline constexpr int kMaxThreads = 1024;
 
-/// How many threads `threads` stands for: 0 is one for each core of the machine. At least 1, and 1
-/// where the library was built without threads.
+/// The number of threads for a setting: 0 is one per core of the machine. At least 1, and 1 if the
+/// library was built without threads.
 [[nodiscard]] int thread_count(int threads);
 
-/// Calls work(index, worker) for each index in 0..count-1, on up to `threads` threads (0: one for
-/// each core) at once and in no order. `worker`, in 0..thread_count(threads)-1, is never the same
-/// in two calls at one time: for scratch memory. An exception of a call is passed on.
+/// Calls work(index, worker) for each index in 0..count-1, on up to `threads` threads (0: one per
+/// core), in no defined order. `worker`, in 0..thread_count(threads)-1, differs between concurrent
+/// calls and can select scratch memory. An exception of a call is passed on.
 void parallel_for(int count, int threads, const std::function<void(int index, int worker)>& work);
 
-/// How many motions a core scores at once, and by which instructions. The choice changes no result.
+/// The SIMD instruction set, and with it the number of motions that a core scores at once. It does
+/// not change results.
 enum class SimdSet {
-  scalar,   ///< one
-  lanes_4,  ///< four: what every machine of the kind has (SSE2, NEON, WASM SIMD)
-  avx2,     ///< eight
-  avx512,   ///< sixteen (AVX-512 F, VL, DQ)
+  scalar,   ///< one motion
+  lanes_4,  ///< four motions: the baseline of the architecture (SSE2, NEON, WASM SIMD)
+  avx2,     ///< eight motions
+  avx512,   ///< sixteen motions (AVX-512 F, VL, DQ)
 };
 
-/// "scalar", "avx2", "avx512"; lanes_4 is "sse2" on x86 and "simd128" elsewhere.
+/// The name of a set: "scalar", "avx2", "avx512"; lanes_4 is "sse2" on x86 and "simd128" elsewhere.
 [[nodiscard]] std::string_view simd_name(SimdSet set);
-/// The set of that name, or nothing.
+/// The set with this name, or nothing.
 [[nodiscard]] std::optional<SimdSet> find_simd(std::string_view name);
-/// How many motions a core scores at once by that set.
+/// Number of motions that a core scores at once with a set.
 [[nodiscard]] int simd_lanes(SimdSet set);
 
-/// The sets that this program has and this machine can run, narrowest first; asked once.
+/// The sets that are compiled in and that this machine supports, narrowest first; detected once.
 [[nodiscard]] std::span<const SimdSet> usable_simd_sets();
-/// The widest of them.
+/// The widest usable set.
 [[nodiscard]] SimdSet widest_simd_set();
 
-/// How many motions are scored at once; none of it changes a score.
+/// Settings of the parallel scoring of motions; they do not change scores.
 struct BatchSettings {
-  SimdSet simd = widest_simd_set();  ///< PreconditionError where the machine lacks it
-  int threads = 0;                   ///< 0: one for each core
+  SimdSet simd = widest_simd_set();  ///< instruction set; PreconditionError if the machine lacks it
+  int threads = 0;                   ///< number of threads; 0: one per core
 };
 
 }  // namespace shigusa

@@ -14,76 +14,79 @@
 
 namespace shigusa {
 
-/// People's own motion is slower than this (Hz): what is faster in recorded angles is noise, which
-/// second differences blow up (D. A. Winter, Biomechanics and Motor Control of Human Movement).
+/// Cutoff frequency (Hz) of the smoothing of recorded angles: people's motion is slower, and faster
+/// changes are noise that second differences amplify (D. A. Winter, Biomechanics and Motor Control
+/// of Human Movement).
 inline constexpr double kMotionCutoff = 6.0;
-/// A foot that is recorded to move by more than this (m) is no foot that stands.
+/// Displacement (m) of a recorded foot beyond which it does not count as planted.
 inline constexpr double kFootSteps = 0.03;
-/// Joints that are this far (m) from the recorded ones on average make another motion.
+/// Mean distance (m) of the body's joints from the recorded ones beyond which the fit counts as
+/// poor.
 inline constexpr double kFollowsBadly = 0.03;
 
-/// How a recorded motion is scored.
+/// Settings for scoring a recorded motion.
 struct ScoreSettings {
-  CriteriaSettings criteria = default_criteria();  ///< the mixture
-  int first = 0;                                   ///< the first frame of the file that is scored
-  std::optional<int> last{};  ///< the last one, included; the file's last when not given
-  /// Hz, faster motion is smoothed away; 0 takes the angles as they are
+  CriteriaSettings criteria = default_criteria();  ///< criteria mixture
+  int first = 0;                                   ///< first frame of the file to score
+  std::optional<int> last{};  ///< last frame to score, included; empty: the file's last
+  /// Cutoff of the smoothing, Hz; 0: no smoothing.
   double cutoff = kMotionCutoff;
 };
 
-/// A clip's scoring as JSON asks for it: {"criteria": "default", "first": 0, "last": 80,
-/// "smoothed_hz": 6, "animation": "Take 1", "character": …}, all of which may be left out.
+/// A request to score a clip, in JSON: {"criteria": "default", "first": 0, "last": 80,
+/// "smoothed_hz": 6, "animation": "Take 1", "character": …}; every key is optional.
 struct ClipRequest {
-  ScoreSettings settings{};  ///< how it is scored
-  std::string animation{};   ///< name or index of it in the file; the first when empty
-  std::optional<CharacterSpec> character{};  ///< the clip's own person when not given
+  ScoreSettings settings{};  ///< settings of the scoring
+  std::string animation{};   ///< name or index of the animation in the file; empty: the first
+  std::optional<CharacterSpec> character{};  ///< body for the clip; empty: the clip's own person
 };
-/// Parses such a text; `name` stands for it in errors.
+/// Parses a ClipRequest; `name` stands for the text in errors.
 [[nodiscard]] Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view name);
 
-/// The score of a clip's motion on a body.
+/// The score and measures of a recorded clip on a body.
 struct ClipScore {
-  Score score;                  ///< by the settings' criteria
-  Motion motion;                ///< smoothed; of the frames that are scored, without effectors
-  ClipFit fit;                  ///< as recorded, with the frames around
-  MotionMeasures measures;      ///< what the motion asks of the body
-  FinalPosture final_posture;   ///< how it ends
-  std::vector<Message> doubts;  ///< that make the figures worth less
+  Score score;                  ///< score by the criteria of the settings
+  Motion motion;                ///< the scored frames, smoothed, without effectors
+  ClipFit fit;                  ///< the fit before smoothing, with the frames around
+  MotionMeasures measures;      ///< demands on the body
+  FinalPosture final_posture;   ///< description of the final posture
+  std::vector<Message> doubts;  ///< warnings about the reliability of the score
 };
 
-/// Ties a skeleton to a body.
+/// The relation of a skeleton to a body; opaque.
 struct Rig;
 
-/// A motion file, and the body that it drives.
+/// A motion file and the body that follows it.
 struct RecordedMotion {
-  SkeletonMotion motion;           ///< as the file has it
-  std::shared_ptr<const Rig> rig;  ///< of its nodes; there where it was read
-  BodyModel body;                  ///< that follows it
+  SkeletonMotion motion;  ///< motion as in the file
+  /// Relation of the file's nodes to the body; set by read_recorded and parse_recorded.
+  std::shared_ptr<const Rig> rig;
+  BodyModel body;  ///< body that follows the motion
 };
 
-/// Reads a clip: .bvh, or an animation of a .glb, .gltf, .vrm or .vrma file, sampled at 60 Hz, by
-/// its name or its index, the first where none is given. The body is the clip's person, as measured
-/// in the frame character.frame, where character.source is the clip's own path; and else the one
-/// that it names, to whose stature the clip is scaled by its person in the frame `first`. A robot
-/// is refused: its joints are no person's.
+/// Reads a clip: .bvh, or an animation of a .glb, .gltf, .vrm or .vrma file, sampled at 60 Hz,
+/// chosen by name or index, by default the first. If character.source is the clip's path, the body
+/// is the clip's person as measured in the frame character.frame; else it is the given character,
+/// and the clip is scaled to its stature by the clip's person in the frame `first`. Robots are
+/// refused, as their joints do not match a person's.
 [[nodiscard]] Result<RecordedMotion> read_recorded(const std::filesystem::path& clip,
                                                    CharacterSpec character, int first,
                                                    const std::string& animation = {});
 
-/// Reads a clip in memory, whose file's name tells its kind; character.source is that name where
-/// the clip's person is meant.
+/// Reads a clip from memory; the ending of `name` gives the format. If character.source equals
+/// `name`, the body is the clip's person.
 [[nodiscard]] Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string& name,
                                                     CharacterSpec character, int first,
                                                     const std::string& animation = {});
 
-/// Scores the frames by the criteria that generated motions are scored by. Speeds and accelerations
-/// see the frames around them; where the file begins or ends it goes on as it came. Fails where
-/// frames do not exist, or criteria are out of range.
+/// Scores the selected frames by the same criteria as generated motions. Speeds and accelerations
+/// use the frames around them; beyond the ends of the file the motion is extrapolated. Fails if a
+/// frame does not exist, or a criterion's setting is out of range.
 [[nodiscard]] Result<ClipScore> score_clip(const RecordedMotion& recorded,
                                            const ScoreSettings& settings = {});
 
-/// The score as JSON text: the object that `shigusa score --json` prints, in whose `criteria` the
-/// names are those of summary.json.
+/// Formats the score as JSON, as printed by `shigusa score --json`; the names in `criteria` are
+/// those of summary.json.
 [[nodiscard]] std::string format_clip_score(const std::string& clip, const RecordedMotion& recorded,
                                             const ScoreSettings& settings, const ClipScore& score);
 

@@ -21,23 +21,32 @@
 #include <shigusa/score.hpp>
 #include <shigusa/search.hpp>
 
-/// First number of the library's version. CMake reads all three here.
+/// Major version of the library. CMake reads all three numbers here.
 #define SHIGUSA_VERSION_MAJOR 0
-/// The second: below 1.0 another one may have another interface.
+/// Minor version: below 1.0 another one may have another interface.
 #define SHIGUSA_VERSION_MINOR 1
-/// The third: another one has the same interface.
+/// Patch version: another one has the same interface.
 #define SHIGUSA_VERSION_PATCH 0
 
-/// Numbers as the text of a version.
+/// Joins three numbers to the text of a version.
 #define SHIGUSA_QUOTE_VERSION(major, minor, patch) #major "." #minor "." #patch
-/// The same of macros.
+/// Expands three macros and joins them.
 #define SHIGUSA_SPELL_VERSION(major, minor, patch) SHIGUSA_QUOTE_VERSION(major, minor, patch)
 /// The version as text: "0.1.0".
 #define SHIGUSA_VERSION \
   SHIGUSA_SPELL_VERSION(SHIGUSA_VERSION_MAJOR, SHIGUSA_VERSION_MINOR, SHIGUSA_VERSION_PATCH)
 
-/// Natural whole-body motion from the goals of hands and feet. A BodyModel with Goals makes a Task;
-/// generate() finds Candidates for it, and write_result() keeps them as files. Metres, kilograms,
-/// seconds and radians everywhere; the world has +Y up, and a person faces +Z with the left towards
-/// +X.
+/// Natural whole-body motion from goals for hands, feet and other joints. A BodyModel and Goals
+/// make a Task; generate() searches Candidates for it, and write_result() writes them to files.
+/// Units are metres, kilograms, seconds and radians; the world has +Y up, and a person faces +Z
+/// with the left towards +X.
+///
+///     const auto hero = open_character({.source = "hero.glb"});
+///     Task task(hero->body);
+///     task.goals = {{"right_hand", {-0.20, 0.30, 0.40}}};
+///     const auto result = generate(task);
+///     save("reach.glb", hero->spec, task, result->candidates[0]);
+///
+/// The method is that of T. Mukai, S. Kuriyama and T. Kaneko ("the paper"; docs/paper_map.md leads
+/// from its sections and rules to the code).
 namespace shigusa {}

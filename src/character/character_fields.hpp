@@ -8,9 +8,9 @@
 
 namespace shigusa {
 
-// True unless it is a robot that was read.
+// Whether the character can be a person: it is not a robot that was read.
 [[nodiscard]] inline bool may_be_a_person(const CharacterSpec& spec) { return !spec.urdf; }
-// True unless it is a built-in body or a robot that was read.
+// Whether the character can be a person from a file: neither built in nor a robot that was read.
 [[nodiscard]] inline bool may_be_a_persons_file(const CharacterSpec& spec) {
   return !spec.urdf && !is_built_in(spec);
 }

@@ -16,19 +16,19 @@ namespace shigusa {
 // The mirror image of a field's value.
 enum class Mirroring {
   same,         // as it is: a length, a choice
-  other_side,   // points and rotations go across x = 0, names become the other side's
-  assignments,  // texts "left_elbow.weight=3" become the other side's
+  other_side,   // points and rotations are mirrored at x = 0, names become the other side's
+  assignments,  // assignments such as "left_elbow.weight=3" become the other side's
 };
 
 // The groups of options in the help of `shigusa reach`.
 enum class OptionGroup {
-  none,    // of a field without an option
-  body,    // who moves
-  goal,    // where effectors end, and how they are turned there
-  motion,  // the time that a motion takes, and what its parts do in it
+  none,    // for a field without an option
+  body,    // the moving character
+  goal,    // final positions and orientations of effectors
+  motion,  // duration and timing of a motion
   around,  // obstacles and supports
-  search,  // how motions are found
-  output,  // what is written, and where
+  search,  // search of motions
+  output,  // output files
 };
 // The headings of OptionGroup.
 template <>
@@ -42,10 +42,10 @@ inline constexpr std::array kEnumWords<OptionGroup>{
     EnumWord{OptionGroup::output, "The output"},
 };
 
-// The type of a value's bounds: whole numbers and lengths of lists have whole ones.
+// The type of a value's bounds: std::uint64_t for integers and lists, double otherwise.
 template <class Value>
 struct BoundOf {
-  // The type of bounds of other numbers.
+  // Bounds of other numbers.
   using type = double;
 };
 // Bounds of whole numbers.
@@ -63,44 +63,43 @@ struct BoundOf<std::vector<Item>> {
 template <class Value>
 struct BoundOf<std::optional<Value>> : BoundOf<Value> {};
 
-// The facts of a field that most fields do without.
+// Optional facts of a field.
 template <class Holder, class Value>
 struct FieldTraits {
-  // Allowed of numbers, of each coordinate of a point and, the upper one, of the length of a list
-  // of structs.
+  // Lower bound of a number or of each coordinate of a point.
   typename BoundOf<Value>::type low{};
-  // The upper one of these bounds.
+  // Upper bound of the same, or of the length of a list of structs.
   typename BoundOf<Value>::type high{};
-  // A word that may stand for one number in its place; none when empty.
+  // A word that stands for a number; empty: none.
   EnumWord<int> word{};
-  bool required = false;         // in files
-  const char* option = nullptr;  // of `shigusa reach`: "--look-at"
-  const char* form = nullptr;    // of the option's text: "X,Y,Z"
-  OptionGroup group{};           // of the option in --help
-  const char* brief = nullptr;   // the option's line in --help, of at most 62 characters
-  bool rare = false;             // the option stands in --help-all and the manual alone
+  bool required = false;         // required in files
+  const char* option = nullptr;  // option of `shigusa reach`: "--look-at"
+  const char* form = nullptr;    // form of the option's value: "X,Y,Z"
+  OptionGroup group{};           // group of the option in --help
+  const char* brief = nullptr;   // line of the option in --help, at most 62 characters
+  bool rare = false;             // option shown only in --help-all and the manual
   // The mirror image of the value.
   Mirroring mirroring = Mirroring::same;
-  // Files hold the value where it differs from that of a new Holder, or where this is so.
+  // Whether files contain the value; null: if it differs from that of a new Holder.
   bool (*written)(const Holder&) = nullptr;
-  // The holders whose files may hold it; all when null.
+  // Whether a holder's files may contain the value; null: always.
   bool (*of)(const Holder&) = nullptr;
-  // Does what `set` does, where more than the value follows from it.
+  // Sets the value and everything that depends on it; null: only the value.
   void (*adopt)(Holder&, const Value&) = nullptr;
 };
 
-// One member of a struct of plain data. Readers, writers, schemas, options and mirror images of
-// the struct follow from its table of fields.
+// A described member of a plain struct. Readers, writers, schemas, options and mirror images follow
+// from the struct's table of fields.
 template <class Holder, class Value>
 struct Field {
-  const char* key;  // in files, with its unit: "duration_s"
-  // The place of the value in the struct.
+  const char* key;  // key in files, with its unit: "duration_s"
+  // Pointer to the member.
   Value Holder::*member;
-  const char* says;  // the sentence of schema, --help-all and manual
-  // The facts that most fields do without.
+  const char* says;  // description in schema, --help-all and manual
+  // Optional facts.
   FieldTraits<Holder, Value> traits{};
 
-  // Puts a value into its place, with what follows from it.
+  // Sets the value, by `adopt` if there is one.
   void set(Holder& into, Value value) const {
     if (traits.adopt != nullptr) return traits.adopt(into, value);
     into.*member = std::move(value);
@@ -117,8 +116,8 @@ Field(const char*, Value Holder::*, const char*, FieldTraits<Holder, Value>)
 // All fields of a struct.
 template <class... Fields>
 struct FieldTable {
-  const char* name;  // of the struct in schemas: "goal"
-  // The sentence of the schema.
+  const char* name;  // name of the struct in schemas: "goal"
+  // Description in schemas.
   const char* says;
   // The fields, in the order of files.
   std::tuple<Fields...> fields;
@@ -127,8 +126,7 @@ struct FieldTable {
 template <class... Fields>
 FieldTable(const char*, const char*, std::tuple<Fields...>) -> FieldTable<Fields...>;
 
-// The fields of a struct in the order of its files. Each struct with a table specialises this
-// beside its declaration.
+// The fields of a struct, in file order. Each struct with a table specialises this.
 template <class Holder>
 inline constexpr FieldTable<> kFields{};
 
@@ -143,7 +141,7 @@ constexpr void for_each_field(Visit&& visit) {
   std::apply([&visit](const auto&... field) { (visit(field), ...); }, kFields<Holder>.fields);
 }
 
-// For `written`: files hold the value of each holder.
+// A value of FieldTraits::written: files always contain the field.
 template <class Holder>
 [[nodiscard]] constexpr bool always(const Holder&) {
   return true;

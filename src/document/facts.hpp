@@ -6,13 +6,13 @@
 
 namespace shigusa {
 
-/// All that a user interface has to know beside a body, as JSON text: criteria, mixtures, presets
-/// with the mixture that each ranks by, the words of enums, ranges of what a person sets, and file
-/// formats. bindings/c/include/shigusa.h says its keys (shigusa_facts).
+/// Facts for user interfaces as JSON: criteria, mixtures, presets with their default mixture, words
+/// of enums, ranges of user settings, and file formats. The keys are documented at shigusa_facts in
+/// bindings/c/include/shigusa.h.
 [[nodiscard]] std::string format_facts();
 
-/// An error as JSON text, of which a user interface words the message in its reader's language:
-/// {"place", "message"}, as bindings/c/include/shigusa.h says (shigusa_failure).
+/// Formats an error as JSON that a user interface can translate: {"place", "message"}, documented
+/// at shigusa_failure in bindings/c/include/shigusa.h.
 [[nodiscard]] std::string format_failure(const Error& error);
 
 }  // namespace shigusa

@@ -261,17 +261,35 @@ BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
   return HumanBuilder(landmarks, settings, std::move(doubts)).build();
 }
 
-BodyModel half_body(const BodyBuild& s) {
+namespace {
+
+// A build whose stature and mass are in range.
+const BodyBuild& checked(const BodyBuild& build) {
+  SHG_CHECK(build.stature >= kStatureMin && build.stature <= kStatureMax,
+            fmt::format("stature is {:g} m; allowed are {:g} to {:g} m", build.stature, kStatureMin,
+                        kStatureMax));
+  SHG_CHECK(
+      build.mass >= kMassMin && build.mass <= kMassMax,
+      fmt::format("mass is {:g} kg; allowed are {:g} to {:g} kg", build.mass, kMassMin, kMassMax));
+  return build;
+}
+
+}  // namespace
+
+BodyModel half_body(const BodyBuild& build) {
+  const BodyBuild& s = checked(build);
   return build_human(standing_landmarks(s.stature, 0.0),
                      {"half_body", BodyExtent::half, s.stature, s.mass, s.sex});
 }
 
-BodyModel full_body(const BodyBuild& s) {
+BodyModel full_body(const BodyBuild& build) {
+  const BodyBuild& s = checked(build);
   return build_human(standing_landmarks(s.stature, kStandingToeOut),
                      {"full_body", BodyExtent::full, s.stature, s.mass, s.sex, s.base});
 }
 
-BodyModel human_body(const BodyBuild& s) {
+BodyModel human_body(const BodyBuild& build) {
+  const BodyBuild& s = checked(build);
   return build_human(standing_landmarks(s.stature, kStandingToeOut), {.name = "human",
                                                                       .extent = BodyExtent::human,
                                                                       .stature = s.stature,
