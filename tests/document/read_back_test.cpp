@@ -72,7 +72,7 @@ TEST(ReadBack, ChannelsInAnotherOrderAreFound) {
   EXPECT_EQ(back.error().code, ErrorCode::unsupported);
   EXPECT_THAT(back.error().to_string(),
               AllOf(HasSubstr("the format bvh: read back, "), HasSubstr(" mm off the motion"),
-                    HasSubstr("leave the format out")));
+                    HasSubstr("leave it out")));
 }
 
 TEST(ReadBack, AHandThatIsATenthOfAMillimetreOffIsToldAndTwoAreRefused) {

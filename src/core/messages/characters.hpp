@@ -18,7 +18,7 @@ inline constexpr std::array kCharacters{
                 "where they stand in them"},
     MessageText{"other_person",
                 "is not the person of the result, {}, who may have been mirrored or changed since"},
-    MessageText{"seat_of_one_side", "a body of one side cannot sit"},
+    MessageText{"seat_of_one_side", "a body of one side cannot sit on a seat"},
     MessageText{"rest_of_no_animation",
                 "the rest pose is of no animation: leave the frame or the animation out"},
     MessageText{"no_animation_frame",
