@@ -50,8 +50,8 @@ inline constexpr std::array kCharacters{
                 "the person does not sit in frame {}: they are seated upright, with the hands on "
                 "the thighs"},
     MessageText{"frame_no_stance",
-                "the body could not hold the start that was asked for, frame {}, still; without "
-                "--frame a standing frame is sought"},
+                "the body could not hold the start that was asked for, frame {}, still; if no "
+                "frame is given, one that stands is sought"},
     MessageText{"later_frame",
                 "the file does not begin with a person who stands still on both feet: the motion "
                 "starts from frame {}, the first one that does"},
