@@ -19,12 +19,6 @@ struct PointJacobian {
 
 /// A body at given joint angles: poses of its links, Jacobians, centre of mass, and the torques
 /// that hold it still. Immutable; copies share their data. The body must outlive it.
-///
-///     const BodyModel body = human_body();
-///     const Posture posture(body, body.start());
-///     const Effector& hand = body.effectors()[0];
-///     const Vec3d at = posture.place(hand).translation;
-///     const PointJacobian moves = posture.jacobian(hand.link, hand.point);
 class Posture {
  public:
   /// `angles`: (dofs) rad; limits are not enforced. PreconditionError if their number differs from

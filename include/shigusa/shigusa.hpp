@@ -40,12 +40,7 @@
 /// make a Task; generate() searches Candidates for it, and write_result() writes them to files.
 /// Units are metres, kilograms, seconds and radians; the world has +Y up, and a person faces +Z
 /// with the left towards +X.
-///
-///     const auto hero = open_character({.source = "hero.glb"});
-///     Task task(hero->body);
-///     task.goals = {{"right_hand", {-0.20, 0.30, 0.40}}};
-///     const auto result = generate(task);
-///     save("reach.glb", hero->spec, task, result->candidates[0]);
+/// open_character, Task, generate and save are the way from a file to a file.
 ///
 /// The method is that of T. Mukai, S. Kuriyama and T. Kaneko ("the paper"; docs/paper_map.md leads
 /// from its sections and rules to the code).
