@@ -24,7 +24,7 @@ const screens = [
 const kinds = [
   'index.html', 'tutorials/first_motion.html', 'concepts/weighted_ik.html', 'gallery.html', 'gallery/moving.html', 'criteria.html',
   'reliability.html', 'reference/command_line.html', 'reference/typescript.html', 'reference/task.html',
-  'reference/cpp/body_model.html', 'reference/c/index.html',
+  'reference/cpp/body.html', 'reference/c/index.html',
 ];
 const types = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json',
