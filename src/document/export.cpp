@@ -180,10 +180,11 @@ Result<std::string> export_candidate(const Task& task, const Candidate& candidat
 Result<void> save(const std::filesystem::path& path, const CharacterSpec& character,
                   const Task& task, const Candidate& candidate, const FileSettings& settings) {
   const std::string ending = file_ending(path.string());
-  SHG_TRY_ASSIGN(const std::vector<FileFormat> formats,
-                 parse_formats(ending.empty() ? "no ending" : ending.substr(1)));
+  SHG_TRY_ASSIGN(
+      const auto format,
+      value_of<FileFormat>(ending.size() > 1 ? ending.substr(1) : "no ending", "format"));
   SHG_TRY_ASSIGN(const std::string bytes,
-                 export_candidate(character, task, candidate, formats[0], settings));
+                 export_candidate(character, task, candidate, format, settings));
   return write_file(path, bytes);
 }
 
