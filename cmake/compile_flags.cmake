@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Flags for everything that is built here; those that a user's build must share stand beside the
+# Flags for all targets; those that a user's build must share are beside the
 # library target. -march=native and -ffast-math are never among them: results are the same on every
 # machine.
 
@@ -9,7 +9,7 @@ if(PROJECT_IS_TOP_LEVEL)
   endif()
   find_program(SHIGUSA_CCACHE ccache)
   if(SHIGUSA_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
-    # it keeps what was compiled with precompiled headers where it may overlook what these define
+    # ccache reuses files compiled with precompiled headers only if it may ignore their definitions
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${SHIGUSA_CCACHE})
   endif()
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
@@ -20,20 +20,20 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 add_compile_options(-Wall -Wextra -Wconversion -Wshadow -Wsign-conversion
                     $<$<BOOL:${SHIGUSA_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # from -O2 on it sees impossible overlaps in std::string's operator+ (GCC bug 105651)
+  # from -O2 on it warns of impossible overlaps in std::string's operator+ (GCC bug 105651)
   add_compile_options(-Wno-restrict)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # else it stores neighbours one by one and reads them as a pair, which waits for both stores
+  # otherwise it stores neighbours one by one and reads them as a pair, which waits for both stores
   add_compile_options(-fno-tree-slp-vectorize)
 endif()
 
-# Flags of what waits for files more than it computes: it compiles in two thirds of the time.
+# Flags for targets that wait for files more than they compute: they compile in two thirds of the time.
 set(shigusa_quick_build $<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<CONFIG:Release>>:-O1>)
 
 if(SHIGUSA_SANITIZE)
-  # without two that take a fifth of the time to compile: the address sanitizer knows the sizes at
-  # which object-size guesses, and no class here is cast to another, which vptr watches
+  # without two checks that take a fifth of the compile time: the address sanitizer knows the sizes
+  # that object-size estimates, and no class is cast to another, which vptr checks
   set(shigusa_sanitizer_flags -fsanitize=${SHIGUSA_SANITIZE} -fno-sanitize=object-size,vptr
                               -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_compile_options(${shigusa_sanitizer_flags})

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The library's data, each file as a source that is made when CMake configures.
+# The library's data: each file becomes a source, generated when CMake configures.
 
-# embed_source(SOURCE HEADER TEXT): SOURCE.cpp of the library with TEXT in its namespace, after HEADER.
+# embed_source(SOURCE HEADER TEXT): generates SOURCE.cpp of the library, with TEXT in its namespace, after HEADER.
 function(embed_source source header text)
   file(CONFIGURE OUTPUT ${source}.cpp @ONLY CONTENT [[
 #include "@header@"
@@ -13,7 +13,7 @@ namespace shigusa {
   target_sources(shigusa PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/${source}.cpp)
 endfunction()
 
-# read_data(VARIABLE FILE [HEX]): FILE's content, read again where it changes.
+# read_data(VARIABLE FILE [HEX]): FILE's content; CMake configures again when it changes.
 function(read_data variable file)
   set(file ${PROJECT_SOURCE_DIR}/${file})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
@@ -21,7 +21,7 @@ function(read_data variable file)
   set(${variable} "${content}" PARENT_SCOPE)
 endfunction()
 
-# embed_page_part(PART SUFFIX NAME): src/draw/page_PART.SUFFIX as the text NAME, without the line that names the licence.
+# embed_page_part(PART SUFFIX NAME): embeds src/draw/page_PART.SUFFIX as the text NAME, without its licence line.
 function(embed_page_part part suffix name)
   read_data(text src/draw/page_${part}.${suffix})
   string(FIND "${text}" "\n" licence)
@@ -31,7 +31,7 @@ endfunction()
 embed_page_part(script js kPageScript)
 embed_page_part(style css kPageStyle)
 
-# The start tables: a line `table NAME FEET COORDINATES…` and its rows `X Y Z DIGITS`, with tabs between.
+# The start tables: a line `table NAME FEET COORDINATES…` and its rows `X Y Z DIGITS`, separated by tabs.
 read_data(rows data/starts.tsv)
 string(REGEX REPLACE "#[^\n]*\n" "" rows "${rows}")
 string(REGEX MATCHALL "table\t[^\n]*" tables "${rows}")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The header-only libraries of the machine that builds, for another machine's compiler: find_package
-# looks for packages of the latter, and the whole of /usr/include would give it the C library of the
-# former. So a folder holds links to these alone.
+# Header-only libraries of the build machine for a cross compiler: find_package looks for packages of
+# the target machine, and the whole of /usr/include would bring the build machine's C library. So a
+# folder has links to these libraries alone.
 set(host_headers ${PROJECT_BINARY_DIR}/host_headers)
 file(MAKE_DIRECTORY ${host_headers})
 foreach(folder IN ITEMS tl fmt nlohmann)

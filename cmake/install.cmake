@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-# What `cmake --install` puts in place, and the package that find_package(shigusa) finds.
+# The files installed by `cmake --install`, and the package that find_package(shigusa) finds.
 include(CMakePackageConfigHelpers)
 
 set(shigusa_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shigusa)
 
 install(TARGETS shigusa EXPORT shigusaTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY include/shigusa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-# the studio's page, where scripts/build_studio has built it
+# the studio's page, if scripts/build_studio has built it
 install(DIRECTORY studio/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shigusa/studio OPTIONAL)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(EXPORT shigusaTargets NAMESPACE shigusa:: DESTINATION ${shigusa_package_dir})
@@ -19,7 +19,7 @@ if(TARGET shigusa_c)
   install(EXPORT shigusaCTargets NAMESPACE shigusa:: DESTINATION ${shigusa_package_dir})
 endif()
 
-# What pkg-config finds. What a static library needs is linked by whoever links it.
+# The module of pkg-config. Users of a static library also link its dependencies.
 set(needed_modules fmt)
 if(TBB_FOUND)
   list(APPEND needed_modules tbb)
@@ -44,7 +44,7 @@ cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_FUL
 configure_file(cmake/shigusa.pc.in ${PROJECT_BINARY_DIR}/shigusa.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/shigusa.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-# In a folder of their own: beside bin, a package that is not installed would be found where the program is on PATH.
+# In a folder of their own: next to bin, find_package would find the uninstalled package if the program is on PATH.
 set(shigusa_package ${PROJECT_BINARY_DIR}/package)
 file(REMOVE ${PROJECT_BINARY_DIR}/shigusaConfig.cmake ${PROJECT_BINARY_DIR}/shigusaConfigVersion.cmake) # of old builds
 configure_package_config_file(cmake/shigusaConfig.cmake.in ${shigusa_package}/shigusaConfig.cmake

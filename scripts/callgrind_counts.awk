@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# callgrind_counts.awk RECORDED COUNTED: read by scripts/callgrind_counts. Of two lists, lines of a body, how and a number of
-# instructions, tells how far apart they are. Fails where one changed by more than `margin` per cent, where what was counted
-# was not recorded, where what was recorded was not counted, but for a set of `lacking` (words), and where nothing was.
+# callgrind_counts.awk RECORDED COUNTED: used by scripts/callgrind_counts. Compares two lists with lines of a body,
+# a mode and a number of instructions. Fails if a number changed by more than `margin` per cent, if a counted line
+# was not recorded or the reverse (except those of the set `lacking`, words), and if nothing was counted.
 
 function complain(text) {
   print text

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// characters_table.mjs FOLDER FILES: read by check_characters. A table of what FOLDER/*.json tell, one of characters each, and sums of
-// it; fails where a sum is beyond its floor or ceiling. FILES is the number of characters that were named, 0 for all.
+// characters_table.mjs FOLDER FILES: used by check_characters. Prints a table of FOLDER/*.json, one file per character, and
+// sums over it; fails if a sum is beyond its floor or ceiling. FILES is the number of named characters, 0 for all.
 import { readFileSync, readdirSync } from 'node:fs';
 
 const [work, asked] = process.argv.slice(2);

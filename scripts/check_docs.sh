@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_docs.sh [ROOT [XML]]: fails where Doxygen warns of a public header of C++ or C: a declaration without a
-# comment, or a comment that it cannot read. Keeps what it read in XML/cpp and XML/c, where a folder is given. Exits
-# with 77 where there is no Doxygen.
+# check_docs.sh [ROOT [XML]]: fails if Doxygen warns about a public header of C++ or C: a declaration without a
+# comment, or a comment that it cannot parse. Keeps Doxygen's output in XML/cpp and XML/c, if a folder is given.
+# Exits with 77 without Doxygen.
 set -eu
 scripts=$(cd "$(dirname "$0")" && pwd)
 cd "${1:-$scripts/..}"
@@ -16,7 +16,7 @@ if [ -z "$work" ]; then
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
 fi
-# read_headers OUTPUT DOXYFILE…
+# read_headers OUTPUT DOXYFILE…: runs Doxygen with these settings into $work/OUTPUT
 read_headers() {
   output=$1
   shift
@@ -28,7 +28,7 @@ more=$work/more
 read_headers cpp "$docs/Doxyfile" "$more"
 [ ! -d bindings/c ] || read_headers c "$docs/Doxyfile" "$docs/Doxyfile_c"
 
-# Doxygen 1.9.4 says nothing of an enum's value without a comment
+# Doxygen 1.9.4 does not warn about an enum's value without a comment
 awk '
   FNR == 1 { value = 0 }
   /<memberdef / { ++members }

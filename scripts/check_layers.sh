@@ -1,15 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_layers.sh [ROOT]: fails when a folder includes one that it may not use.
+# check_layers.sh [ROOT]: fails if a folder includes one that it may not use.
 #
-# Rooms stand in docs/architecture.md's order. A room may use itself and the rooms to the right of its
-# name here. The public headers lie side by side in include/shigusa, and each belongs to a room all the
-# same. Of other libraries a public header may use the standard one and tl/expected.hpp; it uses no
-# header of src. Programs that show how the library is used have its public headers alone: examples
-# and tests/consumer. The data sets, the command-line tool and the bindings see a few rooms beside these.
+# Rooms are in the order of docs/architecture.md. A room may use itself and the rooms listed after its name
+# below. Each public header, in include/shigusa, belongs to a room. A public header may use the standard library
+# and tl/expected.hpp, but no header of src. Programs that show the use of the library (examples and
+# tests/consumer) use public headers only; the data sets, the command-line tool and the bindings also use a few rooms.
 #
-# The operating system has one room too, files: no other file includes its headers, but for the few that
-# are named below.
+# Only the room files includes headers of the operating system, except for the few files named below.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
@@ -77,7 +75,7 @@ BEGIN {
   allow("edit", "document " documents)
   all = "dataset edit document " documents
   allow("dataset", "edit document " documents)
-  allow("shigusa", all)  # the one header that gathers the others
+  allow("shigusa", all)  # the header that includes all others
   outside = "apps examples tests bindings bench research"
   n = split(outside, list, " ")
   for (i = 1; i <= n; ++i) allow(list[i], "shigusa " all)
@@ -107,7 +105,7 @@ BEGIN {
   n = split("apps/shigusa/system.cpp apps/shigusa/page_server.cpp bindings/c/src/failure.cpp", list, " ")
   for (i = 1; i <= n; ++i) may_ask_system[list[i]] = 1
 
-  # these have public headers, and of some rooms all
+  # folders that may use public headers, and all headers of these rooms
   inside["dataset"] = " dataset core files formats "
   inside["apps"] = " core files problem "
   inside["bindings"] = " document "
@@ -147,7 +145,7 @@ FNR == 1 {
   } else if (public) {
     complain("a public header includes only <shigusa/...>, not \"" target "\"")
   } else if (target ~ /\//) {
-    # a path through folders: the first one that is a room is the one used
+    # in a path through folders the first one that is a room counts
     n = split(target, part, "/")
     for (i = 1; i < n && !(part[i] in known); ++i) {}
     if (i < n || target ~ /(^|\/)(src|include)\//) {

@@ -1,14 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_messages.sh [ROOT]: fails where an error or a doubt has a text of its own in place of a sentence of the catalogue
-# (src/core/messages), which pages have in other languages: say("no_goal") and not "no goal: …".
+# check_messages.sh [ROOT]: fails if an error or a doubt has a text of its own instead of a sentence of the
+# catalogue (src/core/messages), which pages translate: say("no_goal") and not "no goal: …".
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
-# Texts that no page shows: what the operating system says of files and folders, which pages have none of (files/file,
-# files/descriptor, document/result_folder, document/result_store), tables that the library itself has filled wrongly (formats/csv),
-# settings of strip figures, which are options of the command line (draw), and data sets, which no page makes (dataset). The command line and the C interface
-# (apps, bindings) speak English to the people who call them.
+# Exceptions, texts that no page shows: errors of the operating system about files and folders (files/file,
+# files/descriptor, document/result_folder, document/result_store), the library's own faulty tables (formats/csv),
+# settings of strip figures, which are options of the command line (draw), and data sets (dataset). The command line and
+# the C interface (apps, bindings) are in English.
 files=$(find src include -type f \( -name '*.hpp' -o -name '*.cpp' \) ! -path 'src/core/*' ! -path 'src/draw/*' \
   ! -path src/files/file.cpp ! -path src/files/descriptor.cpp ! -path src/formats/csv.cpp \
   ! -path src/document/result_folder.cpp ! -path src/document/result_store.cpp | LC_ALL=C sort) || true

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_paper_map.sh [ROOT]: fails where docs/paper_map.md names code or a test that is not there.
+# check_paper_map.sh [ROOT]: fails if docs/paper_map.md names code or a test that does not exist.
 #
 # In its table `b.hpp` is a header of include/shigusa, `a/b.hpp` one below src (or src/a/b.cpp in full),
-# `a/b_test.cpp` a test; other names of code must stand in the file that follows them by "in", or anywhere where none does.
+# `a/b_test.cpp` a test. Other names of code must occur in the file that follows them after "in", or else anywhere.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
@@ -11,7 +11,7 @@ map=docs/paper_map.md
 words=$(mktemp)
 trap 'rm -f "$words"' EXIT
 { find include src apps tests -type f 2>/dev/null || true; } | LC_ALL=C sort >"$words"
-# FILE or SYMBOL, the line, the name, and of a symbol the file that it is said to be in
+# lines of FILE or SYMBOL, the line's number, the name, and the file stated for a symbol
 LC_ALL=C awk -F '|' '
   function tell(kind, name, file) { print kind "\t" FNR "\t" name "\t" file }
   /^\| *[^-]/ && NF >= 5 {
@@ -26,7 +26,7 @@ LC_ALL=C awk -F '|' '
         } else if (name ~ /^[A-Za-z_:]+$/) {
           waiting[++count] = name
         }
-        # what a semicolon ends stands anywhere
+        # names before a semicolon may occur anywhere
         if (part[i + 1] ~ /;/) while (count > 0) tell("SYMBOL", waiting[count--], "")
       }
       while (count > 0) tell("SYMBOL", waiting[count--], "")

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_prose.sh [ROOT]: fails where README.md or a page of docs/tutorials has a sentence of more than 35 words or a line
-# of more than 100 characters, or where README.md has more than 110 lines. Code, tables and the addresses of links are
-# not counted; code between backquotes is one word.
+# check_prose.sh [ROOT]: fails if README.md or a page of docs/tutorials has a sentence of more than 35 words or a
+# line of more than 100 characters, or if README.md has more than 110 lines. Code, tables and link addresses are not
+# counted; code between backquotes is one word.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
@@ -15,7 +15,7 @@ function complain(line, text) {
   printf "%s:%d: %s\n", file, line, text
   bad = 1
 }
-# code between backquotes may go on in the next line
+# code between backquotes may continue on the next line
 function without_code(text) {
   if (in_code && !sub(/^[^`]*`/, "", text)) return ""
   gsub(/`[^`]*`/, "code", text)
@@ -44,7 +44,7 @@ fenced || /^ *\|/ { next }
   gsub(/\]\([^)]*\)/, "]", text)
   gsub(/https?:[^ )>]*/, "URL", text)
   counted = text
-  # of a character of several bytes the first alone counts
+  # only the first byte of a multibyte character counts
   gsub(/[\200-\277]/, "", counted)
   if (length(counted) > most_characters) complain(FNR, length(counted) " characters; at most " most_characters)
   if (text ~ /^ *$/) in_code = 0

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_readme.sh [--record] PROGRAM [ROOT]: runs the commands of README.md's "Five commands" and fails where one
-# fails, or makes another picture than the page shows; --record writes the pictures. Fails too where README.ja.md
-# has other commands, other C++ or more than 110 lines; check_prose.sh counts those of README.md.
+# check_readme.sh [--record] PROGRAM [ROOT]: runs the commands of README.md, and fails if one fails or makes another
+# picture than the page shows; --record writes the pictures. Fails also if README.ja.md has other commands, other
+# C++ or more than 110 lines; check_prose.sh counts the lines of README.md.
 #
 # The picture docs/images/readme/NAME.svg is out/NAME/candidate-1.svg.
 set -eu

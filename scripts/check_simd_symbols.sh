@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_simd_symbols.sh LIBRARY: fails when an object file of the static LIBRARY that is compiled for
-# a SIMD set (pack_scorer_avx2, pack_layers_avx512, …) defines a function that other files may define
-# too, and that does not bear the set's pack in its name. Of such functions the linker keeps one
-# copy: the whole program might get the one with instructions that the machine lacks. And fails when
-# another file defines a function of such a pack, which it would hand over in other registers.
+# check_simd_symbols.sh LIBRARY: fails if an object file of the static LIBRARY that is compiled for a SIMD set
+# (pack_scorer_avx2, pack_layers_avx512, …) defines a function that other files may define too, and whose name lacks
+# the set's pack. The linker keeps one copy of such functions, so the whole program might get the one with
+# instructions that the machine lacks. Fails also if another file defines a function of such a pack, which it would
+# pass in other registers.
 set -eu
 library=${1:?which library?}
 
@@ -13,7 +13,7 @@ shared='^[0-9a-f]* [Wwiu] '
 # clang's own; it calls two functions of the C++ runtime and nothing else
 harmless=' __clang_call_terminate$'
 
-# each line: the object file, a colon, the symbol as nm has it
+# lines of the object file, a colon, and the symbol as printed by nm
 symbols=$(nm --defined-only --demangle "$library" | awk '
   /^[^ ].*\.o(bj)?:$/ { file = substr($0, 1, length($0) - 1); next }
   { print file ": " $0 }')

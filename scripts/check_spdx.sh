@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_spdx.sh [ROOT]: fails when a source, script or CMake file does not name its licence in its
-# first line (a script: in its second).
+# check_spdx.sh [ROOT]: fails if a source, script or CMake file does not name its licence in its first line
+# (scripts: in the second).
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 find . -name '*.[ch]pp' | grep -q . || { echo "check_spdx: no sources below $(pwd)" >&2; exit 1; }
 
-# every file of ours in which a comment can stand, not what builds leave among them; scripts are known
-# by their first two characters
+# all of the project's files that can hold a comment, without build outputs; scripts are recognised by their first
+# two characters
 find . \( -name .git -o -path ./build -o -path ./out -o -name node_modules -o -path './*/dist' \
   -o -name shigusa.mjs \) -prune -o -type f -size +0 -print0 | LC_ALL=C sort -z |
   LC_ALL=C xargs -0 awk '

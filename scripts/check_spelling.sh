@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_spelling.sh [ROOT [SHIGUSA]]: fails where a page, or the help of the program SHIGUSA, has a word that neither the
-# British dictionary of hunspell nor docs/site/words.txt knows. Code and what stands between backquotes is not looked at.
-# Exits with 77 where there is no hunspell.
+# check_spelling.sh [ROOT [SHIGUSA]]: fails if a page, or the help of the program SHIGUSA, has a word that is
+# neither in hunspell's British dictionary nor in docs/site/words.txt. Ignores code and text between backquotes.
+# Exits with 77 without hunspell.
 set -eu
 scripts=$(cd "$(dirname "$0")" && pwd)
 program=${2:-}
@@ -20,7 +20,7 @@ trap 'rm -rf "$work"' EXIT
 
 pages=$(find README.md CONTRIBUTING.md CHANGELOG.md docs -name '*.md' 2>/dev/null | LC_ALL=C sort) || true
 [ -n "$pages" ] || { echo "check_spelling: no pages below $(pwd)" >&2; exit 1; }
-# a word that is wrong: where it is not found, nothing is
+# a misspelt word, whose absence from the findings shows that the check does not work
 echo 'wrongg' >"$work/canary"
 pages="$pages $work/canary"
 if [ -n "$program" ]; then
@@ -38,7 +38,7 @@ fi
       -e 's/<[^>]*>/ /g' -e 's/&[a-z]*;/ /g' -e "s/['’]s\\>//g" -e 's/[A-Za-z_./-]*[_/0-9][A-Za-z0-9_./-]*/ /g' \
       -e 's/[A-Za-z]*\.[A-Za-z][A-Za-z.]*/ /g' |
     LC_ALL=C.UTF-8 hunspell -d en_GB -p "$words" -l | LC_ALL=C sort -u |
-    # symbols and other scripts, BVH, MuJoCo: nobody misspells them
+    # without symbols, other scripts, and names such as BVH and MuJoCo
     LC_ALL=C grep -vE '[^ -~]|^[A-Z]+s?$|[a-z][A-Z]|^[A-Z][A-Z]|^.$' | while read -r word; do
     LC_ALL=C grep -nwF -- "$word" /dev/null $pages | cut -d : -f 1,2 | head -n 3 | sed "s|$work/||; s/\$/: $word/"
   done

@@ -1,13 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# check_words.sh [ROOT]: fails where a word that docs/glossary.md retires is used, where a comment's
-# sentence has a clause of "what" or "who" as its subject, or where a joint, a bone or an effector is
-# sought by a literal name and not by its JointKind, HumanoidBone or BodyPart. Readers and writers have
-# names, and what takes or tells a user's words.
+# check_words.sh [ROOT]: fails on a word that docs/glossary.md retires, on a comment's sentence whose subject is a
+# clause of "what" or "who", and on a joint, a bone or an effector that is sought by a literal name and not by its
+# JointKind, HumanoidBone or BodyPart. Readers, writers and code for a user's words may have names.
 #
-# The glossary's table under "Retired" has a word a row, or several with commas between them, each in
-# backquotes. They are sought as they are spelled, as whole words, in C, C++ and TypeScript; single words
-# in the pages too, but for the changelog, which tells of earlier versions.
+# The glossary's table under "Retired" has one word per row, or several separated by commas, each in backquotes.
+# They are sought as spelled, as whole words, in C, C++ and TypeScript; single words also in the pages, except the
+# changelog, which describes earlier versions.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
@@ -26,7 +25,7 @@ joints='"_?((left|right)_)?(hips?|knee|ankle|toes|foot|spine|chest|upper_chest|n
 named='^(src/(human|rig|measure|robot|formats|plan|core/messages)/|src/draw/mannequin|dataset/(export|show)_|include/shigusa/(body|goal)\.hpp|src/body/(joint_name|further_effectors|posture_modes|seat)\.|src/character/landmarks_json|src/document/(joint_names|character_export)|src/problem/task_supports)'
 kernel=$(find include src dataset \( -name '*.hpp' -o -name '*.cpp' \) -print 2>/dev/null | LC_ALL=C sort | LC_ALL=C grep -vE "$named") || true
 
-# found PLACES-WITH-TEXT MESSAGE: prints them, when there are any
+# found PLACES-WITH-TEXT MESSAGE: prints the places, if there are any, and the message
 bad=0
 found() {
   [ -n "$1" ] || return 0

@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: MIT
+# Sourced by the other scripts: goes to the project's root and defines common functions.
 # shellcheck shell=bash
 # Read by the commands beside it: goes to the project's root and gives them a few words.
 set -euo pipefail
-shopt -s inherit_errexit # else what fails within $(…) goes on
-called_from=$PWD # paths that a caller gives are meant from there
+shopt -s inherit_errexit # otherwise failures within $(…) are ignored
+called_from=$PWD # base of the relative paths that a caller gives
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DEBIAN_FRONTEND=noninteractive
 jobs=$(nproc)
-# what ccache keeps serves other clones on this machine too
+# ccache's entries serve other clones on this machine too
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
 
-# say TEXT: one line on what comes next, and when
+# say TEXT: prints one line about the next step, with the time
 say() { printf '== %(%H:%M:%S)T %s\n' -1 "$*"; }
 
-# quietly COMMAND…: shows the command's output only when it fails
+# quietly COMMAND…: shows the command's output only if it fails
 quietly() {
   local log status=0
   log=$(mktemp)
@@ -23,7 +24,7 @@ quietly() {
   return "$status"
 }
 
-# Where a caller asks whether one of these failed, `set -e` is off within: each step says itself that it ends the function.
+# If a caller tests the status of one of these functions, `set -e` is off within it, so each step returns explicitly.
 
 # build PRESET CMAKE_OPTION…: configures and builds into build/PRESET
 build() {
@@ -35,7 +36,7 @@ build() {
   fi
 }
 
-# build_target PRESET TARGET…: configures build/PRESET and builds only these
+# build_target PRESET TARGET…: configures build/PRESET and builds only these targets
 build_target() {
   local preset=$1
   shift
@@ -43,18 +44,18 @@ build_target() {
   quietly cmake --build "build/$preset" --parallel "$jobs" --target "$@" -- --quiet
 }
 
-# build_research TARGET…: these programs of research/ and no tests
+# build_research TARGET…: builds these programs of research/, without tests
 build_research() {
   quietly cmake --preset gcc -D SHIGUSA_BUILD_TESTS=OFF -D SHIGUSA_BUILD_RESEARCH=ON || return
   build_target gcc "$@"
 }
 
-# whether all that can be tested must be, as .ci/run has it (SHIGUSA_STRICT) where ../shared is there
+# whether unexpected skips are failures: in .ci/run (SHIGUSA_STRICT), if ../shared is present
 strict=
 [ -z "${SHIGUSA_STRICT:-}" ] || [ ! -d ../shared ] || strict=yes
 awk_of_tap=$PWD/scripts/tap.awk
 
-# run_tests PRESET CTEST_OPTION…: what passed or was skipped is only counted, unless on a terminal
+# run_tests PRESET CTEST_OPTION…: runs ctest; passed and skipped tests are only counted, unless on a terminal
 run_tests() {
   local preset=$1 rooms
   shift
@@ -67,12 +68,12 @@ run_tests() {
   fi
 }
 
-# node_tests NODE_OPTION…: of node:test
+# node_tests NODE_OPTION…: runs tests of node:test
 node_tests() {
   node --test --test-reporter=tap --test-reporter-destination=stdout "$@" | awk -v strict="$strict" -f "$awk_of_tap"
 }
 
-# npm_packages FOLDER: what its lock file names, unless it is there already
+# npm_packages FOLDER: installs the packages of its lock file, unless they are installed
 npm_packages() {
   local lock
   lock=$(sha256sum "$1/package-lock.json" | cut -d ' ' -f 1) || return
@@ -82,8 +83,8 @@ npm_packages() {
   touch "$1/node_modules/.lock-$lock"
 }
 
-# in_parallel FUNCTION ARGUMENT…: the function once for each argument, as many at once as there are
-# cores; fails when one fails, after all are done, and where there is no argument
+# in_parallel FUNCTION ARGUMENT…: calls the function once for each argument, as many at once as there are
+# cores; fails after all calls if one failed, and without an argument
 in_parallel() {
   local function=$1 argument running=0 failed=0
   shift
@@ -106,9 +107,9 @@ in_parallel() {
   return "$failed"
 }
 
-# run_rooms PRESET ROOM…: the test programs of these rooms, each in as many parts as there are cores. A process
-# for all tests of a part and not one each, which takes sanitizers half a second to begin. Fails where no test of a room
-# ran, as when a filter's name has changed.
+# run_rooms PRESET ROOM…: runs the test programs of these rooms, each in as many parts as there are cores. Each part is
+# one process, not one per test, as sanitizers take half a second to start. Fails if no test of a room ran, as when a
+# filter's name has changed.
 run_rooms() {
   local preset=$1 room part parts=() failed=0 counts
   shift
@@ -135,7 +136,7 @@ run_rooms() {
   return "$failed"
 }
 
-# attempt WHAT COMMAND…: the command, and a note of one that fails or, by 77, skips
+# attempt WHAT COMMAND…: runs the command, and records a failure or, by 77, a skip
 attempt() {
   local what=$1 status=0
   shift
@@ -150,7 +151,7 @@ attempt() {
 attempts_failed=()
 attempts_skipped=()
 
-# tell_attempts NAME: what was skipped and what failed; fails where something did
+# tell_attempts NAME: prints the recorded skips and failures; fails if there was a failure
 tell_attempts() {
   [ ${#attempts_skipped[@]} -eq 0 ] || printf "$1: skipped: %s\n" "${attempts_skipped[@]}" >&2
   [ ${#attempts_failed[@]} -eq 0 ] || printf "$1: failed: %s\n" "${attempts_failed[@]}" >&2

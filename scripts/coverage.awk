@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# coverage.awk FLOORS SUMMARY: read by scripts/coverage. Of llvm-cov's summary prints how many lines of each room
-# (src/ROOM, and dataset) were run, or with `record` lines of a new FLOORS, a point below. Fails where a room is below its floor or
-# has none, where one of `rooms` (words) or of FLOORS was not counted, and where none was.
+# coverage.awk FLOORS SUMMARY: used by scripts/coverage. From llvm-cov's summary prints the share of lines run in
+# each room (src/ROOM, and dataset), or with `record` the lines of a new FLOORS, a point below. Fails if a room is
+# below its floor or has none, if one of `rooms` (words) or of FLOORS was not counted, and if none was.
 
 function number(name,   rest) {
   rest = $0
@@ -13,7 +13,7 @@ function complain(text) {
   bad = 1
 }
 
-# an empty file has no first line, so that what is read goes by its name
+# an empty file has no first line, so files are told apart by name
 FILENAME == ARGV[1] { if ($0 !~ /^#/) floor[$1] = $2; next }
 
 # "filename":…, "summary": {…, "lines": {"count": N, "covered": N, …}, …}, and "totals" in the end

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Read by scripts/mutants. Writes a line for each small change that can be made to the sources that
-# it is given: FILE, LINE, COLUMN, what stands there and what takes its place, with tabs between.
+# Used by scripts/mutants. Writes a line for each possible small change to the given sources: FILE, LINE, COLUMN,
+# the old text and the new text, separated by tabs.
 
 function change(from, to) {
   ++changes
@@ -10,7 +10,7 @@ function change(from, to) {
 function tell(column, from, to) {
   printf "%s\t%d\t%d\t%s\t%s\n", FILENAME, FNR, column, from, to
 }
-# outside of "…" and of what stands behind //
+# whether a place is outside strings and comments
 function is_code(column,   before) {
   before = substr($0, 1, column - 1)
   return before !~ /\/\// && gsub(/"/, "", before) % 2 == 0
@@ -27,12 +27,12 @@ BEGIN {
   change("(-", "("); change("= -", "= "); change("return -", "return ")
 }
 
-# what this build does not compile
+# code that this build does not compile
 FNR == 1 || /^#(else|endif)/ { elsewhere = 0 }
 /^#ifdef __wasm_simd128__/ { elsewhere = 1 }
 elsewhere || /SHG_ASSERT\(/ { next }
 
-# lines that hold no step of a computation
+# lines without computation
 /^[ \t]*(\/\/|#|namespace|template|using|static_assert|friend)/ { next }
 
 {
@@ -44,7 +44,7 @@ elsewhere || /SHG_ASSERT\(/ { next }
       start = column + length(old[i])
     }
   }
-  # numbers: half as much again, one more of whole ones, 1 for 0
+  # numbers: times 1.5, whole numbers plus 1, 0 to 1
   start = 1
   while (match(substr($0, start), /[ (\[{-][0-9]+(\.[0-9]+)?(e-?[0-9]+)?[ ;,)\]}]/)) {
     column = start + RSTART

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Read by scripts/mutants. Of a report, lines of FATE, PLACE, CHANGE and the source's line with tabs between, prints the
-# survivors and how many there are of each fate. Fails where fewer than `least` of a hundred that compile are killed,
-# where half do not compile, which tells of a broken build, or where a fate is none.
+# Used by scripts/mutants. Reads a report with lines of FATE, PLACE, CHANGE and the source's line, separated by
+# tabs, and prints the survivors and the count of each fate. Fails if fewer than `least` per cent of those that
+# compile are killed, if half do not compile, which indicates a broken build, or on an unknown fate.
 
 BEGIN { FS = "\t" }
 { ++fates[$1] }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# rooms_ran.awk COUNTS ROOMS: read by common.sh. Fails where of a room of ROOMS, words, no test ran by COUNTS, lines of a room
-# and a number of tests.
+# rooms_ran.awk COUNTS ROOMS: used by common.sh. Fails if no test of a room of ROOMS (words) ran, by COUNTS, whose
+# lines have a room and a number of tests.
 
 FILENAME == ARGV[1] { ran[$1] += $2; next }
 {

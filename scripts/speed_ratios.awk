@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# speed_ratios.awk RECORDED MEASURED: read by scripts/check_speed_ratios. RECORDED has lines of a slow and a fast benchmark
-# and a ratio, MEASURED is the benchmark's CSV. Fails where a ratio is less than half of what was recorded, or was not
-# measured, but for names that end in a set of `lacking` (words), and where nothing was.
+# speed_ratios.awk RECORDED MEASURED: used by scripts/check_speed_ratios. RECORDED has lines of a slow and a fast
+# benchmark and a ratio, MEASURED is the benchmark's CSV. Fails if a ratio is less than half of the recorded one or
+# was not measured (except names that end in a set of `lacking`, words), and if nothing was measured.
 
 BEGIN { n_lacking = split(lacking, lacks, " ") }
 function is_lacking(name,   i) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Read by common.sh. Passes on what node:test says, and fails where no test passed, or, with `strict`, where one was skipped
-# for another reason than that it takes long.
+# Used by common.sh. Passes on the output of node:test, and fails if no test passed, or, with `strict`, if one was
+# skipped for another reason than its duration.
 
 { print }
 /^ *ok [0-9]+ .*# SKIP/ { if (tolower($0) !~ /# skip.*(night|long)/) unknown = unknown "\n" $0 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# tests_told.awk SKIPS CTEST_OUTPUT: read by common.sh. Of what ctest prints leaves out what passed and only counts what was
-# skipped. With `strict` fails where a test was skipped that SKIPS, lines of a name and a reason, does not name, where of one
-# of `rooms`, words, no test passed, as when a library that it needs is not there, or where none did at all.
+# tests_told.awk SKIPS CTEST_OUTPUT: used by common.sh. Prints ctest's output without passed tests, and only counts
+# the skipped ones. With `strict` fails if a skipped test is not in SKIPS, whose lines have a name and a reason, if
+# no test passed of one of `rooms` (words), as when its library is missing, or if none passed at all.
 
 FILENAME == ARGV[1] { if ($0 !~ /^(#|$)/) may_skip[$1] = 1; next }
 /^ *Start +[0-9]+: / { next }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Fetches the second readers' packages, as locked, into FOLDER, once for each lock file. Tests that
-# need them skip where this fails: without a network nothing is wrong with what we write.
+# Fetches the independent readers' locked packages into FOLDER, once for each lock file. If this fails,
+# tests that need them skip: without a network the written files are not to blame.
 file(SHA256 ${FOLDER}/package-lock.json lock)
 set(stamp ${FOLDER}/node_modules/.lock-${lock})
 if(EXISTS ${stamp})
