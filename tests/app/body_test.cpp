@@ -79,7 +79,7 @@ TEST_F(Body, MapOfTheCallerGoesBeforeNames) {
   EXPECT_EQ(json({"person.bvh", "--map", "neck=head"}).at("humanoid").at("neck"), "head");
 }
 
-// Names with spaces, beyond ASCII and twice the same come back as they were printed.
+// Names with spaces, non-ASCII letters and duplicates are accepted as printed.
 TEST_F(Body, MapTakesWhatBodyPrinted) {
   nlohmann::json file = testing_support::person_gltf();
   for (nlohmann::json& node : file["nodes"]) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A character's motions as the command line writes them.
+// A character's motions as written by the command line.
 #include "app/result_checks.hpp"
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"
@@ -155,7 +155,7 @@ TEST_F(CharacterFiles, WithoutTheFileAnEditSaysWhatToGive) {
   EXPECT_EQ(StoredRun(work_, "d").candidate(1).at("files").size(), 3u);
 }
 
-// The next motion begins with the posture that the last one ends with.
+// The next motion begins in the final posture of the last one.
 TEST_F(CharacterFiles, AFrameOfAGltfAnimationIsAStartPosture) {
   ASSERT_THAT(reach({"--duration", "1"}).exit_code, delivered());
   const Vec3d end =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Goals for joints of other people's characters: the file's own nodes arrive, wherever they stand
-// beside the body's.
+// Goals for joints of characters from files: the file's own nodes arrive, even if their positions
+// differ from the body's.
 #include <fmt/format.h>
 
 #include "app/result_checks.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data sets from the command line.
+// Data sets on the command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -66,7 +66,7 @@ TEST_F(DatasetCommand, PartsMakeTheWhole) {
   EXPECT_TRUE(shards("thirds") == shards("whole"));
 }
 
-// The folder alone is enough to make the same again, wherever the plan's file was named from.
+// The folder alone suffices to make the same data again, wherever the plan's file was.
 TEST_F(DatasetCommand, CharactersAreFoundFromTheFolder) {
   const std::filesystem::path shared = SHIGUSA_SHARED_DIR;
   if (shared.empty()) GTEST_SKIP() << "needs characters of ../shared";
@@ -107,7 +107,7 @@ TEST_F(DatasetCommand, InterruptedItEndsOnAWholeShard) {
   for (const auto& [name, bytes] : work_.contents()) EXPECT_THAT(name, Not(HasSubstr(".tmp")));
 }
 
-// Killed at any time, there is never a broken shard, and the same command makes the same bytes.
+// A kill at any time leaves no broken shard, and the same command then makes the same bytes.
 TEST_F(DatasetCommand, KilledAtAnyTimeItGoesOn) {
   run({"plan.json", "--out", "wanted", "--threads", "1"});
   Random random(1);

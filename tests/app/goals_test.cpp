@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Goals of any joint, rotations, axes, boxes, steps and looks from the command line: what the
-// written files do by their own kinematics.
+// Goals of any joint, rotations, axes, boxes, steps and gaze on the command line, measured by the
+// written files' own kinematics.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ double angle_deg(const Vec3d& a, const Vec3d& b) {
   return degrees(std::atan2(norm(cross(a, b)), dot(a, b)));
 }
 
-// Degrees between a node's rotation at the end and the one wanted.
+// Angle (degrees) between a node's final rotation and the wanted one.
 double off_deg(const ExportedMotion& motion, const std::string& node, const Quatd& wanted) {
   return degrees(
       norm(rotation_vector(to_matrix(wanted) * transpose(motion.rotation_at_end(node)))));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Help, manual and completion tell of the same commands and options, and fit where they are read.
+// Help, manual and completion have the same commands and options, and fit their page.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ const std::string& markdown() {
   return text;
 }
 
-// The words of each command, {"dataset", "merge"}, as the manual has them as headings.
+// The words of each command, {"dataset", "merge"}, from the headings of the manual.
 std::vector<Words> commands() {
   std::vector<Words> all;
   for (const std::string& line : lines_of(markdown())) {
@@ -66,7 +66,7 @@ std::vector<Words> commands() {
   return all;
 }
 
-// "--goal" of lines "  --goal EFFECTOR=X,Y,Z …" and the like, between other signs.
+// The options, such as "--goal", of lines like "  --goal EFFECTOR=X,Y,Z …".
 std::set<std::string> options_in(const std::string& text, const std::string& before) {
   std::set<std::string> options;
   const std::regex option("(^|\n)" + before + "(--[a-z-]+)");
@@ -179,13 +179,13 @@ Words examples() {
 
 int run_shell(const std::string& command) { return WEXITSTATUS(std::system(command.c_str())); }
 
-// The beginning of a shell's line that calls the program in a folder.
+// The beginning of a shell line that calls the program in a folder.
 std::string program_in(const WorkFolder& work) {
   return "cd '" + work.path().string() + "' && SHIGUSA_CACHE=/dev/null/cache '" +
          shigusa_program() + "' ";
 }
 
-// As a shell takes it: an example is a call that is understood, whether its files are there or not.
+// As in a shell: an example is a valid call, whether or not its files exist.
 TEST(Help, ExamplesAreUnderstood) {
   const WorkFolder work;
   EXPECT_GE(examples().size(), 20U);
@@ -244,7 +244,7 @@ TEST(Manual, IsOfACommandBelowAnother) {
   EXPECT_THAT(run_shigusa({"manual", "dataset", "export"}).out, HasSubstr("humanml3d"));
 }
 
-// The words that bash offers after a call whose last word is begun.
+// The words that bash offers after a call with an unfinished last word.
 std::string completed(const WorkFolder& work, const Words& words) {
   std::string call =
       "cd '" + work.path().string() + "'; compopt() { :; }; . ./completion; COMP_WORDS=(";

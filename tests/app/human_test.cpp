@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The preset human from the command line: results, edits, mirror images, what is refused.
+// The preset human on the command line: results, edits, mirror images, refusals.
 #include "app/result_checks.hpp"
 
 namespace shigusa {

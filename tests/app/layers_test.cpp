@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The preset layers from the command line: results, the library's cache, edits, what is refused.
+// The preset layers on the command line: results, the library's cache, edits, refusals.
 
 #include "app/result_checks.hpp"
 
@@ -110,7 +110,7 @@ TEST_F(Layers, EditOfTheArmLeavesTheTrunkWhereItWas) {
   }
 }
 
-// The whole body does what layers cannot do with such an arm: how far it reaches is one answer.
+// The whole body takes over if the layers fail with such an arm: reach is the same for all presets.
 TEST_F(Layers, ArmThatIsLockedStaysAsItIs) {
   ASSERT_THAT(reach({"--goal", kGoal}).exit_code, delivered());
   const ProgramRun run = edit("out", {"--set", "right_arm.right_shoulder.locked=true"});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever is wrong with a call or a file: exit code 2, a message that names the place, the value
-// and what is allowed or may be tried, and no file changed.
+// For any wrong call or file: exit code 2, a message with the place, the value and the values
+// allowed or a suggestion, and no file changed.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -29,7 +29,7 @@ Words joined(Words begin, const Words& more) {
   begin.insert(begin.end(), more.begin(), more.end());
   return begin;
 }
-// A call of reach with a goal that is right.
+// A call of reach with a valid goal.
 Words reach(const Words& more) { return joined({"reach", "--goal", kGoal}, more); }
 Words edit(const Words& more) { return joined({"edit", "result"}, more); }
 Words render(const Words& more) { return joined({"render", "person.bvh"}, more); }
@@ -38,7 +38,7 @@ Words body(const Words& more) { return joined({"body", "person.bvh"}, more); }
 // A call that makes a data set of twelve tasks in four shards.
 Words dataset(const Words& more) { return joined({"dataset", "data.json", "--out", "d"}, more); }
 
-// Cuts the person's file to pieces that are none.
+// Splits the person's file into invalid pieces.
 std::string without_lengths(std::string bvh) {
   for (std::size_t at = bvh.find("OFFSET"); at != bvh.npos; at = bvh.find("OFFSET", at + 1)) {
     bvh.replace(at, bvh.find('\n', at) - at, "OFFSET 0 0 0");
@@ -193,7 +193,7 @@ TEST_F(Mistaken, GoalsAreTold) {
   });
 }
 
-// Within the range of goals, and out of anybody's reach.
+// Within the range of goals, and out of reach for anyone.
 TEST_F(Mistaken, CentimetresAreTakenForWhatTheyAre) {
   const ProgramRun run = run_shigusa({"reach", "--goal", "right_hand=-20,90,40", "--character",
                                       "half_body", "--preset", "paper", "--formats", "bvh"},

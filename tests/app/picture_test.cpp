@@ -14,7 +14,7 @@ using namespace testing_support;
 
 constexpr double kPixels = 300.0 / 72.0;  // a point
 
-// A colour's pixels in a PNG, and where they lie in points.
+// A colour's pixels in a PNG, and their extent in points.
 class Pixels {
  public:
   explicit Pixels(const std::string& png)

@@ -65,7 +65,7 @@ class Reach : public testing::Test {
   WorkFolder work_;
 };
 
-// Feet planted, hands as far behind as nobody gets without falling.
+// Feet planted, with a goal for the hands so far behind that nobody reaches it without falling.
 TEST_F(Reach, TellsInWordsWhereAPersonCouldNotStand) {
   const auto least_mm = [&] {
     const StoredRun stored(work_, "out");

@@ -10,14 +10,14 @@
 #include "support/run_program.hpp"
 #include "support/work_folder.hpp"
 
-// The promises of a result on disk, judged from its files alone.
+// Requirements on a result on disk, judged from its files alone.
 namespace shigusa::testing_support {
 
 using Json = nlohmann::ordered_json;
 
 inline Vec3d to_vec(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 
-// Exit code of a call that met its goals: 3 where no candidate is possible.
+// Exit code of a call that met its goals: 3 if no candidate is possible.
 inline auto delivered() { return testing::AnyOf(0, 3); }
 
 // A result in a folder below the work folder.
@@ -53,12 +53,12 @@ class StoredRun {
 };
 
 inline constexpr double kMillimetre = 1e-3;
-// Tolerances between numbers of the summary and of the files: a BVH moves no origin of a
-// human body by more (formats.hpp).
+// Tolerances between numbers of the summary and of the files: the error of an origin of a human
+// body in BVH (formats.hpp).
 inline constexpr double kWritten = 1e-6;
 
 // Each planted foot stays within 1 mm and 0.1° of its place, by the file's own kinematics, and the
-// summary tells how far it slid.
+// summary states its slide.
 inline void expect_feet_stand(const ExportedMotion& motion, const Json& candidate) {
   for (const Json& contact : candidate.at("contacts")) {
     const std::string joint = contact.at("joint");
@@ -69,7 +69,7 @@ inline void expect_feet_stand(const ExportedMotion& motion, const Json& candidat
   }
 }
 
-// The nodes that the summary names end where it says.
+// The nodes named in the summary end at the stated positions.
 inline void expect_ends_as_told(const ExportedMotion& motion, const Json& candidate) {
   for (const Json& goal : candidate.at("reached")) {
     const Vec3d end = motion.at_end(goal.at("joint"));
@@ -85,7 +85,7 @@ inline void expect_goals_met(const ExportedMotion& motion, const Json& candidate
   }
 }
 
-// All of it, for every candidate of a result whose goals are met.
+// All checks, for every candidate of a result that meets its goals.
 inline void expect_promises_kept(const StoredRun& run) {
   EXPECT_NE(run.summary().at("status"), "unreachable");
   EXPECT_EQ(run.summary().at("remaining_mm"), 0.0);

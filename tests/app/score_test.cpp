@@ -36,7 +36,7 @@ TEST_F(ScoreCommand, PrintsATableWithTheCriteria) {
   }
 }
 
-// A character's motion scores alike in each format that it leaves in.
+// A character's motion has the same score in each written format.
 TEST_F(ScoreCommand, AnAnimatedCharacterScoresAsItsSummaryHasIt) {
   work_.put("person.gltf", person_gltf().dump());
   const ProgramRun made =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One page and one picture of results, from the command line.
+// One page and one picture of results, on the command line.
 #include <cstdlib>
 
 #include "app/result_checks.hpp"
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::Not;
 using Words = std::vector<std::string>;
 
-// The text between two others, the first after `from`.
+// The text between two others, first occurrence after `from`.
 std::string between(const std::string& text, const std::string& begin, const std::string& end,
                     std::size_t from = 0) {
   const std::size_t at = text.find(begin, from);
@@ -23,7 +23,7 @@ std::string between(const std::string& text, const std::string& begin, const std
   return text.substr(start, text.find(end, start) - start);
 }
 
-// The page without the text of its style and scripts, which is no markup.
+// The page without the text of its styles and scripts, which is no markup.
 std::string markup_of(std::string page) {
   for (const std::string tag : {"style", "script"}) {
     for (std::size_t at = page.find("<" + tag); at != page.npos; at = page.find("<" + tag, at)) {

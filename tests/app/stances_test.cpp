@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reaches of people who sit or whose heels may lift, by the written file's own kinematics.
+// Reaches of people who sit or whose heels may lift, measured by the written file's own kinematics.
 #include "app/result_checks.hpp"
 #include "support/person_file.hpp"
 
@@ -44,7 +44,7 @@ TEST_F(Stances, TiptoeKeepsTheToesAndTellsHowFarHeelsLift) {
   }
 }
 
-// The toes' joints of a record whose heels stay down bend by nothing.
+// Toes of a record do not bend while the heels stay down.
 TEST_F(Stances, RecordedFeetThatStayFlatAreSeenSo) {
   work_.put("person.bvh", person_bvh());
   const ProgramRun run =
@@ -55,7 +55,7 @@ TEST_F(Stances, RecordedFeetThatStayFlatAreSeenSo) {
   EXPECT_TRUE(score.at("over_limit").empty());
 }
 
-// Thighs, shanks and feet stay where they are while the trunk goes to the goal.
+// Thighs, shanks and feet stay in place while the trunk moves to the goal.
 TEST_F(Stances, OfWhoSitsHandsReachAndThighsAndFeetStay) {
   work_.put("person.bvh", person_bvh());
   for (const auto& [who, seat, goal] : {std::tuple{"human", "0.45", "right_hand=-0.3,0.9,0.6"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which output goes to which stream, the same bytes for the same seed, and how a long search stops.
+// The stream of each output, the same bytes for the same seed, and interrupts of a long search.
 #include "app/result_checks.hpp"
 
 namespace shigusa {
@@ -111,7 +111,7 @@ TEST_F(Streams, InterruptedSearchGivesTheBestSoFar) {
   expect_promises_kept(stored);
 }
 
-// Commands that print, each as a shell calls it.
+// Commands that print, each as called in a shell.
 std::vector<std::string> printing_calls() {
   std::vector<std::string> calls;
   for (const char* arguments :

@@ -64,7 +64,7 @@ class Visitor {
   int socket_;
 };
 
-// `shigusa studio` as it runs, and what it answers on its port.
+// A running `shigusa studio`, and the answers on its port.
 class Studio : public testing::Test {
  protected:
   void start(const std::string& folder) {

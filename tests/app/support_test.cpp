@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hands that rest, from the command line: what the written files do by their own kinematics.
+// Resting hands on the command line, measured by the written files' own kinematics.
 #include <algorithm>
 
 #include "app/result_checks.hpp"

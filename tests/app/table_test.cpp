@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of reach, edit and score as a terminal shows them.
+// The tables of reach, edit and score in a terminal.
 #include <algorithm>
 
 #include "app/result_checks.hpp"
@@ -23,7 +23,7 @@ Words lines_of(const std::string& text) {
   return lines;
 }
 
-// Characters, of which UTF-8 has several bytes each.
+// Number of characters, each of which may have several bytes in UTF-8.
 std::size_t width_of(const std::string& line) {
   return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -34,7 +34,7 @@ void expect_fits(const std::string& text) {
   for (const std::string& line : lines_of(text)) EXPECT_LE(width_of(line), kWidth) << line;
 }
 
-// The line that begins so, or an empty one.
+// The line with that beginning, or an empty one.
 std::string line_with(const std::string& text, const std::string& beginning) {
   for (const std::string& line : lines_of(text)) {
     if (line.starts_with(beginning)) return line;
@@ -88,7 +88,7 @@ TEST_F(Table, TellsGoalsInWords) {
               HasSubstr(": human, standing on the right foot\n"));
 }
 
-// Each criterion has a row, or stands among those that are 0 for all.
+// Each criterion has a row, or is listed among those that are 0 for all.
 TEST_F(Table, LeavesOutNoCriterion) {
   const ProgramRun done = reach({"--goal", "right_hand=-0.2,1.1,0.4"});
   const std::string zeros = done.out.substr(done.out.find("0 for all: "));

@@ -178,7 +178,7 @@ TEST_P(StandingLandmarks, StandOnTheFloorBetweenTheFeet) {
 
 INSTANTIATE_TEST_SUITE_P(Statures, StandingLandmarks, testing::Values(0.5, 1.5, 1.741, 2.5));
 
-// Written a second time, in degrees and N·m, as the sources that anthropometry.hpp names have them.
+// Written a second time, in degrees and N·m, from the sources named in anthropometry.hpp.
 TEST(JointLimits, AreThoseOfTheSources) {
   struct LimitRow {
     const JointLimits* limits;

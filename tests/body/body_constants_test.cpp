@@ -8,7 +8,7 @@ namespace {
 
 using namespace testing_support;
 
-// A ball joint of three freedoms that carries a rod, and a hinge at the rod's end.
+// A ball joint of three dofs that carries a rod, and a hinge at the rod's end.
 BodyDefinition ball_and_hinge() {
   BodyDefinition body = chain_definition({{}, {}, {}, {}});
   for (const std::size_t d : {0UL, 1UL}) {

@@ -84,7 +84,7 @@ TEST(BodyModel, GivesTheMassOfEachLinkAndOfTheBase) {
   EXPECT_EQ(body.link_mass(1).mass, 2.5);
 }
 
-// Each of these breaks a sound definition in one place.
+// Each of these invalidates a valid definition in one place.
 struct Fault {
   const char* name;
   void (*commit)(BodyDefinition&);

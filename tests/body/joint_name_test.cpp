@@ -23,7 +23,7 @@ TEST(JointName, TellsSideJointAndFreedom) {
   EXPECT_EQ(parse_joint_name("").joint, "");
 }
 
-// Each kind's word is read back as that kind, on either side or none.
+// Each kind's word is parsed as that kind, on either side or none.
 TEST(JointName, EachKindHasItsWord) {
   for (const EnumWord<JointKind>& joint : kEnumWords<JointKind>) {
     for (const EnumWord<FreedomKind>& freedom : kEnumWords<FreedomKind>) {
@@ -38,7 +38,7 @@ TEST(JointName, EachKindHasItsWord) {
   }
 }
 
-// A freedom that people have a word for is found by its kind alone, as by its name.
+// A dof with a common name is found by its kind alone, as by its name.
 TEST(JointName, EachFreedomOfAPersonIsFoundByItsPlace) {
   for (const BodyModel& body : {human_body({.heels = true}), full_body(), half_body()}) {
     for (int d = 0; d < body.dof_count(); ++d) {
@@ -81,7 +81,7 @@ TEST(JointName, OfEachFreedomHasAnImageOnTheOtherSide) {
   }
 }
 
-// The upper chest's freedoms are its own, and not the chest's of another side.
+// The upper chest's dofs are its own, not those of the chest.
 TEST(JointName, AnUpperChestHasNoSide) {
   EXPECT_EQ(without_side("upper_chest.flexion"), "upper_chest.flexion");
 }

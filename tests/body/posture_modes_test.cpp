@@ -55,7 +55,7 @@ TEST(PostureModes, WhoStartsBentMayStraighten) {
   EXPECT_NEAR(degrees(mode_of(bent, "lean").lower), -20, kRounding);
 }
 
-// Where nodes are after so much (rad) of a mode.
+// Positions of nodes after that change (rad) of a mode.
 class Moved {
  public:
   Moved(const BodyModel& body, const std::string& mode, double by)
@@ -92,7 +92,7 @@ TEST(PostureModes, LeanBendsAheadWithTheHipsBack) {
   EXPECT_LT(after.at("hips").z, before.at("hips").z - 0.05);
 }
 
-// The body whose waist is one joint, as many robots' are.
+// The body with a waist of one joint, as in many robots.
 BodyModel one_waist() {
   BodyDefinition body = human_body().definition();
   for (Dof& dof : body.dofs) {

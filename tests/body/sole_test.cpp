@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRounding = 1e-12;
 
-// A sole of 0.3 m by 0.1 m, 0.08 m below the ankle, whose heel is 0.1 m behind it.
+// A sole of 0.3 m by 0.1 m, 0.08 m below the ankle, with the heel 0.1 m behind it.
 Foot plain_foot() {
   Foot foot{.name = "left_foot", .node = "left_foot", .link = 0, .centre = {}, .outline = {}};
   for (const double x : {-0.05, 0.05}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fixed_rollout BODY HOW ROUNDS: the same 32 motions again and again, for scripts/callgrind_counts.
+// fixed_rollout BODY HOW ROUNDS: the same 32 motions in each round, for scripts/callgrind_counts.
 // BODY is half_body or full_body, HOW is double or a SIMD set.
 #include <cstdio>
 #include <cstdlib>

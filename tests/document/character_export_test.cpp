@@ -26,7 +26,7 @@ const std::string kAnimation = "shigusa candidate 1";
 
 nlohmann::json identity_rotation() { return {0.0, 0.0, 0.0, 1.0}; }
 
-// person_gltf with something above its root.
+// person_gltf with a node above its root.
 nlohmann::json below(nlohmann::json above) {
   nlohmann::json file = person_gltf();
   above["name"] = "above";
@@ -35,7 +35,7 @@ nlohmann::json below(nlohmann::json above) {
   return file;
 }
 
-// The person in a T, facing -Z, as VRM 0.x has it, with VRM's names for a few bones.
+// The person in a T-pose, facing -Z as in VRM 0.x, with VRM's names for a few bones.
 nlohmann::json vrm_person() {
   const double half = sqrt(0.5);
   nlohmann::json file = below({{"rotation", {0.0, 1.0, 0.0, 0.0}}});
@@ -157,7 +157,7 @@ TEST_F(CharacterExport, GlbMeetsTheGoalOnTheFilesOwnNodes) {
   EXPECT_EQ(candidate().at("glb_animation"), kAnimation);
 }
 
-// On tiptoe the file's toes stay where they are at the start, and its feet rise.
+// On tiptoe the file's toes stay in their start positions, and its feet rise.
 TEST_F(CharacterExport, ToesStayWhereHeelsLift) {
   file_.character.heels = true;
   goal_ = {-0.14, 0.0, 0.09};
@@ -372,7 +372,7 @@ TEST_F(CharacterExport, BvhKeepsTheFilesNodesChannelsAndUnit) {
   expect_bvh_kept(out);
 }
 
-// The hips move where they hang on another node, which has no channels for that in the file.
+// The hips move although they hang on another node, and have no channels for that in the file.
 TEST_F(CharacterExport, BvhWhoseHipsAreNoRootMeetsTheGoal) {
   std::string text = person_bvh();
   replace_all(text, "Zrotation Xrotation Yrotation", "Xrotation Yrotation Zrotation");

@@ -40,7 +40,8 @@ class ClipScoreTest : public testing::Test {
 };
 
 // Generated, written, read and fitted: the figures of the summary. A generated motion is at rest
-// before its first frame and after its last, a file's goes on as it came: two frames of 61.
+// before its first frame and after its last, a file's continues at its velocity: two frames of 61
+// differ.
 TEST_F(ClipScoreTest, AMotionOfItsOwnScoresAsItsSummaryHasIt) {
   for (const char* name : {"full_body", "human"}) {
     const Task task = low_reach(name == std::string("human") ? human_body() : full_body());
@@ -88,7 +89,7 @@ TEST_F(ClipScoreTest, TheClipsOwnPersonFollowsItExactly) {
   }
 }
 
-// Noise of a twentieth of a degree, as capture has it, is some 4 rad/s² at 60 Hz.
+// Noise of a twentieth of a degree, usual in motion capture, is some 4 rad/s² at 60 Hz.
 TEST_F(ClipScoreTest, SmoothingTakesNoiseOutOfAccelerations) {
   const Task task = low_reach(full_body());
   const Candidate candidate = small_generation(task).candidates.front();
@@ -106,7 +107,7 @@ TEST_F(ClipScoreTest, SmoothingTakesNoiseOutOfAccelerations) {
   EXPECT_LT(std::abs(smoothed - clean), 0.3 * std::abs(raw - clean));
 }
 
-// Each is looked for from the start posture, and may be one beside which others look alike.
+// Each posture is searched from the start posture, and may have similar solutions beside it.
 TEST_F(ClipScoreTest, PosturesFarFromTheStartAreFound) {
   for (const BodyModel& body : {full_body(), human_body()}) {
     Clip clip{.dofs = body.dof_count(), .frames = 8, .angles = {}};
@@ -143,7 +144,7 @@ TEST_F(ClipScoreTest, AFootThatStepsIsADoubtAndNoRefusal) {
   EXPECT_TRUE(score_clip(recorded, {.last = 10}).value().doubts.empty());
 }
 
-// A motion beyond a limit is reported, and replayed as it is.
+// A motion beyond a limit is reported, and replayed unchanged.
 TEST_F(ClipScoreTest, LimitsThatTheRecordPassesAreReported) {
   const BodyModel body = full_body();
   const auto elbow = static_cast<std::size_t>(body.find_dof("right_elbow.flexion").value());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names of joints and clips in files, and motions without what the hips travel.
+// Names of joints and clips in files, and motions in place, without the travel of the hips.
 #include <gmock/gmock.h>
 
 #include <shigusa/files.hpp>
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 constexpr double kDigits = 1e-6;  // m, of a BVH
 
-// A low reach, in which the hips travel.
+// A low reach, during which the hips travel.
 struct Reach {
   CharacterSpec character;
   Task task;

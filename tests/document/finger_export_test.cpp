@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fingers of other people's characters, by what the written files say.
+// Fingers of characters from files, measured in the written files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ class FingerExport : public testing::TestWithParam<std::string> {
   TaskFile asked_;
 };
 
-// Both files stand in a T at rest, palms down.
+// Both files rest in a T-pose, palms down.
 TEST_P(FingerExport, ReachingHandsOpenAndCloseAndOthersAreRelaxed) {
   const ExportedGlb glb(written(FileFormat::glb));
   const std::string animation = "shigusa";
@@ -98,7 +98,7 @@ TEST_P(FingerExport, ReachingHandsOpenAndCloseAndOthersAreRelaxed) {
   EXPECT_EQ(tips, 10);
 }
 
-// A hand whose goal turns it is compared by the hand, and not by the finger that the goal is at.
+// A hand whose goal turns it is compared by the hand, not by the finger that has the goal.
 TEST_P(FingerExport, FilesAreReadBackWithGoalsThatTurn) {
   asked_.goals[0].rotation = Quatd{0, 0, 0, 1};
   asked_.finger_play = FingerPlay::grip;

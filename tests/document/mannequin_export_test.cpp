@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built-in bodies as GLB, by what the written files say.
+// Built-in bodies as GLB, measured in the written files.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kAnimation = "shigusa";
 
-// A reach of one body, written and looked at.
+// A reach of one body, written and read back.
 class Written {
  public:
   explicit Written(CharacterSpec who, const FileSettings& settings = {}) {
@@ -60,7 +60,7 @@ class Written {
   TaskFile asked_;
 };
 
-// The vertices of the skin, as a reader without shigusa blends them.
+// The vertices of the skin, blended by an independent reader.
 std::vector<Vec3d> skin(const ExportedGlb& glb, const std::string& animation, int frame) {
   const Json& json = glb.json();
   const Json& skin = json.at("skins").at(0);
@@ -180,7 +180,7 @@ TEST(Mannequin, AllMotionsLeaveInOneFile) {
   EXPECT_EQ(glb.json().at("animations").at(1).at("name"), "shigusa candidate 2");
 }
 
-// The page makes it itself, and many results are of built-in bodies.
+// GLB is not a default format of built-in bodies: the page makes the file itself.
 TEST(Mannequin, LeavesWhereItIsAskedForAlone) {
   const std::vector<FileFormat> usual = usual_formats({});
   EXPECT_EQ(std::count(usual.begin(), usual.end(), FileFormat::glb), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results from before parameters had one name each.
+// Results from before each parameter had one name.
 #include <gmock/gmock.h>
 
 #include <fstream>

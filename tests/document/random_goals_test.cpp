@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thousand random goals per body at night, inside and outside its reach, judged by the exported
+// A thousand random goals per body at night, within and beyond its reach, judged by the exported
 // BVH's own forward kinematics.
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ using namespace testing_support;
 
 constexpr double kMillimetre = 1e-3;
 constexpr double kTenthOfADegree = radians(0.1);
-// Goals of each of four parts, which machines with several cores run at once. Builds that check
-// every step, debug and sanitizers, take fifteen times as long for a goal.
+// Number of goals in each of four parts, which run in parallel on several cores. Builds that check
+// every step, debug and sanitizers, take fifteen times as long per goal.
 #ifdef NDEBUG
 const int kGoals = cases(250, 50);
 #else
@@ -31,7 +31,7 @@ Vec3d random_goal(Random& random) {
   return {random.uniform(-1.3, 1.1), random.uniform(-0.2, 2.4), random.uniform(-1.1, 1.3)};
 }
 
-// By geometry alone; for the full body it is known of some goals only that they are out of reach.
+// By geometry alone; for the full body only some goals are known to be out of reach.
 void judge_status(const BodyModel& body, const Vec3d& goal, bool reached) {
   if (body.name() == "half_body") {
     ASSERT_EQ(half_body_distance(body, goal) <= kMillimetre, reached);
@@ -40,8 +40,8 @@ void judge_status(const BodyModel& body, const Vec3d& goal, bool reached) {
   }
 }
 
-// The hand is on its path at every frame: what goes straight follows its line, in the path's own
-// time. A reached goal is met within 1 mm, and so is the way there.
+// The hand is on its path in every frame: straight paths follow their line, in the path's own time.
+// A reached goal, and the path to it, is met within 1 mm.
 void judge_path(const ExportedMotion& exported, const GoalResult& goal, const EffectorPath& path,
                 double duration) {
   if (goal.path != PathKind::straight) return;
@@ -77,8 +77,8 @@ void judge(const Task& task, const GenerateResult& generation, const Candidate& 
   ASSERT_EQ(miss <= kMillimetre, reached) << miss << " m";
 }
 
-// Generates and judges; the search is cut down to its first population, since where motions end
-// does not depend on how well they score.
+// Generates and judges; the search is reduced to its first population, since final positions do not
+// depend on scores.
 ReachStatus generate_and_judge(TaskFile& file) {
   Task task = make_task(file, {}).value();
   if (file.preset == Preset::paper) task.genetic.max_generations = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files at any rate: feet stay, the hand keeps to its way, and the last frame is on the goal.
+// Files at any rate: feet stay, the hand keeps to its path, and the last frame is on the goal.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ struct Reach {
   Candidate candidate;
 };
 
-// The first candidates of a low reach and a high one, of both bodies.
+// The first candidates of a low and a high reach, for both bodies.
 std::vector<Reach> reaches() {
   std::vector<Reach> all;
   for (const char* body : {"full_body", "human"}) {
@@ -77,8 +77,8 @@ TEST(Rate, FeetStayBetweenTheMotionsFramesToo) {
   EXPECT_LE(tilt, radians(0.1));
 }
 
-// Between two frames of the motion the hand is where a smooth way through its places there leads: a
-// cubic through four of them, which is off by 3/128 of the fourth differences.
+// Between two frames of the motion the hand is on a smooth curve through its positions: a cubic
+// through four of them, with an error of 3/128 of the fourth differences.
 TEST(Rate, TheHandKeepsToItsWayBetweenTheMotionsFrames) {
   double most = 0.0;
   for (const Reach& reach : reaches()) {

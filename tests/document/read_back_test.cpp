@@ -15,7 +15,7 @@ namespace {
 using namespace testing_support;
 using testing::HasSubstr;
 
-// A whole micrometre is above what digits leave open, and below what anybody sees.
+// A micrometre is above the rounding of digits, and below anything visible.
 constexpr double kFine = 1e-6;  // m
 
 // A person of a file, and their motion at 30 frames a second.
@@ -62,7 +62,7 @@ TEST(ReadBack, FilesAreWhereTheMotionIs) {
   }
 }
 
-// A file whose channels are named in another order than its numbers are in.
+// A file whose channels are named in another order than their numbers.
 TEST(ReadBack, ChannelsInAnotherOrderAreFound) {
   const Moved moved = of_bvh();
   const std::string text = replaced(moved.file(FileFormat::bvh), "Zrotation Xrotation Yrotation",
@@ -125,8 +125,8 @@ TEST(ReadBack, AFileOfAnotherRateOrOtherNodesIsFound) {
   EXPECT_THAT(moved.check().bvh("no BVH").error().message, HasSubstr("cannot be read back"));
 }
 
-// Each number of the animation in turn, by one bit of its exponent: what moves a hand or a foot by
-// more than a float's digits is found.
+// Flips one exponent bit of each number of the animation in turn: any change that moves a hand or a
+// foot by more than a float's rounding is found.
 TEST(ReadBack, WrongNumbersOfAGlbAreFound) {
   const Moved moved = of_gltf();
   const std::string good = moved.file(FileFormat::glb);

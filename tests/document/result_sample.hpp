@@ -9,7 +9,7 @@
 
 namespace shigusa::testing_support {
 
-// A result of a task, as its file holds it.
+// A result of a task, in the form of its file.
 struct ResultSample {
   TaskFile file;
   Task task;
@@ -30,7 +30,7 @@ struct ResultSample {
   }
 };
 
-// The first fault of a result; empty where there is none.
+// The first fault of a result; empty if there is none.
 inline std::string message(const nlohmann::ordered_json& json) {
   const Result<StoredResult> result = parse_result(json.dump(), "summary.json");
   return result ? "" : result.error().to_string();

@@ -10,8 +10,8 @@
 
 namespace shigusa::testing_support {
 
-// Judges JSON by a schema (2020-12): those of its keywords that shigusa's schemas use. Any other
-// keyword is refused, so that no rule of a schema goes unread.
+// Validates JSON by a schema (2020-12), for the keywords in shigusa's schemas. Any other keyword is
+// refused, so that no rule of a schema is ignored.
 class SchemaCheck {
  public:
   using Json = nlohmann::json;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// docs/*.schema.json say what the readers take and the writers give.
+// docs/*.schema.json agree with the readers and writers.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

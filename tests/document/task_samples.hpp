@@ -12,10 +12,10 @@
 #include "problem/request_fields.hpp"
 #include "support/bodies.hpp"
 
-// Random tasks, and whether two are the same to the last bit.
+// Random tasks, and their comparison to the last bit.
 namespace shigusa::testing_support {
 
-// Any number of the range, its ends and numbers of very different sizes among them.
+// A random number of the range, sometimes an end of it, of very different magnitudes.
 inline double any_number(double low, double high) {
   const double share = static_cast<double>(*rc::gen::arbitrary<std::uint32_t>()) / 4294967295.0;
   const double tiny = share * 1e-300;
@@ -27,7 +27,7 @@ inline Vec3d any_point(double range) {
   return {any_number(-range, range), any_number(-range, range), any_number(-range, range)};
 }
 
-// Without -0, as loads are: a box of no size is left out of files.
+// Without -0, as for loads: a box of size 0 is left out of files.
 inline Vec3d any_tolerance() {
   return {any_number(0.0, 10.0) + 0.0, any_number(0.0, 10.0) + 0.0, any_number(0.0, 10.0) + 0.0};
 }
@@ -134,7 +134,7 @@ inline TaskFile any_task() {
   return task;
 }
 
-// All that a request says, as bits; -0 is not 0 here.
+// All fields of a request, as bits; -0 differs from 0.
 class Bits {
  public:
   explicit Bits(const Request& request) { add(request); }
@@ -173,7 +173,7 @@ class Bits {
   std::vector<std::uint64_t> all_;
 };
 
-// All numbers of a character and all that is asked of it, as bits.
+// All numbers and requests of a character, as bits.
 inline std::vector<std::uint64_t> bits(const TaskFile& task) {
   std::vector<std::uint64_t> all = Bits(task).all();
   const auto add = [&all](double x) { all.push_back(std::bit_cast<std::uint64_t>(x)); };

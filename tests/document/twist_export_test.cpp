@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Twist bones in exported motion: shares of the twist by their places, and everything else where it
-// would be without them. Read back by the files' own forward kinematics.
+// Twist bones in exported motion: shares of the twist by their positions, and no effect on other
+// nodes. Read back by the files' own forward kinematics.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ using nlohmann::json;
 const std::string kName = "motion";
 constexpr double kFloats = 2e-6;  // numbers of a GLB are floats
 
-// person_gltf in a T, to which bones are added.
+// person_gltf in a T-pose, to which bones are added.
 class Figure {
  public:
   Figure() : file_(person_gltf()) {
@@ -82,7 +82,7 @@ class Figure {
   json file_;
 };
 
-// A motion of a figure's body, with its twist bones and as if they were none.
+// A motion of a figure's body, with its twist bones and with them treated as ordinary nodes.
 struct Played {
   CharacterSpec spec;
   BodyModel body;
@@ -168,7 +168,7 @@ void expect_limbs_kept(const Played& played) {
   }
 }
 
-// A reader of the file takes the rest pose for joints without a channel.
+// A reader of the file uses the rest pose for joints without a channel.
 TEST(RigMotion, OnlyNodesThatLeaveTheirRestTurn) {
   const Figure figure;
   const Played played = play(
@@ -334,7 +334,7 @@ TEST(TwistExport, AMotionWithTwistBonesIsFittedExactly) {
   }
 }
 
-// The thighs of who sits stay on the seat while the pelvis turns: their twist is shared, too.
+// A seated person's thighs stay on the seat while the pelvis turns: their twist is shared, too.
 TEST(TwistExport, SeatedThighsThatShareTheirTwistLeave) {
   Figure figure;
   for (const std::string side : {"left", "right"}) {

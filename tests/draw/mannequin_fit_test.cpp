@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mannequin's skin: whole as it is made, and along the bones of whoever it is laid about.
+// The mannequin's skin: undamaged, and fitted to the bones of other people.
 #include "draw/mannequin_fit.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(MannequinMesh, HalvesShareTheSeamAndAreMirrorImages) {
   }
 }
 
-// A person with arms and legs of other lengths than the mannequin's, the left arm straight up.
+// A person with limbs of other lengths than the mannequin's, and the left arm straight up.
 class FittedSkin : public testing::Test {
  protected:
   FittedSkin() {

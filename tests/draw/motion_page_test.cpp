@@ -34,7 +34,7 @@ const ResultSample& sample(const std::string& body = "human") {
   return body == "human" ? human : half;
 }
 
-// The numbers of a code, written anew from the description in page_figures.hpp.
+// The numbers of a code, decoded anew from the description in page_figures.hpp.
 std::vector<std::vector<int>> decoded(const std::string& code, std::size_t poses) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::vector<int> numbers;
@@ -62,7 +62,7 @@ std::vector<std::vector<int>> decoded(const std::string& code, std::size_t poses
   return series;
 }
 
-// Within half a millimetre, by which the page rounds, along each axis.
+// Within half a millimetre along each axis, the page's rounding.
 TEST(PageFigures, PointsAreWhereTheFigureHasThem) {
   for (const char* body : {"human", "half_body"}) {
     const ResultSample& made = sample(body);

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kSize = 0.5;
 
-// The neck and the head of a chain of these nodes, each 0.1 above the one before, with an arm on
-// the first, which tells that they are a person's.
+// The neck and head of a chain of these nodes, each 0.1 above the one before, with an arm on the
+// first, which identifies them as a person's.
 std::array<Part, 2> neck_and_head(const std::vector<std::string>& names) {
   SkeletonMotion motion;
   const auto add = [&](const std::string& name, int parent, const Vec3d& offset) {

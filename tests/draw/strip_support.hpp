@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures that strips are drawn of, and a reader of the SVG that they are drawn in.
+// Figures for tests of strips, and a reader of the strips' SVG.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,14 +16,14 @@
 namespace shigusa::strip_support {
 
 inline constexpr double kPointsPerMm = 72.0 / 25.4;
-// The rim and the width of lines lie outside their paths.
+// Rims and line widths extend beyond their paths.
 inline constexpr double kLineSlack = 1.0;
-// Positions are told in hundredths of a point: two roundings apart.
+// Positions have hundredths of a point: they differ by two roundings.
 inline constexpr double kSamePlace = 1.01 / 100.0;
-// An arc of at most 3/8 of a turn is moved by 1.7 times as much as both of its ends.
+// An arc of at most 3/8 of a turn moves by 1.7 times as much as both of its ends.
 inline constexpr double kSameArc = 2.0 * 1.7 * kSamePlace;
 
-// A standing body of 1.7 m with the VRM names, facing +Z, for `frames` frames.
+// A standing body of 1.7 m with VRM names, facing +Z, for `frames` frames.
 inline SkeletonMotion standing(int frames) {
   SkeletonMotion motion;
   auto& nodes = motion.skeleton.nodes;
@@ -101,7 +101,7 @@ inline std::string svg(const SkeletonMotion& motion, const StripOverlay& overlay
   return draw_strip(motion, overlay, settings).value();
 }
 
-// A path or a circle: its attributes but for the places, and the ends of its lines and arcs.
+// A path or a circle: its attributes except positions, and the ends of its lines and arcs.
 struct Path {
   std::string look;
   std::vector<double> x;
@@ -172,7 +172,7 @@ inline double attribute(const std::string& element, const std::string& name) {
   return take_number(text);
 }
 
-// Reads what Canvas writes: absolute starts, then lines and arcs as steps.
+// Reads the output of Canvas: absolute starts, then relative lines and arcs.
 inline void read_data(const std::string& data, Path& path) {
   char command = 0;
   for (const char* next = data.c_str(); *next != '\0';) {
@@ -192,7 +192,7 @@ inline void read_data(const std::string& data, Path& path) {
   }
 }
 
-// The paths and circles of an SVG text, in the order in which they are painted.
+// The paths and circles of an SVG text, in painting order.
 inline std::vector<Path> paths(const std::string& text) {
   std::vector<Path> result;
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
@@ -217,7 +217,7 @@ inline std::vector<Path> paths(const std::string& text) {
   return result;
 }
 
-// A line of text, on its base line.
+// A line of text, at its baseline.
 struct Words {
   std::string text;
   double left = 0.0;
@@ -251,7 +251,7 @@ inline double base_of(const std::string& svg_text, const std::string& line) {
   return 0.0;
 }
 
-// The figures' pieces and the marks around them: what has a white rim.
+// The figures' pieces and the marks around them, which have a white rim.
 inline std::vector<Path> rims(const std::string& text) {
   std::vector<Path> result = paths(text);
   std::erase_if(result, [](const Path& path) { return !path.has_white_stroke(); });
@@ -266,7 +266,7 @@ inline std::vector<Path> filled(const std::string& text, const std::string& colo
   return result;
 }
 
-// How many groups of pieces are left when pieces that share a column are put together.
+// Number of groups after pieces that share a column are merged.
 inline std::size_t separate_figures(const std::string& text) {
   std::vector<Path> pieces = rims(text);
   std::sort(pieces.begin(), pieces.end(),

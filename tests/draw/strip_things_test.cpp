@@ -28,7 +28,7 @@ std::vector<Vec3d> box(const Vec3d& low, const Vec3d& high) {
   return corners;
 }
 
-// Seen from a place above, in front and on the left, by parallel projection.
+// Seen from above, in front and on the left, in parallel projection.
 std::vector<SeenCorner> seen(const std::vector<Vec3d>& corners) {
   const Vec3d toward = normalized(Vec3d{0.5, 0.3, 0.8});
   const Vec3d right = normalized(cross(Vec3d{0, 1, 0}, toward));

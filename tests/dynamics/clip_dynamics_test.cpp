@@ -34,7 +34,7 @@ TEST_F(LowReach, OfARolloutTakesWhatTheRolloutFound) {
   }
 }
 
-// Speeds go by 1/T and accelerations by 1/T², and so do all torques that are not gravity's.
+// Speeds scale with 1/T and accelerations with 1/T², and so do all torques except gravity's.
 TEST_F(LowReach, InAnotherDurationWhatMovingTakesGoesByTheSquareOfTheTime) {
   const Motion still = in(1e6);
   const Motion slow = in(3.0 * motion_.clip.duration());
@@ -50,7 +50,7 @@ TEST_F(LowReach, InAnotherDurationWhatMovingTakesGoesByTheSquareOfTheTime) {
   EXPECT_GT(most, 1.0);
 }
 
-// Of a body that stands on both feet and does not move, the floor bears the weight alone.
+// The floor bears only the weight of a body that stands still on both feet.
 TEST(HeldStart, HasTheTorquesOfAMotionThatDoesNotMove) {
   const BodyModel body = full_body();
   Clip still;

@@ -36,7 +36,7 @@ TEST(CentreOfPressure, IsFiniteInFreeFall) {
   EXPECT_TRUE(is_finite(cop.x) && is_finite(cop.z));
 }
 
-// The full body in its start posture, carrying a given ground wrench.
+// The full body in its start posture with a given ground wrench.
 class TwoFeet : public testing::Test {
  protected:
   const BodyModel body = full_body();

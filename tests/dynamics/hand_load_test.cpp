@@ -13,7 +13,7 @@ namespace {
 using namespace testing_support;
 using Vector = std::vector<double>;
 
-// A stooping human whose left hand is pressed by some force at some place.
+// A stooping human whose left hand is pressed by a force at a place.
 class StoopingHuman : public testing::Test {
  protected:
   StoopingHuman() : angles(body.start().begin(), body.start().end()) {
@@ -79,7 +79,8 @@ TEST_F(StoopingHuman, BearsTheLowBackByForceTimesLever) {
   EXPECT_NEAR(tau[back], -lever, 1e-12 * norm(moment));
 }
 
-// The power of a pair of forces at one place is what it does to the places' distance.
+// The work of two opposite forces is the force times the change of the distance between their
+// places.
 TEST_F(StoopingHuman, DoesTheWorkOfBothForces) {
   constexpr double kStep = 1e-6;
   const int thigh = link("left_hip.rotation");

@@ -11,7 +11,7 @@ namespace {
 
 using namespace testing_support;
 
-// A human with heels, bent about the right toes by this, standing still.
+// A human with heels, bent by that angle about the right toes, standing still.
 struct Standing {
   const BodyModel body = human_body({.heels = true});
   std::vector<double> angles{body.start().begin(), body.start().end()};
@@ -53,7 +53,7 @@ TEST(Heels, ThatAreDownLeaveTheToesNothingToDo) {
   }
 }
 
-// The floor's force on the first forefoot, about the hinge, is what its toes hold.
+// The moment of the floor's force on the first forefoot, about the hinge, equals the toes' torque.
 TEST(Heels, ThatAreLiftedLoadTheToesByTheFloorsMoment) {
   const Standing tiptoe(radians(25.0));
   const Foot& first = tiptoe.body.feet()[0];

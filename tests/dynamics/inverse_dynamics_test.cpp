@@ -101,7 +101,7 @@ struct Wave {
   }
 };
 
-// Momentum, angular momentum about the world's origin, and energy, each from its definition.
+// Momentum, angular momentum about the world's origin, and energy, each by its definition.
 struct Momenta {
   Vec3d linear{};
   Vec3d angular{};
@@ -131,8 +131,8 @@ struct Momenta {
   }
 };
 
-// Central differences of a motion: step² / 6 times third derivatives, which are of the order of
-// 1e5 here, and rounding of 1e-13 / step.
+// Central differences of a motion: errors of step² / 6 times third derivatives, which are of the
+// order of 1e5 here, and rounding of 1e-13 / step.
 constexpr double kStep = 1e-5;
 constexpr double kDifference = 2e-5;
 

@@ -101,7 +101,7 @@ TEST_P(PostureOf, HoldsItselfAsAMotionAtRestDoes) {
   EXPECT_EQ(held, std::vector<double>(second, second + body.dof_count()));
 }
 
-// The floor's force on the second foot is carried by the joints between it and the base alone.
+// Only the joints between the second foot and the base carry the floor's force on that foot.
 TEST_P(PostureOf, HoldsItselfAgainstTheSlopeOfItsEnergy) {
   const std::vector<double> held = posture.holding_torques();
   int compared = 0;
@@ -144,7 +144,7 @@ TEST(Posture, OutlivesItsAngles) {
             effector_position(body, body.start(), "right_hand"));
 }
 
-// The message of the PreconditionError that a call ends in.
+// The message of the PreconditionError that a call throws.
 template <class Call>
 std::string refusal_of(Call call) {
   try {

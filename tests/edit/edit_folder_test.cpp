@@ -37,8 +37,7 @@ TEST(EditFolder, GoesAgainWhereNothingIsWritten) {
             (std::map<std::string, std::string>{{"edit-1/", ""}, {"edit-1/summary.json", "{}"}}));
 }
 
-// Whatever a killed program leaves: an empty folder, one that it wrote from, files without a
-// summary.
+// Remains of a killed program: an empty folder, a staging folder, files without a summary.
 TEST(EditFolder, OfAKilledProgramIsTakenAgain) {
   for (const std::vector<std::string>& left :
        {std::vector<std::string>{},

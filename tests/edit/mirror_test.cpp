@@ -26,7 +26,7 @@ TaskFile asked(Preset preset) {
   return file;
 }
 
-// Angles of the freedoms with a left and a right change sides; there are no others.
+// Angles of dofs with a left and a right change sides; there are no others.
 void expect_image(const BodyModel& body, const Clip& clip, const Clip& image) {
   ASSERT_EQ(clip.frames, image.frames);
   double largest = 0.0;
@@ -70,7 +70,7 @@ TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
 INSTANTIATE_TEST_SUITE_P(Preset, MirroredMotion, testing::ValuesIn(kPresets),
                          [](const auto& of) { return std::string(of.param.word); });
 
-// Somebody who is not alike on both sides, and stands turned with a foot ahead.
+// A person with different sides, who stands turned with one foot ahead.
 std::string uneven_person() {
   const BodyModel body = full_body();
   Clip clip{.dofs = body.dof_count(), .frames = 1, .frame_time = 0.1, .angles = {}};
@@ -123,7 +123,7 @@ TEST(Mirror, TheSamePersonReachesWithTheOtherHandOnTheirOwnSkeleton) {
   }
 }
 
-// A motion of random goals, and its image, as results hold them.
+// A motion of random goals and its mirror image, in the form of results.
 TEST(Mirror, ScoresAsTheMotionDoes) {
   const Vec3d goals[] = {{0.093, 0.70, 0.207}, {0.038, 0.677, 0.211}, {0.116, 0.283, 0.577},
                          {-0.25, 0.9, 0.4},    {-0.4, 0.2, 0.3},      {-0.3, 1.6, -0.2}};

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using namespace testing_support;
 
-// A result of three candidates.
+// A result with three candidates.
 class Replay : public testing::Test {
  protected:
   Replay() {

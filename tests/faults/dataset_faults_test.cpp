@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever ends a program that makes a data set, each shard is whole or not there; and the same
-// command goes on.
+// However a program ends while it makes a data set, each shard is complete or absent; and the same
+// command continues.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>

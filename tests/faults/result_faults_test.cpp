@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever ends a program that writes a result, its folder has no summary, or one whose files are
-// whole and its own; and the next run works.
+// However a program ends while it writes a result, its folder has no summary, or one with its own
+// complete files; and the next run works.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -22,7 +22,7 @@ namespace {
 using namespace testing_support;
 namespace fs = std::filesystem;
 
-// A result to be written, of `candidates` motions and in these formats.
+// A result to be written, with `candidates` motions in these formats.
 struct Written {
   TaskFile file;
   Task task;
@@ -152,7 +152,7 @@ TEST_F(ResultFaults, AFullDiskAtAnyCallOverAnOlderResult) {
   expect_whole_after(Fault::disk_full, true);
 }
 
-// The files are made beside the older ones: until all are on the disk nothing of these is touched.
+// New files are written beside the older ones, which stay untouched until all are on the disk.
 TEST_F(ResultFaults, AFullDiskLeavesTheOlderResultWhole) {
   const std::string before = older_.write(folder_).value().summary;
   const std::set<std::string> names_before = names();

@@ -18,7 +18,7 @@ Fault armed = Fault::none;
 int faulty_call = 0;
 int calls = 0;
 
-// Runs a call that is counted; `full` is what it does where the disk is full.
+// Runs a counted call; `full` is its behaviour on a full disk.
 template <class Call, class Full>
 auto counted(Call&& call, Full&& full) -> decltype(call()) {
   if (armed == Fault::none) return call();
@@ -69,7 +69,7 @@ ssize_t write(int file, const void* bytes, size_t size) {
   });
 }
 
-// No power fails in these tests, and disks take long.
+// fsync does nothing: no power fails in these tests, and disks are slow.
 int fsync(int) {
   return counted([] { return 0; });
 }
@@ -84,7 +84,7 @@ int renameat(int from, const char* name, int to, const char* other) noexcept {
   return counted([&] { return system(from, name, to, other); });
 }
 
-// A full disk lets go of what it has.
+// A full disk still deletes files.
 int unlinkat(int folder, const char* name, int flags) noexcept {
   static auto* const system = real<int(int, const char*, int)>("unlinkat");
   const auto call = [&] { return system(folder, name, flags); };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The system calls by which files change, in the hands of the tests: this program's own functions
-// of these names stand before the C library's.
+// The system calls that change files, under the tests' control: this program's functions of these
+// names replace the C library's.
 namespace shigusa::testing_support {
 
 enum class Fault {
@@ -12,11 +12,11 @@ enum class Fault {
   disk_full,  // ENOSPC; of a write, half of it is done
 };
 
-// From now on, the call of that number (from 1) meets the fault; of the full disk, all after it
-// too.
+// From now on, the call with that number (from 1) meets the fault; with a full disk, all later ones
+// do too.
 void arm(Fault fault, int call);
 
-// Calls since.
+// Number of calls since.
 int calls_made();
 
 }  // namespace shigusa::testing_support

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kRounding = 1e-12;
 
-// A person in a T with straight legs, one hand bent and holding.
+// A person in a T-pose with straight legs, and one hand bent as if holding something.
 Landmarks t_pose() {
   Landmarks person = standing_landmarks(1.7, 0.0);
   for (const double side : {1.0, -1.0}) {
@@ -104,7 +104,7 @@ TEST(AtEase, MirroredPersonsStandMirrored) {
   EXPECT_LE(norm(across(after.left_leg.knee) - after.right_leg.knee), 1e-9);
 }
 
-// A person whose hips and all above them stand that far (m) behind their feet.
+// A person whose hips and everything above are that far (m) behind the feet.
 Landmarks behind_the_feet(double back) {
   Landmarks person = t_pose();
   move_upper_body(person, {0, 0, -back});
@@ -112,7 +112,7 @@ Landmarks behind_the_feet(double back) {
   return person;
 }
 
-// 0 at the heels, 1 at the tips
+// 0 at the heels, 1 at the toe tips
 double mass_along_soles(const Landmarks& person) {
   const SoleOutline sole = sole_outline(person.left_leg, 1.7);
   return (centre_of_mass(person, 1.7).z - sole[1].z) / (sole[0].z - sole[1].z);
@@ -136,7 +136,7 @@ TEST(AtEase, NobodyLeansByMoreThanATwentiethOfTheStature) {
   EXPECT_EQ(after.left_leg.ankle, before.left_leg.ankle);
 }
 
-// A person in a T whose thighs have that radius (m).
+// A person in a T-pose with thighs of that radius (m).
 Landmarks with_thighs(double radius) {
   Landmarks person = t_pose();
   for (const BodyPart thigh : {BodyPart::left_thigh, BodyPart::right_thigh}) {

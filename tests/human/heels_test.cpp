@@ -49,7 +49,7 @@ TEST(Heels, AddTheToesAndChangeNothingOfTheStartPosture) {
   }
 }
 
-// The moments of inertia that a part is left with are those of some body.
+// Each part's remaining moments of inertia are those of a rigid body.
 TEST(Heels, PartsOfAFootHaveTheMassOfBodies) {
   for (const BodyBuild& person : {BodyBuild{}, BodyBuild{1.48, 44.0, Sex::female}}) {
     BodyBuild lifting = person;
@@ -90,7 +90,7 @@ TEST(Heels, AFootTurnsAboutItsToesWhichStay) {
   }
 }
 
-// Of the leg that hangs too a positive angle bends the toes up against the foot.
+// On the hanging leg too, a positive angle bends the toes up against the foot.
 TEST(Heels, ToesOfTheOtherFootBendUpwards) {
   const BodyModel body = with_heels();
   std::vector<double> angles(body.start().begin(), body.start().end());
@@ -138,7 +138,7 @@ TEST(Heels, BendWhereThePersonsToesDo) {
   EXPECT_LT(norm(body.base().translation - *person.right_leg.toes), 1e-12);
 }
 
-// Landmarks of a task file may be anything.
+// Landmarks of a task file may be arbitrary.
 TEST(Heels, ToesFarFromTheFootMakeABodyAllTheSame) {
   for (const Vec3d& off : {Vec3d{0, 0, -1}, Vec3d{0, 0, 2}, Vec3d{0, 50, 0}, Vec3d{-3, 0, 0.1}}) {
     Landmarks person = standing_landmarks(1.7, 0.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// To which side knees and elbows bend, where the limb is nearly straight or the foot says little.
+// Bending direction of knees and elbows in nearly straight limbs, or where the foot gives little
+// evidence.
 #include <gtest/gtest.h>
 
 #include <shigusa/human.hpp>
@@ -13,8 +14,8 @@ double angle_of(const Landmarks& person, const char* name) {
   return degrees(body.start()[static_cast<std::size_t>(body.find_dof(name).value())]);
 }
 
-// A person whose left leg's thigh and shank lean back by these angles (degrees from hanging), and
-// whose foot's line from ankle to toe tip falls by so much from level.
+// A person whose left thigh and shank lean back by these angles (degrees from hanging), and whose
+// line from ankle to toe tip falls from level by that much.
 Landmarks with_left_leg(double thigh_back, double shank_back, double toes_down) {
   Landmarks person = standing_landmarks(1.75, 0.0);
   Landmarks::Leg& leg = person.left_leg;

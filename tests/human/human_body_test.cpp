@@ -140,7 +140,7 @@ TEST(HumanBody, ThighHasDeLevasInertia) {
   EXPECT_NEAR(thigh.inertia.cz.y, 0.0, 1e-10);
 }
 
-// Each landmark with where the body's start posture has it, through the nodes of its skeleton.
+// Each landmark with its position in the body's start posture, through the nodes of its skeleton.
 class NodePlaces {
  public:
   explicit NodePlaces(const BodyModel& body)
@@ -173,7 +173,7 @@ class NodePlaces {
   Kinematics<double> kinematics_;
 };
 
-// Largest distance (m) of a landmark from where the body has it.
+// Largest distance (m) of a landmark from its position in the body.
 double misplacement(const Landmarks& person, const BodyModel& body, bool left_too = true) {
   const NodePlaces nodes(body);
   double largest = 0.0;
@@ -460,8 +460,7 @@ TEST(HumanBody, EveryPartHasItsCapsule) {
   EXPECT_THAT(capsule_names(half_body()), testing::UnorderedElementsAreArray(expected));
 }
 
-// Skull and jaw reach from the vertex to the chin and as far ahead, back and to the sides as a
-// head does.
+// Skull and jaw reach from the vertex to the chin, and as far ahead, back and sideways as a head.
 TEST(HumanBody, HeadsAreAsLargeAsPeoplesAre) {
   const BodyModel body = full_body();
   const Kinematics<double> start = placed(body, body.start());

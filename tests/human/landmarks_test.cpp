@@ -164,7 +164,7 @@ TEST(MeasurePerson, DecimetresAreAUnit) {
   EXPECT_NEAR(measured(standing_figure().transformed(scale(10.0))).stature, 1.7, 1e-9);
 }
 
-// 12 units are 1.2 m in decimetres, which an adult is not, and 0.7 m in the CMU's unit.
+// 12 units are 1.2 m in decimetres, too short for an adult, and 0.7 m in the CMU's unit.
 TEST(MeasurePerson, BuildOfAChildSpeaksForARareUnit) {
   StickFigure child = standing_figure();
   const double hip = child["Hips"].at.y;
@@ -252,7 +252,7 @@ TEST(MeasurePerson, MirroredFileIsMirroredBack) {
   EXPECT_THAT(person.doubts, Contains(HasSubstr("the person was mirrored")));
 }
 
-// A spine whose bones go to and fro, as MakeHuman's does from its root to its neck.
+// A spine whose bones go back and forth, like MakeHuman's from its root to its neck.
 TEST(MeasurePerson, ATrunkIsAsLongAsItStandsHoweverItsBonesWind) {
   StickFigure figure = standing_figure();
   figure["Hips"].at.z = 0.1;

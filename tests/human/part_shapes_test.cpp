@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of a person whose mesh told their shapes.
+// Part shapes of a person measured from a mesh.
 #include "human/part_shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(PartCapsules, OfTrunksAndThighsYieldWhereAMeshToldThem) {
   EXPECT_EQ(capsules_of(BodyPart::left_thigh, meshed()).front().give, 0.0);
 }
 
-// Its upper half may lie in the trunk.
+// The part's upper half may lie within the trunk.
 TEST(PartCapsules, TheLowerHalfOfAnUpperArmWithAMeshCollides) {
   Landmarks person = meshed();
   person.parts[BodyPart::left_upper_arm] = {{0, 0, 0}, {0, -0.3, 0}, 0.06, 0.04};

@@ -23,7 +23,7 @@ Vec3d node_position(const BodyModel& body, std::span<const double> angles, const
   return {};
 }
 
-// a spine of `joints` joints, the others rigid
+// a spine with `joints` joints; the others are rigid
 BodyModel with_spine(std::size_t joints) {
   Landmarks person = standing_landmarks(1.7, kStandingToeOut);
   person.spine.resize(joints);
@@ -78,7 +78,7 @@ TEST(WholeHuman, StandsOnBothFeetWhereOneIsOnAStep) {
   }
 }
 
-// A slice of the trunk between two of them has no length, and no mass.
+// A slice of the trunk between two joints at one place has no length and no mass.
 TEST(WholeHuman, SpineJointsThatDoNotRiseLeaveAWholeBody) {
   Landmarks person = standing_landmarks(1.7, kStandingToeOut);
   const Vec3d hips = (person.left_leg.hip + person.right_leg.hip) * 0.5;
@@ -112,7 +112,7 @@ Vec3d moment_of_mass(const BodyModel& body) {
   return moment;
 }
 
-// One trunk in three parts of even density against de Leva's whole one.
+// One trunk in three parts of even density compared with de Leva's whole one.
 TEST(WholeHuman, HasItsCentreOfMassWhereTheRigidTrunkHasIt) {
   const BodyModel whole = human_body();
   const Vec3d apart = moment_of_mass(whole) - moment_of_mass(full_body());
@@ -134,7 +134,7 @@ TEST(WholeHuman, FewerSpineJointsHaveTheSameRangeTogether) {
   }
 }
 
-// Positive angles are what the names say: measured at nodes that the freedom moves.
+// Positive angles move nodes in the direction that the dof's name states.
 TEST(WholeHuman, FreedomsTurnTheWayTheirNamesSay) {
   const BodyModel body = human_body();
   const auto moved = [&](const char* dof, const char* node) {

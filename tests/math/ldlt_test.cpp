@@ -28,7 +28,7 @@ std::vector<Vector> random_rows(int rows, int columns, Random& random) {
   return j;
 }
 
-// J Jᵀ: of rank min(rows, columns), but for accidents
+// J Jᵀ: almost surely of rank min(rows, columns)
 Matrix gram(const std::vector<Vector>& j) {
   Matrix a{};
   for (std::size_t row = 0; row < j.size(); ++row) {
@@ -64,8 +64,8 @@ double largest_difference(const Vector& a, const Vector& b) {
   return largest;
 }
 
-// LDLᵀ of a positive definite A solves a system near by, |ΔA| ≤ 8 n (n + 2) u |A| or so: with
-// n ≤ 12, entries of A up to 12 and x up to 1, the residual is below 12 · 12 · 1400 · 1.1e-16.
+// LDLᵀ of a positive definite A solves a nearby system, |ΔA| ≤ 8 n (n + 2) u |A| or so: with n ≤
+// 12, entries of A up to 12 and x up to 1, the residual is below 12 · 12 · 1400 · 1.1e-16.
 constexpr double kResidualBound = 3e-11;
 
 TEST(Ldlt, SolvesOneEquation) {
@@ -227,7 +227,7 @@ TEST(Ldlt, PassesNaNOn) {
   EXPECT_TRUE(std::isnan(solved(a, {1.0})[0]));
 }
 
-// The smallest pack: what ldlt.hpp asks of a scalar.
+// The smallest pack: the operations that ldlt.hpp requires of a scalar.
 struct Two {
   double first = 0.0;
   double second = 0.0;
@@ -270,7 +270,7 @@ TEST(Ldlt, LanesOfAPackAreSolvedEachOnItsOwn) {
   }
 }
 
-// ldlt_solve_fixed<n> beside ldlt_solve on systems of every rank.
+// ldlt_solve_fixed<n> compared with ldlt_solve, on systems of every rank.
 template <int n>
 void expect_fixed_gives_the_same_bits(double pivot_floor) {
   Random random(70 + n);

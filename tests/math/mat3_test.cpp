@@ -127,7 +127,7 @@ TEST(RotationVector, AngleIsAtMostPi) {
   }
 }
 
-// A world rotation of some link, and the same turned by a rotation about a world axis.
+// A world rotation of a link, and the same turned by a rotation about a world axis.
 struct TurnedLink {
   Vec3d axis;
   double angle;

@@ -8,15 +8,15 @@
 #include <shigusa/math.hpp>
 #include <shigusa/run.hpp>
 
-// The reference is the C library in long double. Where that has 64 bits of precision its own error
-// is below 1e-19 (sin and cos) and 3e-19 (inverse functions up to π): nothing beside the bounds.
+// The reference is the C library in long double. With 64 bits of precision its own error, below
+// 1e-19 (sin and cos) and 3e-19 (inverse functions up to π), is negligible beside the bounds.
 namespace shigusa {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// The largest error of sine or cosine over all angles that `next` gives.
+// The largest error of sine or cosine over all angles returned by `next`.
 template <class Next>
 double largest_sin_cos_error(int count, Next&& next) {
   long double largest = 0.0L;

@@ -13,7 +13,7 @@ using namespace testing_support;
 
 constexpr int kFrames = 61;
 
-// An arm alone with all that its motion is measured by.
+// An arm alone, with everything needed to measure its motion.
 struct Arm {
   explicit Arm(const BodyModel& body, std::size_t index = 0)
       : limb(find_limbs(body).value().arms[index]), model(arm_body(body, limb)) {}
@@ -47,7 +47,7 @@ struct Arm {
   BodyModel model;
 };
 
-// A goal that the arm reaches on a straight way, of which all is reached too.
+// A goal that the arm reaches on a straight path, all of which is within reach.
 Vec3d arm_goal(const Arm& arm, Random& random) {
   const Vec3d from = arm.hand(arm.model.start());
   for (;;) {
@@ -77,7 +77,7 @@ TEST(SwivelArm, FollowsItsPathWithAnySwivel) {
   }
 }
 
-// Angle (rad) of two elbows about the line from shoulder to hand, the right-hand way.
+// Angle (rad) between two elbows about the line from shoulder to hand, right-handed.
 double between(const Vec3d& hand, const Vec3d& from, const Vec3d& to) {
   const Vec3d along = normalized(hand);
   const Vec3d a = from - along * dot(from, along);
@@ -112,8 +112,8 @@ TEST(SwivelArm, TurnsTheElbowByTheSwivelOutwards) {
   EXPECT_GT(out.y, down.y + 0.02);
 }
 
-// A hand on a minimum-jerk line of 1.3 m moves by 41 mm a frame at most, and turns its arm by that
-// over the least distance, 0.2 m.
+// A hand on a minimum-jerk line of 1.3 m moves by at most 41 mm per frame, and turns its arm by
+// that over the least distance, 0.2 m.
 TEST(SwivelArm, ElbowGoesOnEvenlyOnAnyWay) {
   Random random(3);
   const Arm arm(full_body());

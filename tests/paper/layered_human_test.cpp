@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers on the body of a whole human: ankles that invert, a spine, clavicles, forearms and wrists.
+// Layers on a whole human: ankles that invert, a spine, clavicles, forearms and wrists.
 #include <gmock/gmock.h>
 
 #include <shigusa/generate.hpp>
@@ -29,7 +29,7 @@ Task human_task(const BodyModel& body, const Vec3d& goal) {
   return with_preset(Task(body, {.goals = {{"right_hand", goal}}}), Preset::human);
 }
 
-// A motion of the upper layer by random weights and lengths, with all that it leads.
+// A motion of the upper layer with random weights and lengths, and the motion of all layers.
 struct Played {
   LayeredValues parameters;
   ReducedClip<double> clip;
@@ -228,7 +228,7 @@ TEST(LayeredHuman, ArmAloneHoldsForearmAndHand) {
   EXPECT_LT(norm(inertia.cz - wanted.inertia.cz), 1e-12);
 }
 
-// A hand's path from its start to a place before the chest, and what the arm does of it.
+// A hand's path from its start to a place in front of the chest, and the arm's motion along it.
 struct Turned {
   BodyModel body = human_body();
   BodyLimb arm = find_limbs(body).value().arms[0];

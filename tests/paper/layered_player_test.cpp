@@ -11,7 +11,7 @@ namespace {
 
 using namespace testing_support;
 
-// How far ankles and knees pass their limits in a clip (rad, the most; 0 for none).
+// Largest excess (rad) of ankles and knees beyond their limits in a clip; 0 if there is none.
 double leg_excess(const LayeredProblem& problem, const Clip& clip) {
   double most = 0.0;
   for (const BodyLimb& leg : problem.limbs.legs) {
@@ -26,7 +26,7 @@ double leg_excess(const LayeredProblem& problem, const Clip& clip) {
   return most;
 }
 
-// Rule R4: the hand stays on its path where the pelvis leaves its range, and the score tells.
+// Rule R4: the hand stays on its path where the pelvis leaves its range, and the score includes it.
 TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task =

@@ -24,7 +24,7 @@ int count(const Layer& layer, ParameterKind kind) {
                     [&](const ParameterInfo& gene) { return gene.kind == kind; }));
 }
 
-// Rule R2: the paper's 14 in both readings of it.
+// Rule R2: the paper's 14 parameters, in both readings.
 TEST(PaperLayers, HaveFourteenParametersForTheWholeBody) {
   const Layer shared = upper_layer(full_body());
   EXPECT_EQ(count(shared, ParameterKind::weight), 12);
@@ -154,7 +154,7 @@ ReducedClip<double> moved_by(const Layer& layer, const ReachProblem& problem,
   return clip;
 }
 
-// A motion of the upper layer with genes by chance.
+// A motion of the upper layer with random genes.
 ReducedClip<double> moved(const Layer& layer, const ReachProblem& problem, Random& random) {
   std::vector<std::uint16_t> genes;
   for (const ParameterInfo& gene : layer.parameters) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each judge of random tasks finds a motion that is spoilt on purpose.
+// Each judge of random tasks detects a motion that was spoilt on purpose.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ const Kind& kind_named(const std::string& name) {
                        [&](const Kind& kind) { return name == kind.name; });
 }
 
-// The findings of the first tasks of a kind, until something is wrong.
+// The findings of the first tasks of a kind, up to the first fault.
 Audit audit_of(const FlawCase& spoilt, Flaw flaw) {
   constexpr std::uint64_t kTasks = 12;
   Auditor auditor(100, flaw);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random tasks of all kinds keep what is promised; scripts/make_reliability has twenty thousand.
+// Random tasks of all kinds keep the promises; scripts/make_reliability runs twenty thousand.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace shigusa::bench {
 namespace {
 
-// Builds that check every step take fifteen times as long for a task.
+// Builds that check every step take fifteen times as long per task.
 #ifdef NDEBUG
 constexpr int kByDay = 10;
 #else

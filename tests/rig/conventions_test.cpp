@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The skeletons of many tools and studios, as files in tests/conventions tell them: each is to be
-// understood with nothing said.
+// The skeletons of many tools and studios, described by files in tests/conventions: each is
+// recognised without further input.
 #include <gmock/gmock.h>
 
 #include <shigusa/error.hpp>
@@ -60,7 +60,7 @@ TEST_P(Conventions, AreMeasuredAndBecomeABody) {
   EXPECT_GT(body.dof_count(), 30);
 }
 
-// A person may repeat what the answer said without contradicting it.
+// A bone map may repeat the found one without contradicting it.
 TEST_P(Conventions, AreTheSameWhenTheAnswerIsAsked) {
   const Result<HumanoidMap> map = find_humanoid(skeleton_, world_);
   ASSERT_TRUE(map) << map.error().to_string();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which way a body faces where its feet alone would not tell it right.
+// Facing of bodies whose feet alone would give a wrong direction.
 #include "rig/facing.hpp"
 
 #include <gmock/gmock.h>
@@ -116,7 +116,7 @@ TEST(Facing, FeetAndFaceThatBothLieBehindAreAMirroredFiles) {
   EXPECT_THAT(found.map.doubts, Contains(HasSubstr("feet point backwards")));
 }
 
-// A person without toes is as mirrored as one with.
+// Mirroring is recognised without toes as with toes.
 TEST(Facing, AFaceAndKneesTellWhereFeetDoNot) {
   StickFigure figure = standing_figure().without("LeftToeBase").without("RightToeBase");
   add_eyes(figure, 0.1);
@@ -126,7 +126,7 @@ TEST(Facing, AFaceAndKneesTellWhereFeetDoNot) {
       read(figure.transformed({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}})).person.placement.mirrored());
 }
 
-// The foot is a control on the root, where a bone of its back ends the shank: Quaternius' mechs.
+// The foot is a control on the root, and the bone of its heel ends the shank: Quaternius' mechs.
 TEST(Facing, AFootBesideTheHeelThatEndsTheShankIsTheFoot) {
   StickFigure figure = standing_figure().without("LeftFoot").without("RightFoot");
   for (const auto& [side, x] : kSides) {
@@ -142,7 +142,7 @@ TEST(Facing, AFootBesideTheHeelThatEndsTheShankIsTheFoot) {
   EXPECT_GT(found.person.landmarks.left_leg.toe.z, 0.1);
 }
 
-// A mirrored file stays so in every posture, thumbs turned back too.
+// A mirrored file stays mirrored in every posture, also with thumbs turned back.
 TEST(Facing, AFileIsMirroredInAllItsPosturesOrInNone) {
   StickFigure figure = standing_figure().transformed({{1, 0, 0}, {0, 1, 0}, {0, 0, -1}});
   for (const auto& [side, x] : kSides) {

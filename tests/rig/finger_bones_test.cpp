@@ -13,8 +13,8 @@ namespace {
 
 using Bone = HumanoidBone;
 
-// Two hands whose arms point along `arm` (the left one's; the right one's is its image), palms
-// down, with what their nodes are called.
+// Two hands whose arms point along `arm` (the left one's; the right one's is its mirror image),
+// palms down, with the names of their nodes.
 class Hands {
  public:
   explicit Hands(std::function<std::string(int, int, bool)> name, const Vec3d& arm = {1, 0, 0},
@@ -150,7 +150,7 @@ TEST(FingerBones, ControlsOfFingersAreNone) {
   EXPECT_TRUE(hands.found().empty());
 }
 
-// Where a bone's tip goes when the bone turns by a small positive angle.
+// Displacement of a bone's tip when the bone turns by a small positive angle.
 Vec3d goes(const FingerBone& bone, const Vec3d& way) { return cross(bone.axis, way); }
 
 class FingerAxes : public testing::TestWithParam<Vec3d> {};

@@ -61,7 +61,7 @@ const std::vector<std::string> kCaptureNames{
     "LeftForeArm", "LeftHand",   "RightArm", "RightForeArm", "RightHand"};
 
 // The standing figure under the names of a convention: one for each node of kCaptureNames, then
-// those of the collar bones.
+// those of the clavicles.
 StickFigure called(const std::vector<std::string>& names) {
   StickFigure figure = standing_figure();
   for (std::size_t i = 0; i < kCaptureNames.size(); ++i) figure[kCaptureNames[i]].name = names[i];
@@ -86,7 +86,7 @@ TEST_P(BoneNames, OfAConventionAreUnderstood) {
   EXPECT_THAT(map->doubts, IsEmpty());
 }
 
-// The names for one convention from patterns in which @ stands for the side.
+// The names of one convention from patterns in which @ is the side.
 std::vector<std::string> sided(const std::string& left, const std::string& right,
                                const std::array<std::string, 3>& middle,
                                const std::array<std::string, 8>& patterns) {
@@ -397,7 +397,7 @@ TEST(HumanoidMap, SidesInNamesHelpTheShape) {
   EXPECT_THAT(map->doubts, Contains(HasSubstr("feet point backwards")));
 }
 
-// A file's own map of its bones: the capture names' nodes.
+// A file's own map of its bones, to the capture names' nodes.
 HumanoidMap given_map(const StickFigure& figure) {
   HumanoidMap map;
   for (std::size_t b = 0; b < kCaptureNames.size(); ++b)
@@ -434,7 +434,7 @@ TEST(HumanoidMap, GivenBonesThatAreNoLimbAreLookedForByNames) {
   EXPECT_THAT(map->doubts, Contains(HasSubstr("map has no hips above the legs")));
 }
 
-// The standing figure with names that tell nothing, "0", "1", …
+// The standing figure with meaningless names, "0", "1", …
 StickFigure nameless_figure() {
   StickFigure figure = standing_figure();
   for (std::size_t i = 0; i < kCaptureNames.size(); ++i) {
@@ -577,7 +577,7 @@ TEST(HumanoidMap, NeckAtThePlaceOfTheChestIsPassed) {
   EXPECT_EQ(names[2], "Head");
 }
 
-// Several hinges of one joint have its name, as MuJoCo's bodies have.
+// Several hinges of one joint share its name, as in MuJoCo's bodies.
 TEST(HumanoidMap, OfJointsAtOnePointOneThatEndsASegmentIsTheBone) {
   StickFigure figure = standing_figure();
   StickFigure hinges;
@@ -608,7 +608,7 @@ TEST(HumanoidMap, OfJointsAtOnePointOneThatEndsASegmentIsTheBone) {
   EXPECT_EQ((*map)[Bone::right_hand], hinges.find("RightHand_x"));
 }
 
-// A robot's forearm turns at its elbow, by a joint that is called the wrist's.
+// A robot's forearm turns at its elbow, by a joint named after the wrist.
 TEST(HumanoidMap, NamesYieldWhereASegmentHasHardlyAnyLength) {
   StickFigure figure = standing_figure();
   for (const char* side : {"Left", "Right"}) {
@@ -788,7 +788,7 @@ std::vector<std::string> spine_of(const StickFigure& figure, const HumanoidMap& 
   return names;
 }
 
-// The standing figure with joints at these heights (m) above its hips in the place of its one.
+// The standing figure with joints at these heights (m) above its hips instead of its single one.
 StickFigure with_spine(const std::vector<double>& heights) {
   const StickFigure one = standing_figure();
   StickFigure figure;

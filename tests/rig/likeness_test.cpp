@@ -16,7 +16,7 @@ namespace {
 using namespace testing_support;
 using testing::HasSubstr;
 
-// Why the figure of a drawing is no person.
+// The reason why the figure of a drawing is no person.
 std::string reason(const StickFigure& figure) {
   const Skeleton skeleton = figure.skeleton();
   const std::vector<Transformd> world = figure.world();
@@ -45,7 +45,7 @@ TEST(Likeness, InsectWithWingsForArmsIsNoPerson) {
   EXPECT_THAT(reason(drawn("bee")), HasSubstr("times as broad as trunk and legs are long"));
 }
 
-// A person who touches the floor has an animal's stance, and a person's lengths.
+// A person who touches the floor with the hands has an animal's stance, and a person's lengths.
 TEST(Likeness, WhoeverBendsToTheFloorIsAPerson) {
   StickFigure figure = standing_figure();
   const Vec3d hips = figure["Hips"].at;

@@ -10,7 +10,7 @@
 
 namespace shigusa {
 
-// A skeleton drawn by points, none of its nodes turned: a body to map and measure.
+// A skeleton of points with unrotated nodes: a body to map and measure.
 struct StickFigure {
   struct Point {
     std::string name;  // empty: an end site
@@ -83,8 +83,8 @@ struct StickFigure {
   }
 };
 
-// A person of 1.7 m upright with arms to the sides, in shigusa's world; every length is the
-// stature's fraction of anthropometry.hpp, names are those of motion capture.
+// An upright person of 1.7 m with arms to the sides, in shigusa's world; every length is the
+// stature's fraction in anthropometry.hpp, names are those of motion capture.
 inline StickFigure standing_figure() {
   using F = StatureFractions;
   const double h = 1.7;

@@ -35,7 +35,7 @@ Kinematics<double> placed(const BodyModel& body, const std::vector<double>& q) {
   return kinematics;
 }
 
-// Where a node goes when one freedom turns by a little.
+// Displacement of a node when one dof turns by a small angle.
 Vec3d way_of(const BodyModel& body, const std::string& node, const std::string& freedom,
              double angle) {
   const auto found = std::find_if(body.nodes().begin(), body.nodes().end(),
@@ -144,10 +144,10 @@ std::string shape(const char* geometry, const char* xyz, const char* rpy = "0 0 
       geometry);
 }
 
-// Height of the foot's frame, at the ankle's first joint, over the sole.
+// Height above the sole of the foot's frame, at the ankle's first joint.
 double ankle_height(const BodyModel& body) { return -body.feet()[0].outline[0].y; }
 
-// Shapes on one line, or of which one alone touches the floor, leave no area.
+// Shapes on one line, or with a single one on the floor, leave no area.
 TEST(RobotBody, SoleIsWhereShapesEnd) {
   const std::string line = shape("<sphere radius=\"0.01\"/>", "0.1 0 -0.08") +
                            shape("<sphere radius=\"0.01\"/>", "-0.05 0 -0.08");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of a robot that collide: by its file's shapes, else as a person's.
+// A robot's colliding parts: from its file's shapes, else as a person's.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ BodyModel urdf_body(const std::string& text) {
   return body_of(parse_urdf(text, "small.urdf").value());
 }
 
-// The small robot's text with more in the links of both sides that have the name.
+// The small robot's text with additions to the links of that name, on both sides.
 std::string with_shapes(const std::string& link, const std::string& shapes,
                         std::string text = RobotFile().text()) {
   for (const char* side : {"left_", "right_"}) {
@@ -56,7 +56,7 @@ std::vector<Capsule> capsules(const BodyModel& body, const std::string& name) {
   return found;
 }
 
-// How thick a part is at its middle; of a flat one either line.
+// Thickness of a part at its middle; for a flat part, of either line.
 double radius_of(const BodyModel& body, const std::string& name) {
   const std::vector<Capsule> found = capsules(body, name);
   EXPECT_FALSE(found.empty()) << name;
@@ -133,7 +133,7 @@ TEST(RobotCapsules, ABoxIsBetweenItsSidesAndItsEdges) {
   }
 }
 
-// Two halves, end to end, and a lid within them.
+// Two halves, end to end, and a lid between them.
 TEST(RobotCapsules, ShapesOfOneLinkCountTogether) {
   const BodyModel body = urdf_body(
       with_shapes("thigh", shape("collision", cylinder(0.07, 0.15), "0 0 -0.075") +
@@ -165,7 +165,7 @@ TEST(RobotCapsules, LooksThatAreWrongRefuseNothing) {
   }
 }
 
-// A motor at one end, or a ball that stands for the whole robot.
+// A motor at one end, or a ball that represents the whole robot.
 TEST(RobotCapsules, ShapesOfSomethingElseTellNothing) {
   for (const std::string& other : {shape("collision", "<sphere radius=\"0.035\"/>", "0 0 0"),
                                    shape("collision", cylinder(0.02, 0.07), "0 0 -0.19"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a robot's limbs end: hands, feet and soles that no name or shape tells.
+// Ends of a robot's limbs: hands, feet and soles that no name or shape identifies.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ Robot::Joint& carrier_of(Robot& robot, const std::string& name) {
                        [&](const Robot::Joint& joint) { return joint.child == link; });
 }
 
-// Adds a link on another one; a joint about `axis` turns it, none where that is 0.
+// Adds a link to another one, by a hinge about `axis`, or fixed where that is 0.
 void add_link(Robot& robot, const std::string& name, const std::string& parent, const Vec3d& at,
               const Vec3d& axis = {}) {
   Robot::Joint joint{.name = name + "_joint",
@@ -56,7 +56,7 @@ void add_link(Robot& robot, const std::string& name, const std::string& parent, 
   robot.joints.push_back(std::move(joint));
 }
 
-// The robot without a link and what hangs on it.
+// The robot without a link and its descendants.
 Robot without(const Robot& robot, const std::string& name) {
   std::vector<int> place(robot.links.size(), -1);
   Robot rest = robot;
@@ -83,7 +83,7 @@ BodyModel body_of(const Robot& robot) {
   return build_robot(robot, find_humanoid(robot).value()).value();
 }
 
-// Height of the ankle over the sole.
+// Height of the ankle above the sole.
 double ankle_height(const BodyModel& body) { return -body.feet()[0].outline[0].y; }
 
 Vec3d hand_of(const Robot& robot, const char* side) {
@@ -91,8 +91,8 @@ Vec3d hand_of(const Robot& robot, const char* side) {
   return places[index(link_called(robot, side + std::string("hand")))].translation;
 }
 
-// How far the hands are from the elbows of a robot whose forearms' shape is a box of such half
-// sides, its middle so far down.
+// Distances of the hands from the elbows, for a robot whose forearms have a box with these half
+// sides, and with its centre that far down.
 double length_of_forearm(const Vec3d& half, double down) {
   Robot robot = small_robot(false);
   for (const char* side : kSides) {
@@ -110,8 +110,8 @@ TEST(RobotEnds, AHandIsAtTheEndOfItsForearmsShape) {
   EXPECT_NEAR(length_of_forearm({0.03, 0.03, 0.12}, 0.03), 0.15, 1e-9);
 }
 
-// The shape of a motor about the elbow, or one that hardly goes down from there, tells no forearm's
-// end: that is twice as far as its centre of mass.
+// The shape of a motor about the elbow, or one that hardly reaches below it, does not give a
+// forearm's end: that is twice as far as its centre of mass.
 TEST(RobotEnds, AHandIsNeverNearerThanItsForearmsCentreOfMass) {
   EXPECT_NEAR(length_of_forearm({0.03, 0.03, 0.03}, 0.0), 0.2, 1e-9);
   EXPECT_NEAR(length_of_forearm({0.03, 0.03, 0.03}, 0.05), 0.2, 1e-9);
@@ -189,7 +189,7 @@ TEST(RobotEnds, LegsThatEndAtTheShankGetFeetAndAnkles) {
   EXPECT_THAT(robot.doubts, Contains(HasSubstr("nothing follows link 'left_shank'")));
 }
 
-// Of an arm of three joints the last link is a forearm where it is as long as one.
+// In an arm of three joints, the last link is a forearm if it is as long as one.
 TEST(RobotEnds, ALastLinkAsLongAsAForearmIsNoHand) {
   Robot robot = small_robot(false);
   for (const char* side : kSides) {
@@ -237,7 +237,7 @@ TEST(RobotEnds, NumberedLegsAndArmsTellTheirSides) {
   EXPECT_EQ(read_bone_name("l_foot_heel").part, BonePart::heel);
 }
 
-// Where the hands are at the start, from between the shoulders (m).
+// Positions of the hands at the start, relative to the middle of the shoulders (m).
 Vec3d left_hand_at_start(const BodyModel& body) {
   std::vector<Message> doubts;
   const std::vector<double> start = settled_posture(body, doubts);
@@ -266,8 +266,8 @@ TEST(RobotEnds, ArmsThatStartAheadOrUpHang) {
   }
 }
 
-// The robot with elbows that may be straight and, where all angles are 0, bend `aside` (rad) of
-// ahead, each to its own side. Upper arms turn as far that way and back.
+// The robot with elbows that can be straight and, where all angles are 0, bend `aside` (rad) from
+// ahead, each to its own side. Upper arms can turn as far that way and back.
 Robot with_elbows_aside(double aside) {
   Robot robot = small_robot();
   for (const char* side : kSides) {

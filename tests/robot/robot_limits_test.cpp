@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files whose limits are in another unit than their format has.
+// Files with limits in another unit than their format's.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// A chain of joints that turn so far to one side, and nine tenths as far to the other.
+// A chain of joints that turn by that much to one side, and by nine tenths of it to the other.
 Robot turning(const std::vector<double>& ends) {
   std::string text = "<robot name=\"r\"><link name=\"0\"/>";
   for (std::size_t k = 0; k < ends.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts what this whole program takes from the heap; the counting changes nothing else.
+// Counts the heap allocations of the whole program; counting changes nothing else.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -23,7 +23,7 @@ void* counted(std::size_t size, std::size_t alignment) {
   return memory;
 }
 
-// out of line: g++ takes the two for a pair that do not belong together
+// out of line: otherwise g++ takes the two for a mismatched pair
 [[gnu::noinline]] void release(void* memory) { std::free(memory); }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing_support;
 
-// The human whose parts of that name end at another radius (m).
+// The human whose parts of that name have another radius (m) at the end.
 BodyModel with_part(const std::string& name, double radius, double to_radius) {
   BodyDefinition body = human_body().definition();
   for (Capsule& capsule : body.capsules) {
@@ -36,7 +36,7 @@ const Effector& left_hand(const BodyModel& body) {
   return body.effector(body.find_effector("left_hand").value());
 }
 
-// The most (m) by which the left arm is deeper in the body than as it starts, at any frame.
+// The largest increase (m) of the left arm's depth in the body over its start, in any frame.
 double deepest_left(const BodyModel& body, const Clip& clip) {
   const auto pairs = allowed_as_at_start(body, limb_pairs(body, left_hand(body)));
   double most = -1.0;
@@ -62,14 +62,14 @@ TEST(ArmClearance, AnArmThatIsClearMovesAsIfNothingWereThere) {
   EXPECT_EQ(clip.angles, reached(BodyModel(bare), goal).angles);
 }
 
-// The body with its left arm abducted by an angle (rad) from where it starts.
+// The body with its left arm abducted by an angle (rad) from its start.
 Kinematics<double> abducted(const BodyModel& body, double angle) {
   std::vector<double> angles(body.start().begin(), body.start().end());
   angles[static_cast<std::size_t>(body.find_dof("left_shoulder.abduction").value())] += angle;
   return placed(body, angles);
 }
 
-// The least angle (rad) that the arm has to go aside from there.
+// The smallest angle (rad) by which the arm has to move aside from there.
 double aside(const BodyModel& body, double angle) {
   const int abduction = body.find_dof("left_shoulder.abduction").value();
   return ArmClearance<double>(body, left_hand(body), abduction).aside(abducted(body, angle));

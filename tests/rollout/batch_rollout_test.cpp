@@ -17,7 +17,7 @@ using namespace testing_support;
 
 // In front of the left foot, at the height of the knee: the paper's first experiment.
 constexpr Vec3d kLowLeft{0.25, 0.55, 0.50};
-// A number that fills no SIMD set's last pack.
+// A number that does not fill the last pack of any SIMD set.
 constexpr std::size_t kMotions = 101;
 
 // (motions × dofs) of random genomes of the paper's code, 0 = locked

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions that are drawn to a posture, on bowed paths.
+// Motions drawn to a posture, on bowed paths.
 #include <gtest/gtest.h>
 
 #include <shigusa/human.hpp>

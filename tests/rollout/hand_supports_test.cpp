@@ -60,7 +60,7 @@ TEST_F(OnTheThigh, AHandArrivesAndStays) {
   }
 }
 
-// The place, 0.65 along it, of a thigh whose knee is thicker by 0.1 m.
+// The place at 0.65 of a thigh whose knee is thicker by 0.1 m.
 TEST_F(OnTheThigh, AHandRestsOnTheSkinOfAThighThatTapers) {
   BodyDefinition body = task.body.definition();
   for (Capsule& capsule : body.capsules) {

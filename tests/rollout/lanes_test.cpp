@@ -38,7 +38,7 @@ constexpr int kMotions = 10000;
 constexpr int kMotions = 1000;  // sanitizers and SHG_ASSERT take their time
 #endif
 
-// Quantities by which motions are compared; of the lanes or of double.
+// Quantities by which motions are compared; of the lanes or of double precision.
 template <class S>
 struct Played {
   BasicReachOutcome<S> outcome;
@@ -200,11 +200,11 @@ void expect_within(Differences& differences, const Bounds& bounds, const char* w
   EXPECT_LE(largest, bounds.largest_met) << what;
 }
 
-// The bounds are two to four times what was measured with g++ 12 on x86-64; in comments, measured:
-// p50, p99, maximum of motions that are met in both precisions.
+// The bounds are two to four times the measured values with g++ 12 on x86-64; comments give the
+// measured p50, p99 and maximum over motions that are met in both precisions.
 
-// p50, p99, maximum of each criterion and of the score; a penalty that counts torques has second
-// differences in it, times 3600 per square second.
+// p50, p99, maximum of each criterion and of the score; penalties of torques contain second
+// differences, times 3600 per square second.
 const std::map<std::string, Bounds> kCriteria{
     {"balance", {1e-6, 5e-5, 2e-4}},
     {"balance_zone", {2e-7, 5e-5, 6e-4}},

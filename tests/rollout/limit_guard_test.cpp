@@ -16,7 +16,7 @@ namespace {
 
 using namespace testing_support;
 
-// the most (rad) by which any angle passes its limit in any frame
+// the largest excess (rad) of any angle beyond its limit in any frame
 double largest_excess(const BodyModel& body, const Clip& clip) {
   double largest = 0.0;
   for (int f = 0; f < clip.frames; ++f) {
@@ -104,8 +104,8 @@ TEST(LimitGuard, SharesFallToNothingTowardsALimitAndNotAwayFromIt) {
   EXPECT_EQ(guard.allowed(pull)[knee], -0.01);
 }
 
-// A guard that has softened nothing yet, and one that begins anew, gives a joint with room all of
-// its weight, also where it first hears what the joint wants.
+// A guard that has not softened yet, or that is reset, gives a joint with room its full weight,
+// also when it first learns the joint's direction.
 TEST(LimitGuard, BeginsWithFullShares) {
   const BodyModel body = half_body();
   const std::size_t knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
@@ -132,8 +132,8 @@ TEST(LimitGuard, BeginsWithFullShares) {
   }
 }
 
-// A joint that would be at its limit in two steps gives way already, however far that is, and
-// whether the goal pulls it there or the posture draws it.
+// A joint that would reach its limit within two steps yields already, however far that is, whether
+// the goal or the posture moves it there.
 TEST(LimitGuard, AFastJointGivesWayEarlier) {
   const BodyModel body = half_body();
   const std::size_t knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
@@ -156,7 +156,7 @@ TEST(LimitGuard, AFastJointGivesWayEarlier) {
   EXPECT_NEAR(guard.soften(weights, angles)[knee], left * (2.0 - left), 1e-12);
 }
 
-// A human whose heels may lift, and where its right toes and ankle are.
+// A human whose heels may lift, with the indices of the right toes and ankle.
 class Lifting : public testing::Test {
  protected:
   static constexpr double kPull = 0.01;    // rad, towards a goal
@@ -213,7 +213,7 @@ TEST_F(Lifting, ToesOfMoreWeightTakeOverLessAndLockedOnesNothing) {
   }
 }
 
-// At the other end of its range an ankle hands nothing over.
+// At the other end of its range an ankle passes nothing to the toes.
 TEST_F(Lifting, ToesStayAsTheAnklePointsDown) {
   pull[toes] = kPull;
   pull[ankle] = -kPull;

@@ -90,7 +90,7 @@ double back_bend(const BodyModel& body, std::span<const double> angles) {
   return sum;
 }
 
-// by the formula, from where the pelvis is in the frame before
+// by the formula, from the pelvis in the frame before
 TEST(PostureLaw, TheBackBendsWithThePelvisAndWomensLess) {
   double bends[2] = {};
   for (const Sex sex : {Sex::male, Sex::female}) {
@@ -119,7 +119,7 @@ TEST(PostureLaw, ARaisedArmTakesItsClavicleAlong) {
   EXPECT_LT(std::fabs(degrees(angle("left_clavicle.elevation"))), 4.0);
 }
 
-// Of an arm in the frontal plane: the part of each step of its elevation that the clavicle makes.
+// The clavicle's share of each step of elevation, for an arm in the frontal plane.
 TEST(Shrug, HasTheRhythmOfTheScapula) {
   const auto elevation = [](double raised) {
     const SinCos<double> arm = sin_cos(radians(raised));
@@ -151,7 +151,7 @@ TEST(Shrug, IsLessOfAnArmThatIsLowered) {
   EXPECT_EQ(scapula_share(lawful_reach(raised, {-0.3, 0.8, 0.2}), links), kScapulaLowers);
 }
 
-// The turn of the trunk to the left (degrees) that the law wants for a goal of a hand.
+// The turn of the trunk to the left (degrees) that the law requires for a goal of a hand.
 double wanted_turn(const Vec3d& goal, const char* hand = "right_hand") {
   const BodyModel body = human_body();
   ReachProblem problem = reach_with(body, hand, goal);
@@ -192,7 +192,7 @@ TEST(TrunkTurn, IsToTheHandsSideForWhatIsRightBehind) {
   }
 }
 
-// How far (mm) the left foot is moved by a hundredth of the turn that is wanted for a goal.
+// Displacement (mm) of the left foot by a hundredth of the turn required for a goal.
 double foot_moved(const Vec3d& goal, bool turned_palm = false) {
   const BodyModel body = human_body();
   ReachProblem problem = lawful_reach(body, goal);
@@ -229,7 +229,7 @@ TEST(PostureLaw, TheTrunkTurnsUntilEyesAreOnWhatIsBehind) {
   EXPECT_LT(chest_turned(24), 0.6 * chest_turned(60));
 }
 
-// Also where the trunk turns, and what is behind is farther aside than a half turn.
+// Also where the trunk turns, and a goal behind is farther aside than half a turn.
 TEST(PostureLaw, TheHeadDoesItsShareOfTheWayToTheGoal) {
   const BodyModel body = human_body();
   const auto neck = static_cast<std::size_t>(body.find_dof("neck.rotation").value());
@@ -264,7 +264,7 @@ TEST(PostureLaw, GoalsFeetAndLimitsStayWhatTheyAre) {
   }
 }
 
-// The law goes through its own arctangent in lanes.
+// In lanes the law uses its own arctangent.
 void expect_same_in_lanes(const Vec3d& goal) {
   using Lanes = Pack<float, 4>;
   const BodyModel body = human_body();

@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing_support;
 
-// In front of the right foot, at the height of the knee: the whole body must help.
+// In front of the right foot, at knee height: the whole body must help.
 constexpr Vec3d kLow{-0.1, 0.5, 0.5};
 
 TEST(ReachOutcome, IsMetWithinAMillimetreAndATenthOfADegree) {

@@ -4,7 +4,7 @@
 #include "rollout/rollout.hpp"
 #include "support/problems.hpp"
 
-// The criteria see a motion twice: frame by frame while it is made, and again when it is stored.
+// The criteria evaluate a motion twice: frame by frame while it is made, and again as a stored one.
 namespace shigusa {
 namespace {
 

@@ -53,8 +53,8 @@ TEST(TimedParts, AreTheSameOnBothSides) {
   }
 }
 
-// The knee is drawn in the second half of the time: until then as with no change at all, in both
-// rollouts.
+// The knee is drawn in the second half of the time: until then both rollouts move as without a
+// change.
 TEST(TimeWindow, KeepsItsPartBackUntilItBegins) {
   ReachProblem problem = reach_with(half(), "right_hand", kLow);
   for (TimeWindow& window : problem.windows) window = {0.5, 1.0};

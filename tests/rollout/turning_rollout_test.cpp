@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Goals that turn and boxes, from parameters to motion: in double, in lanes, and what can be
-// reached.
+// Goals with orientations and boxes, from parameters to motion: in double, in lanes, and their
+// reachability.
 #include <gtest/gtest.h>
 
 #include <cmath>

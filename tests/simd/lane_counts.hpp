@@ -5,9 +5,9 @@
 
 #include <type_traits>
 
-// The lane counts that packs are used with, for typed tests. A program that instantiates those of 8
-// and 16 must not link the library's scorers of the same packs, which pass them in wide registers:
-// this one uses nothing that draws BatchRollout in.
+// The lane counts of packs in use, for typed tests. A program that instantiates those of 8 and 16
+// must not link the library's scorers of the same packs, which pass them in wide registers: this
+// one uses nothing that links BatchRollout.
 namespace shigusa::testing_support {
 
 template <int N>

@@ -18,7 +18,7 @@ using testing_support::LaneCounts;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-// what arithmetic is most easily wrong about, beside numbers of every size
+// numbers of every size, and those that arithmetic most easily gets wrong
 constexpr float kSpecial[] = {0.0F,   -0.0F, 1.0F,   -1.0F,     1e-45F,     -1e-45F,
                               1e-38F, 3e38F, -3e38F, kInfinity, -kInfinity, kNaN};
 
@@ -35,7 +35,7 @@ Pack<float, N> any_pack(Random& random) {
   return pack;
 }
 
-// the same bits, or both NaN: which of two NaN an operation passes on is left open
+// the same bits, or both NaN: which of two NaNs an operation passes on is unspecified
 testing::AssertionResult same(float a, float b) {
   if ((std::isnan(a) && std::isnan(b)) ||
       std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b)) {

@@ -12,8 +12,8 @@
 // Bodies and postures for tests: the smallest bodies that show a claim, and random people.
 namespace shigusa::testing_support {
 
-// A hinge on the world's origin with a point mass at the end of a massless rod. The rod hangs from
-// nothing: at angle 0 it stands straight up, positive angles turn it about `axis`.
+// A hinge at the world's origin with a point mass at the end of a massless rod. At angle 0 the rod
+// stands upright; positive angles turn it about `axis`.
 struct Pendulum {
   Axis axis = Axis::x;
   double length = 1.0;  // m
@@ -32,7 +32,7 @@ inline Dof hinge(std::string name, int parent, const Vec3d& offset, Axis axis = 
   return dof;
 }
 
-// A chain of upright rods, one hinge at the foot of each, with an effector "tip" at its end.
+// A chain of upright rods with a hinge at the foot of each, and an effector "tip" at the end.
 inline BodyDefinition chain_definition(const std::vector<Pendulum>& rods) {
   BodyDefinition body;
   body.name = "chain";
@@ -98,8 +98,8 @@ inline std::vector<Vec3d*> all_points(Landmarks& person) {
   return points;
 }
 
-// Moves each landmark by up to `by` (m) along each axis, as the two sides of a real person or of a
-// drawn character differ.
+// Moves each landmark by up to `by` (m) along each axis: the two sides of real people and drawn
+// characters differ.
 inline Landmarks perturbed(Landmarks person, double by, Random& random) {
   for (Vec3d* point : all_points(person)) {
     *point += Vec3d{random.uniform(-by, by), random.uniform(-by, by), random.uniform(-by, by)};
@@ -107,7 +107,7 @@ inline Landmarks perturbed(Landmarks person, double by, Random& random) {
   return person;
 }
 
-// Points an arm along two directions (world), keeping its segments' lengths; the hand goes on along
+// Points an arm along two directions (world) and keeps its segments' lengths; the hand continues
 // the forearm.
 inline void point_arm(Landmarks::Arm& arm, const Vec3d& upper, const Vec3d& fore) {
   const double upper_length = norm(arm.elbow - arm.shoulder);
@@ -129,7 +129,7 @@ inline void lift_leg(Landmarks::Leg& leg, double bend) {
   leg.toe = leg.ankle + foot;
 }
 
-// A character whose two sides differ, with its feet turned and its arms half raised.
+// A character with different sides, turned feet and half raised arms.
 inline Landmarks asymmetric_person() {
   Random random(7);
   Landmarks person = perturbed(standing_landmarks(1.6, radians(15.0)), 0.02, random);

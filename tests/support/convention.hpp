@@ -17,18 +17,18 @@
 
 namespace shigusa::testing_support {
 
-// How one tool or studio names and hangs the bones of a person: a file of tests/conventions.
+// Names and hierarchy of a person's bones in one tool or studio: a file of tests/conventions.
 //
-//   title: what docs/characters.md calls it
-//   doubt: a part of a doubt that is due; without such a line none is
+//   title: its name in docs/characters.md
+//   doubt: a part of an expected doubt; without such a line there is none
 //   name | parent | place | bone
 //
-// The name of a tip without one, as BVH has them, is (end); the parent of a root is -. // {l|r} in
-// a name makes two rows, for the left and for the right. A place is a point of the person below
-// (*hip is the left or the right one), a point between two (*hip *knee 0.4), or three coordinates,
-// metres, of which the first is mirrored for the right; + x y z after it moves it. `axes: blender`
-// says that coordinates have z up and face -y. The bone is what the node is to be found as, in the
-// vocabulary of HumanoidBone, with * for the side.
+// A nameless tip, as in BVH, has the name (end); the parent of a root is -. // {l|r} in a name
+// makes two rows, for the left and for the right. A place is a point of the person below (*hip is
+// the left or the right one), a point between two (*hip *knee 0.4), or three coordinates in metres,
+// the first of which is mirrored for the right; + x y z after it moves it. `axes: blender` states
+// that coordinates have z up and face -y. The bone is the expected one of HumanoidBone's words,
+// with * for the side.
 struct ConventionCase {
   std::string file;
   std::string title;
@@ -39,7 +39,7 @@ struct ConventionCase {
 
 namespace convention_detail {
 
-// A person of 1.75 m in a T-pose, of usual proportions, in shigusa's world; the left side.
+// The left side of a person of 1.75 m in a T-pose, with usual proportions, in shigusa's world.
 inline const std::map<std::string, Vec3d>& places() {
   static const std::map<std::string, Vec3d> kPlaces{{"floor", {0, 0, 0}},
                                                     {"pelvis", {0, 0.98, 0}},
@@ -90,7 +90,7 @@ inline std::vector<std::string> words(const std::string& text) {
   return list;
 }
 
-// The row of one side (0 left, 1 right): {l|r} is replaced.
+// The row of one side (0 left, 1 right), with {l|r} replaced.
 inline std::string of_side(std::string text, int side) {
   for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{')) {
     const std::size_t bar = text.find('|', open);
@@ -128,7 +128,7 @@ inline Vec3d place(const std::string& text, int side, bool blender) {
   return {at.x * flip.x, at.y, at.z};
 }
 
-// Cuts a row at its bars, not at those in braces.
+// Splits a row at its bars, except those in braces.
 inline std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> list(1);
   int depth = 0;

@@ -9,8 +9,8 @@
 
 #include "core/check.hpp"
 
-// An exported BVH as anybody else sees it: nodes and their places, by the file's own forward
-// kinematics. Nothing here knows of bodies.
+// An independent reader of an exported BVH: nodes and their positions, by the file's own forward
+// kinematics. It knows nothing of BodyModel.
 namespace shigusa::testing_support {
 
 class ExportedMotion {

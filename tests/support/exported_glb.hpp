@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-// A GLB file as anybody else sees it: chunks, JSON, and where nodes stand in an animation's frames
-// by the file's own numbers. Nothing here knows of bodies.
+// An independent reader of a GLB file: chunks, JSON, and positions of nodes in an animation's
+// frames by the file's own numbers. It knows nothing of BodyModel.
 namespace shigusa::testing_support {
 
 class ExportedGlb {

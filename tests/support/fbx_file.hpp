@@ -16,14 +16,14 @@
 
 namespace shigusa::testing_support {
 
-// One record of an FBX file, as both of its forms hold it.
+// One record of an FBX file, in either form.
 struct FbxRecord {
   std::string name;
   std::vector<std::variant<std::int32_t, std::int64_t, double, std::string>> values;
   std::vector<FbxRecord> children;
 };
 
-// A skeleton of our own as an FBX file of version 7.4: the joints of a figure as limb nodes.
+// A skeleton as an FBX file of version 7.4: the joints of a figure as limb nodes.
 class FbxFile {
  public:
   explicit FbxFile(const StickFigure& figure) : figure_(figure) {

@@ -10,14 +10,14 @@
 
 #include "kinematics/skeleton_motion.hpp"
 
-// How deep a person's forearms and hands are in head and shanks, by another geometry than the
-// kernel's: an ellipsoid, and limbs that taper, sampled point by point. Sizes are in parts of
-// the stature of 1.756 m, from the 1988 Anthropometric Survey of U.S. Army Personnel (men): head
-// breadth 0.152 m and length 0.197 m, circumferences of calf 0.378 m, ankle 0.222 m and wrist
-// 0.174 m; a forearm of 0.25 m below the elbow.
+// Depth of a person's forearms and hands in head and shanks, by another geometry than the kernel's:
+// an ellipsoid, and tapered limbs, sampled point by point. Sizes are in parts of the stature of
+// 1.756 m, from the 1988 Anthropometric Survey of U.S. Army Personnel (men): head breadth 0.152 m
+// and length 0.197 m, circumferences of calf 0.378 m, ankle 0.222 m and wrist 0.174 m; a forearm of
+// 0.25 m below the elbow.
 namespace shigusa::testing_support {
 
-// The places of a body's nodes in a clip. The end below a node, which has no name, is "head.end".
+// Positions of a body's nodes in a clip. The nameless end below a node is "head.end".
 class ClipPlaces {
  public:
   ClipPlaces(const BodyModel& body, const Clip& clip) : motion_(skeleton_motion(body, clip)) {
@@ -42,7 +42,7 @@ class ClipPlaces {
   std::map<std::string, std::size_t> names_;
 };
 
-// Of places as ClipPlaces has them.
+// The same for positions in the form of ClipPlaces.
 template <class Places>
 class Flesh {
  public:

@@ -18,7 +18,7 @@ inline std::string word_bytes(std::uint32_t word) {
   return bytes;
 }
 
-// A GLB file of this JSON, padded, and of a chunk of binary data.
+// A GLB file of this padded JSON and a chunk of binary data.
 inline std::string glb(std::string json, const std::string& binary = "mesh") {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::string chunks = word_bytes(static_cast<std::uint32_t>(json.size())) + "JSON" + json +
@@ -28,7 +28,7 @@ inline std::string glb(std::string json, const std::string& binary = "mesh") {
          chunks;
 }
 
-// The node of a glTF file that has the name.
+// The node of a glTF file with that name.
 inline int index_of(const nlohmann::json& gltf, const std::string& name) {
   for (std::size_t i = 0; i < gltf["nodes"].size(); ++i) {
     if (gltf["nodes"][i].value("name", "") == name) return static_cast<int>(i);
@@ -36,8 +36,8 @@ inline int index_of(const nlohmann::json& gltf, const std::string& name) {
   throw std::runtime_error("no node " + name);
 }
 
-// person_bvh's first frame as glTF: one node for each, in the same order, turned as there. In
-// metres.
+// The first frame of person_bvh as glTF, in metres: the same nodes in the same order, with the same
+// rotations.
 inline nlohmann::json person_gltf() {
   const SkeletonMotion person = parse_bvh(person_bvh(), "person.bvh").value();
   nlohmann::json file{{"asset", {{"version", "2.0"}}}, {"nodes", nlohmann::json::array()}};
@@ -53,7 +53,7 @@ inline nlohmann::json person_gltf() {
   return file;
 }
 
-// "leftHand", as VRM has it, of "left_hand".
+// VRM's name of a bone: "leftHand" for "left_hand".
 inline std::string camel_case(std::string_view snake) {
   std::string camel;
   for (std::size_t i = 0; i < snake.size(); ++i) {

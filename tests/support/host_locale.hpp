@@ -12,8 +12,8 @@
 
 namespace shigusa::testing_support {
 
-// The locale of the whole process, as Qt and GTK programs choose it, while this lives. Where the
-// machine has no such locale it is made, which needs Debian's package locales.
+// Sets the locale of the whole process, as Qt and GTK programs do, during its lifetime. A missing
+// locale is built, which needs Debian's package locales.
 class HostLocale {
  public:
   // `language`: "de_DE" writes 1,5 and "ps_AF" 1٫5, with a decimal point of two bytes.

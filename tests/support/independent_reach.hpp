@@ -9,9 +9,9 @@
 #include "rollout/reach_problem.hpp"
 #include "support/bodies.hpp"
 
-// A second way to ask how near a body can come to its goals, which shares no more with the library
-// than the placement of links: Levenberg and Marquardt's method from random postures, with the
-// planted feet as a penalty that grows until they stand.
+// A second computation of the closest approach to goals, which shares with the library only the
+// placement of links: Levenberg and Marquardt's method from random postures, with the planted feet
+// as a penalty that grows until they stand.
 namespace shigusa::testing_support {
 
 class IndependentReach {

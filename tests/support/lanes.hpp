@@ -8,10 +8,10 @@
 #include "rollout/batch_rollout.hpp"
 #include "rollout/rollout.hpp"
 
-// For tests that score motions in lanes and in double.
+// Helpers for tests that score motions in lanes and in double.
 namespace shigusa::testing_support {
 
-// The scores of motions in double.
+// The scores of motions in double precision.
 struct PlayedMotions {
   std::vector<bool> met;
   std::vector<double> scores;
@@ -27,10 +27,10 @@ struct PlayedMotions {
   }
 };
 
-// Every SIMD set scores the motions as double does, and ends them where it does; those that miss in
-// either are left out, which are not the most. Accelerations are second differences of angles,
-// which single precision puts off by some 2e-3 rad/s²; with an inertia of 10 kg·m² about an ankle
-// of 20 N·m that is 1e-3 of its strength, and feasibility and jolts take the worst of all moments.
+// Expects every SIMD set to score the motions as double does, and to end them in the same posture.
+// Motions that miss in either, the minority, are left out. Accelerations are second differences of
+// angles, with an error of some 2e-3 rad/s² in single precision; with an inertia of 10 kg·m² about
+// an ankle of 20 N·m that is 1e-3 of its strength, and feasibility and jolts take the worst moment.
 inline void expect_lanes_like(const PlayedMotions& played, const ReachProblem& problem,
                               const CriteriaSettings& criteria, const MotionInputs& inputs) {
   const std::size_t dofs = problem.body->dofs().size();

@@ -10,16 +10,16 @@
 #include "problem/plan_of.hpp"
 #include "support/problems.hpp"
 
-// For tests of presets that move by layers.
+// Helpers for tests of presets with layers.
 namespace shigusa::testing_support {
 
-// Points to the task's body.
+// Refers to the task's body.
 inline LayeredProblem make_layered_problem(const Task& task) {
   return in_layers(make_problem(task).value(),
                    plan_of(task.body, task, task_criteria(task)).value());
 }
 
-// A candidate's values as its task's layers compute with them, and the reverse.
+// Converts a candidate's values to the form used by its task's layers, and back.
 inline LayeredValues layered_of(const Task& task, const Parameters& parameters) {
   return layered_values(plan_of(task.body, task, task_criteria(task)).value(), parameters);
 }
@@ -27,7 +27,7 @@ inline Parameters parameters_of(const Task& task, const LayeredValues& values) {
   return parameters_of(plan_of(task.body, task, task_criteria(task)).value(), values);
 }
 
-// Layers with parameters of theirs, before and after what a test does to them.
+// Layers with their parameters, before and after a change by a test.
 struct LayeredChange {
   LayeredChange(const BodyModel& body, const std::vector<Goal>& goals, LayerChoice choice = {})
       : list(parameter_list(layers_to_goals(body, goals, choice).value())) {
@@ -40,7 +40,7 @@ struct LayeredChange {
   Parameters expected{};
 };
 
-// Rules that every motion of a layered task must keep.
+// Rules for every motion of a layered task.
 inline void expect_layers_kept(const Task& task, const GenerateResult& generation) {
   EXPECT_TRUE(generation.meets_goals()) << task.body.name();
   EXPECT_EQ(generation.remaining_distance, 0.0);

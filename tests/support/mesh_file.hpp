@@ -13,7 +13,7 @@
 #include "support/exported_glb.hpp"
 #include "support/gltf_file.hpp"
 
-// glTF files with meshes, made and read back by their own definition.
+// glTF files with meshes, written and read back by their own definition.
 namespace shigusa::testing_support {
 
 // A vertex in the world at rest, bound to one node of the file.
@@ -22,7 +22,7 @@ struct MeshPoint {
   int node = 0;
 };
 
-// Numbers of a file as they are added to it.
+// Numbers added to a file.
 class MeshFile {
  public:
   explicit MeshFile(nlohmann::json gltf) : json(std::move(gltf)) {}
@@ -92,8 +92,8 @@ class MeshFile {
   }
 };
 
-// The lowest vertex of a mesh of MeshFile::add_skinned that one of these nodes moves, in a frame
-// of an animation. By the file's own numbers alone.
+// The lowest vertex, in a frame of an animation, of a mesh of MeshFile::add_skinned that one of
+// these nodes moves; by the file's own numbers alone.
 inline double lowest_vertex(const ExportedGlb& file, const std::vector<int>& nodes,
                             const std::string& animation, int frame) {
   const auto& skin = file.json().at("skins").back();

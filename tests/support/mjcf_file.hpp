@@ -5,12 +5,12 @@
 
 #include <string>
 
-// Small humanoids of our own as MJCF, in the layouts that users have. All face x, z up.
+// Small humanoids as MJCF, in common layouts. All face x, z up.
 namespace shigusa::testing_support {
 
-// Of several hinges a body, capsules between two points, degrees, nested classes and motors by
-// gear, as research models are. Without hands the arms end at the forearms; without ankles the feet
-// are fixed to the shanks.
+// Several hinges per body, capsules between two points, degrees, nested classes and motors by gear,
+// as in research models. Without hands the arms end at the forearms; without ankles the feet are
+// fixed to the shanks.
 inline std::string research_mjcf(bool hands = true, bool ankles = true) {
   std::string legs;
   std::string arms;
@@ -89,8 +89,8 @@ inline std::string research_mjcf(bool hands = true, bool ankles = true) {
          "<motor joint=\"abdomen_z\" gear=\"40\"/></actuator>\n</mujoco>\n";
 }
 
-// Of one hinge a body, meshes, given inertias, spheres under the feet, radians, and efforts by
-// actuatorfrcrange, as robots' makers tell them.
+// One hinge per body, meshes, given inertias, spheres under the feet, radians, and efforts by
+// actuatorfrcrange, as in files of robots' makers.
 inline std::string makers_mjcf() {
   std::string text =
       "<mujoco model=\"maker\">\n<compiler angle=\"radian\" meshdir=\"assets\" "

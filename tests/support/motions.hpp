@@ -7,11 +7,11 @@
 #include "dynamics/centre_of_mass.hpp"
 #include "support/bodies.hpp"
 
-// Motions for tests of what reads them.
+// Motions for tests of code that reads them.
 namespace shigusa::testing_support {
 
-// A motion through these postures, (frames) of (dofs, rad); torques are 0, the centre of mass is
-// the body's.
+// A motion through these postures, (frames) of (dofs, rad), with torques of 0 and the body's own
+// centre of mass.
 inline Motion motion_through(const BodyModel& body,
                              const std::vector<std::vector<double>>& postures) {
   Motion motion;

@@ -20,15 +20,16 @@ namespace shigusa::testing_support {
 
 inline constexpr double kMujocoStep = 1e-3;  // s, of forward simulation
 
-// For a clavicle, which moves and has no mass of its own: far below what the oracle tells apart.
+// Mass for a clavicle, which moves and has none of its own: far below the oracle's resolution.
 inline const MassProperties kNextToNothing{
     1e-12, {}, {{1e-13, 0, 0}, {0, 1e-13, 0}, {0, 0, 1e-13}}};
 
-// Whether the body's base is fixed to the world, or stands on its feet on a floor at y = 0.
+// Whether the body's base is fixed to the world, or the body stands on its feet on a floor at y =
+// 0.
 enum class MujocoBase { fixed, on_the_floor };
 
-// Writes the body as MJCF. MuJoCo wants mass on each moving body, so dofs of one joint, which share
-// a point and have no mass but the last one's, become the hinges of one MuJoCo body.
+// Writes the body as MJCF. MuJoCo requires mass on each moving body, so the dofs of one joint,
+// which share a point and of which only the last has mass, become the hinges of one MuJoCo body.
 class MjcfWriter {
  public:
   explicit MjcfWriter(const BodyModel& body, MujocoBase base = MujocoBase::fixed)

@@ -11,7 +11,7 @@
 #include "body/posture_modes.hpp"
 #include "plan/plan.hpp"
 
-// Values by the names of their parameters.
+// Access to parameter values by name.
 namespace shigusa::testing_support {
 
 // All parameters of the whole body.
@@ -19,7 +19,7 @@ inline ParameterList list_of(const BodyModel& body, std::span<const Support> sup
   return parameter_list(whole_body_plan(body, supports));
 }
 
-// Index of the first parameter of that name, "squat", or spelled so.
+// Index of the first parameter with that name, such as "squat", or that spelling.
 inline std::size_t number_of(const ParameterList& list, std::string_view name) {
   if (const auto spelled = list.find(name)) return *spelled;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -36,7 +36,7 @@ inline double value_of(const ParameterList& list, const Parameters& parameters,
   return parameters.values[number_of(list, name)];
 }
 
-// Of values of the whole body.
+// The same for values of the whole body.
 inline double& value_of(const BodyModel& body, Parameters& parameters, std::string_view name) {
   return value_of(list_of(body), parameters, name);
 }
@@ -47,7 +47,7 @@ inline std::vector<double> modes_of(const BodyModel& body, const Parameters& par
   return list_of(body).of_kind(ParameterKind::mode, parameters);
 }
 
-// Gives values of the whole body a posture: value(mode) for each mode, in their order.
+// Sets the posture of whole-body values: value(mode) for each mode, in order.
 template <class Value>
 void pose(const BodyModel& body, Parameters& parameters, Value&& value) {
   std::size_t number = body.dofs().size();

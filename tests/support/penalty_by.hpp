@@ -7,7 +7,7 @@
 
 namespace shigusa::testing_support {
 
-// A criterion's penalty of a whole motion: penalty_by<Torque>(body, motion, {.share = 0.5}).
+// A criterion's penalty for a whole motion: penalty_by<Torque>(body, motion, {.share = 0.5}).
 template <template <class> class Criterion>
 double penalty_by(const BodyModel& body, const Motion& motion,
                   const typename Criterion<double>::Settings& settings = {}) {

@@ -9,7 +9,7 @@
 
 namespace shigusa::testing_support {
 
-// A BVH file of a person who stands for three frames and bends the right elbow a little.
+// A BVH file of a person who stands for three frames and bends the right elbow slightly.
 inline std::string person_bvh() {
   const BodyModel body = full_body();
   Clip clip{.dofs = body.dof_count(), .frames = 3, .angles = {}};
@@ -22,7 +22,7 @@ inline std::string person_bvh() {
   return format_bvh(skeleton_motion(body, clip));
 }
 
-// A BVH file of a single joint with its End Site: no person.
+// A BVH file of a single joint with its End Site, which is no person.
 inline std::string one_joint_bvh(
     const std::string& motion = "Frames: 1\nFrame Time: 0.1\n0 0 0\n") {
   return "HIERARCHY\nROOT tail\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"

@@ -10,8 +10,8 @@
 #include "criteria/motion_frame.hpp"
 #include "support/bodies.hpp"
 
-// A body for tests of criteria that look at where hips, shoulders, hands and ankles are: knees,
-// trunk and arms move apart from one another, so that a test sets each of them alone.
+// A body for tests of criteria that measure hips, shoulders, hands and ankles: knees, trunk and
+// arms move independently, so that a test sets each by itself.
 namespace shigusa::testing_support {
 
 inline constexpr double kPosedStature = 2.0;          // m
@@ -21,7 +21,7 @@ inline constexpr double kPosedTrunk = 0.5;            // m, from hips to shoulde
 inline constexpr double kPosedShoulders = 0.4;        // m, apart
 inline constexpr Vec3d kPosedAnkles{0.0, 0.1, 0.05};  // m, the middle of both
 
-// One frame of it.
+// One frame of its motion.
 struct Pose {
   struct Arm {
     Vec3d shoulder{};  // m
@@ -35,7 +35,7 @@ struct Pose {
   Vec3d mass{};  // m, its centre
 };
 
-// The definition of the body, in the order of the angles of a Pose and then the arms.
+// The definition of the body, in the order of a Pose's angles, then the arms.
 inline BodyDefinition posed_definition() {
   BodyDefinition body;
   body.name = "posed";
@@ -113,7 +113,7 @@ void show_poses(const BodyModel& body, const std::vector<Pose>& poses, Criterion
   }
 }
 
-// A criterion's penalty of a motion through these poses.
+// A criterion's penalty for a motion through these poses.
 template <template <class> class Criterion>
 double penalty_of_poses(const std::vector<Pose>& poses,
                         const typename Criterion<double>::Settings& settings = {},
@@ -134,7 +134,7 @@ inline Pose mirrored(Pose pose) {
   return pose;
 }
 
-// Some way from one posture to another, nothing of which is symmetrical.
+// A motion between two asymmetric postures.
 inline std::vector<Pose> lopsided_poses() {
   std::vector<Pose> poses(3);
   poses[0].left = {{0.2, 1.4, 0.0}, {0.25, 0.9, 0.1}};
@@ -152,7 +152,7 @@ inline std::vector<Pose> lopsided_poses() {
   return poses;
 }
 
-// A criterion's penalty of lopsided poses is above 0, and that of their mirror images.
+// Expects equal penalties above 0 for asymmetric poses and their mirror images.
 template <template <class> class Criterion>
 void expect_the_same_in_a_mirror(const typename Criterion<double>::Settings& settings = {}) {
   std::vector<Pose> poses = lopsided_poses();
@@ -163,7 +163,7 @@ void expect_the_same_in_a_mirror(const typename Criterion<double>::Settings& set
   EXPECT_DOUBLE_EQ(penalty_of_poses<Criterion>(poses, settings), penalty);
 }
 
-// The right hand's index among the effectors, for the settings.
+// Index of the right hand among the effectors, for the settings.
 inline std::vector<int> right_hand_of(const BodyModel& body) {
   return {body.find_effector("right_hand").value()};
 }

@@ -6,8 +6,8 @@
 #include "rollout/rollout.hpp"
 #include "support/bodies.hpp"
 
-// Reaching problems for tests, and what their motions must keep, measured from the joint angles
-// alone.
+// Reaching problems for tests, and the requirements on their motions, measured from the joint
+// angles alone.
 namespace shigusa::testing_support {
 
 inline const BodyModel& half() {
@@ -28,8 +28,8 @@ inline ReachProblem reach_with(const BodyModel& body, const char* effector, cons
   return problem;
 }
 
-// A goal for the right hand that its arm alone could reach, neither stretched out nor folded up:
-// 0.2 to 0.5 m from the shoulder, as is all of the way there.
+// A goal for the right hand within reach of its arm alone, neither stretched nor folded up: 0.2 to
+// 0.5 m from the shoulder, like the whole path to it.
 inline Vec3d near_goal(const BodyModel& body, Random& random) {
   const auto shoulder = static_cast<std::size_t>(body.find_dof("right_shoulder.flexion").value());
   const Vec3d centre = placed(body, body.start()).origin[shoulder];
@@ -73,7 +73,7 @@ struct RandomReach {
   }
 };
 
-// The full body with a goal in or out of its reach, weights up to a million times apart, and locks
+// The full body with a goal within or beyond reach, weights up to a million times apart, and locks
 // until nothing can move.
 struct WildReach {
   ReachProblem problem;
@@ -93,7 +93,7 @@ struct WildReach {
   }
 };
 
-// A clip's true motion, by forward kinematics of each frame.
+// A clip's actual motion, by forward kinematics of each frame.
 struct MeasuredMotion {
   double start_error = 0.0;    // rad, largest difference of the first frame from the start posture
   double path_error = 0.0;     // m, of any goal's effector at any frame

@@ -17,7 +17,7 @@ inline constexpr std::array kTaskKinds{TaskKind::place, TaskKind::both_hands, Ta
                                        TaskKind::foot};
 inline TaskKind task_kind(std::uint64_t index) { return kTaskKinds[index % kTaskKinds.size()]; }
 
-// The task of that index: always the same. Bodies of all statures, goals within and beyond reach.
+// The task of an index, always the same: bodies of all statures, goals within and beyond reach.
 inline TaskFile random_task(std::uint64_t index) {
   Random random(1912, index);
   const auto within = [&random](double low, double high) { return random.uniform(low, high); };

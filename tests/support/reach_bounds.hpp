@@ -5,12 +5,12 @@
 
 #include "support/bodies.hpp"
 
-// How near a body can come to a goal, by geometry alone and without regard to joint limits.
+// Distance to a goal that remains by geometry alone, without joint limits.
 namespace shigusa::testing_support {
 
 inline constexpr Vec3d kMiddleOfTheBody{-0.08, 1.0, 0.0};
 
-// Length of the chain from a link's origin back to an earlier dof's, stretched out.
+// Length of the stretched chain from a link's origin back to an earlier dof's.
 inline double chain_length(const BodyModel& body, int link, int back_to) {
   double length = 0.0;
   for (int d = link; d != back_to; d = body.dof(d).parent) length += norm(body.dof(d).offset);
@@ -18,8 +18,8 @@ inline double chain_length(const BodyModel& body, int link, int back_to) {
 }
 
 // Exact for the half body: its ankle and knee carry the hip anywhere in a disc in the leg's plane,
-// as shank and thigh are equally long but for 2 mm, and from the hip, trunk and arm reach anywhere
-// in a ball, as the arm is longer than the trunk's hip-to-shoulder line.
+// as shank and thigh are equally long to 2 mm, and from the hip, trunk and arm reach anywhere in a
+// ball, as the arm is longer than the trunk's line from hip to shoulder.
 inline double half_body_distance(const BodyModel& body, const Vec3d& goal) {
   const Effector& hand = body.effectors()[0];
   const int hip = body.find_dof("right_hip.rotation").value();
@@ -32,7 +32,7 @@ inline double half_body_distance(const BodyModel& body, const Vec3d& goal) {
   return std::fmax(0.0, std::hypot(across, in_plane) - rest);
 }
 
-// Where a ray from the middle of the body leaves the half body's reach.
+// Point where a ray from the middle of the body leaves the half body's reach.
 inline Vec3d half_body_edge(const BodyModel& body, const Vec3d& direction) {
   double inside = 0.0;
   double outside = 4.0;
@@ -44,8 +44,8 @@ inline Vec3d half_body_edge(const BodyModel& body, const Vec3d& direction) {
   return kMiddleOfTheBody + direction * inside;
 }
 
-// A lower bound for any body's right hand: the distance that is left when the whole chain from
-// either standing foot is stretched out.
+// A lower bound for the right hand of any body: the distance left when the whole chain from either
+// standing foot is stretched.
 inline double stretched_distance(const BodyModel& body, const Vec3d& goal) {
   const Effector& hand =
       body.effectors()[static_cast<std::size_t>(body.find_effector("right_hand").value())];

@@ -7,7 +7,7 @@
 
 namespace shigusa::testing_support {
 
-// The sentence that a call with a broken precondition is refused by, or "accepted".
+// The message with which a call with a broken precondition is refused, or "accepted".
 template <class Call>
 std::string refusal(const Call& call) {
   try {

@@ -5,9 +5,9 @@
 
 #include <string>
 
-// A small robot of our own as URDF: 25 turning joints of its limbs, slanting axes in hips and
-// shoulders, a waist of two, a finger that follows, a drawer that slides, soles as boxes, hands as
-// fixed frames. Its joints and links are named as robots' are; it faces x, z up.
+// A small robot as URDF: 25 turning limb joints, slanting axes in hips and shoulders, a waist of
+// two joints, a mimicking finger, a sliding drawer, soles as boxes, hands as fixed frames. Joints
+// and links have names that are usual for robots; it faces x, z up.
 namespace shigusa::testing_support {
 
 class RobotFile {

@@ -13,8 +13,8 @@
 
 #include "core/check.hpp"
 
-// An exported robot trajectory as anybody else sees it: the table's own columns, and the links'
-// places by urdfdom's model of the file and KDL's frames. Nothing here knows of bodies.
+// An independent reader of an exported robot trajectory: the table's own columns, and the links'
+// positions by urdfdom's model of the file and KDL's frames. It knows nothing of BodyModel.
 namespace shigusa::testing_support {
 
 class Table {

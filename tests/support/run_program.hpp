@@ -17,7 +17,7 @@
 
 #include "core/check.hpp"
 
-// Runs the command-line tool as a user does, and keeps what it said.
+// Runs the command-line tool and captures its output.
 namespace shigusa::testing_support {
 
 struct RunSettings {
@@ -35,14 +35,14 @@ struct ProgramRun {
   std::string err;
 };
 
-// The program's path: this build's, or where SHIGUSA_PROGRAM says so another one's, as
-// scripts/check has the one with sanitizers tested by tests without.
+// Path of the program: this build's, or that of SHIGUSA_PROGRAM, by which scripts/check runs these
+// tests with a sanitized program.
 inline std::string shigusa_program() {
   const char* other = getenv("SHIGUSA_PROGRAM");
   return other != nullptr ? other : SHIGUSA_BINARY;
 }
 
-// False in a bare root folder, where no pseudo-terminals are mounted.
+// False in a bare root folder without pseudo-terminals.
 inline bool has_terminals() {
   const int end = posix_openpt(O_RDWR | O_NOCTTY);
   const bool usable = end >= 0 && grantpt(end) == 0 && unlockpt(end) == 0;
@@ -50,7 +50,7 @@ inline bool has_terminals() {
   return usable;
 }
 
-// The two ends of a channel that the program writes to: a pipe, or a terminal of its own.
+// Both ends of a channel that the program writes to: a pipe or a pseudo-terminal.
 struct Channel {
   int read_end = -1;
   int write_end = -1;
@@ -78,7 +78,7 @@ struct Channel {
   }
 };
 
-// Starts the program with its output and messages going to the channels.
+// Starts the program with its output and messages connected to the channels.
 inline pid_t start_shigusa(const std::vector<std::string>& arguments, const RunSettings& settings,
                            const Channel& out, const Channel& err) {
   const std::string program = shigusa_program();

@@ -14,7 +14,7 @@
 
 namespace shigusa::testing_support {
 
-// A new folder in the system's place for such, removed with all that is in it.
+// A new temporary folder, removed with its contents.
 class WorkFolder {
  public:
   WorkFolder() {

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <shigusa/shigusa.hpp>
 
-// Reads a motion and draws it: what the library needs must have come along with it. An argument is
-// the version that a package tells of itself.
+// Reads a motion and draws it, so the library's dependencies must have been found. The argument is
+// the version that the package states.
 int main(int count, char** arguments) {
   if (count > 1 && std::strcmp(arguments[1], SHIGUSA_VERSION) != 0) {
     std::fprintf(stderr, "the package is %s, its headers are " SHIGUSA_VERSION "\n", arguments[1]);
