@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever arithmetic a host has chosen: the same bytes come, and it is as it was afterwards.
+// Whatever floating-point settings a host has: the bytes are the same, and the settings are
+// restored afterwards.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -14,7 +15,7 @@
 namespace shigusa_c_test {
 namespace {
 
-// The host's arithmetic, and that it had before when this goes.
+// Sets the host's floating-point settings, and restores the former ones at the end.
 class HostMode {
  public:
   // `flushed`: numbers near 0 are 0, where the machine can have that
@@ -36,7 +37,7 @@ class HostMode {
   std::fenv_t before_{};
 };
 
-// The host's choice: its rounding, and the bits for numbers near 0.
+// The host's settings: its rounding, and the bits for denormal numbers.
 std::pair<int, unsigned> chosen() {
 #if defined(__SSE2__)
   return {std::fegetround(), _mm_getcsr() & 0xFFC0U};
@@ -88,7 +89,7 @@ TEST_P(InAnArithmetic, ThreadsComputeAsTheCallerDoes) {
             text_of(shigusa_result_export, usual.get(), 1, "csv"));
 }
 
-// A host's own function, and what it found.
+// A host's own function, and the settings seen in it.
 struct Host {
   int calls = 0;
   std::pair<int, unsigned> mode{};
@@ -125,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mode{"flushed", FE_TONEAREST, true}, Mode{"up_flushed", FE_UPWARD, true}),
     [](const auto& mode) { return std::string(mode.param.name); });
 
-// An exception of a host's function is its own, and no fault of the library's.
+// An exception of a host's function is its own, not an error of the library.
 TEST(HostFunctions, WhatTheyThrowIsToldAsTheirs) {
   int calls = 0;
   const auto of_exception = [](void* user, double, int32_t, double) -> int32_t {

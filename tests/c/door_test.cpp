@@ -76,7 +76,7 @@ TEST(CInterface, AFailureTellsItsSentenceAndValues) {
   EXPECT_EQ(shigusa_failure(nullptr), SHIGUSA_INVALID_ARGUMENT);
 }
 
-// Forward kinematics of the nodes, by nothing but the table.
+// Forward kinematics of the nodes, from the table alone.
 TEST(CInterface, NodesBringTheHandToItsGoal) {
   const Character human = character_of(R"("human")");
   const Json nodes = Json::parse(text_of(shigusa_character_describe, human.get())).at("nodes");
@@ -245,7 +245,7 @@ TEST(CInterface, ARestoredResultCanBeStopped) {
   EXPECT_EQ(restored, nullptr);
 }
 
-// The layered presets have parameters of their own; each is assigned by the name it is told by.
+// The layered presets have parameters of their own, each assigned by its listed name.
 TEST(CInterface, EveryParameterOfEveryPresetCanBeSetByItsName) {
   const Character human = character_of(R"("human")");
   for (const char* preset : {"flat", "paper", "human"}) {

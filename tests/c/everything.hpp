@@ -8,10 +8,10 @@
 #include "support/person_file.hpp"
 #include "support/robot_file.hpp"
 
-// Answers of the C interface, to be compared between one host and another.
+// Results of the C interface, for comparison between hosts.
 namespace shigusa_c_test {
 
-// The functions' answers, by a name for each.
+// The functions' results by name.
 using Texts = std::map<std::string, std::string>;
 
 constexpr const char* kReach =
@@ -19,7 +19,7 @@ constexpr const char* kReach =
                    "load_kg": 1.25, "tolerance_m": [0.001, 0.0015, 0.001]}],
         "duration_s": 1.25, "seed": 3, "evaluations": 64, "candidates": 2, "fixed": ["bow=0.025"]})";
 
-// A person's motion is found, changed, taken away and brought back.
+// A person's motion is found, edited, exported and restored.
 inline void add_search(Texts& said) {
   const Character human = character_of(R"({"source": "human", "stature_m": 1.625})");
   said["character"] = text_of(shigusa_character_describe, human.get());
@@ -78,7 +78,7 @@ inline Texts everything() {
   return said;
 }
 
-// Without the line that tells how long a search took.
+// Removes the line with the search time.
 inline std::string timeless(std::string text) {
   const std::size_t line = text.find("\"elapsed_ms\"");
   return line == text.npos ? text : text.erase(line, text.find('\n', line) - line);

@@ -36,7 +36,7 @@ inline Outcome outcome_of(const shigusa_character* character, const std::string&
   return Outcome(made);
 }
 
-// The text that a function gives by its last argument.
+// The text that a function returns in its last argument.
 template <class Function, class... Arguments>
 std::string text_of(Function function, Arguments... arguments) {
   shigusa_bytes* bytes = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The promises of shigusa.h to programs with threads: different objects are used at once, one
-// object by one thread at a time. The thread sanitizer watches these tests in scripts/check.
+// The guarantees of shigusa.h for programs with threads: different objects may be used
+// concurrently, one object by one thread at a time. The thread sanitizer checks these tests in
+// scripts/check.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ using testing::HasSubstr;
 
 constexpr std::size_t kThreads = 4;
 
-// work(0) … work(kThreads - 1), each on a thread of its own, all at once.
+// Runs work(0) … work(kThreads - 1), each on its own thread, concurrently.
 void at_once(const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> waiting{kThreads};
   std::vector<std::thread> threads;
@@ -36,7 +37,7 @@ void at_once(const std::function<void(std::size_t)>& work) {
   for (std::thread& thread : threads) thread.join();
 }
 
-// A low reach that is quick to search, also where a sanitizer watches.
+// A low reach that is quick to search, even under a sanitizer.
 std::string quick_reach(const std::string& preset, int evaluations = 100) {
   Json task = Json::parse(kLowReach);
   task["preset"] = preset;
@@ -51,7 +52,7 @@ struct Subject {
   std::string task;
 };
 
-// Of each kind of character and of each family of presets.
+// One of each kind of character and of each family of presets.
 const std::array<Subject, kThreads>& subjects() {
   using namespace shigusa::testing_support;
   static const std::array<Subject, kThreads> all{
@@ -62,7 +63,7 @@ const std::array<Subject, kThreads>& subjects() {
   return all;
 }
 
-// Everything that a host program reads of a result, but for how long it took.
+// Everything that a host program reads of a result, except its search time.
 std::string all_of(const shigusa_result* result, bool own_skeleton) {
   std::string all;
   for (int32_t k = 1; k <= shigusa_result_candidates(result); ++k) {
@@ -80,7 +81,7 @@ std::string all_of(const shigusa_result* result, bool own_skeleton) {
   return all;
 }
 
-// The result that `function` gives by its last argument.
+// The result that `function` returns in its last argument.
 template <class Function, class... Arguments>
 Outcome made_by(Function function, Arguments... arguments) {
   shigusa_result* made = nullptr;
@@ -88,7 +89,7 @@ Outcome made_by(Function function, Arguments... arguments) {
   return Outcome(made);
 }
 
-// A host program's whole visit, on objects of its own.
+// A host program's whole use of the library, on its own objects.
 std::string visit(const Subject& subject) {
   const bool own_skeleton = subject.spec.find(".gltf") != std::string::npos;
   const Character character = character_of(subject.spec, subject.file);
@@ -118,7 +119,7 @@ TEST(CInterfaceThreads, VisitsAtOnceGiveTheBytesOfVisitsAlone) {
   }
 }
 
-// Results share what their character told, behind their handles.
+// Results share their character's data behind their handles.
 TEST(CInterfaceThreads, ResultsOfOneCharacterAreReadAtOnceWhileItIsFreed) {
   const Subject& subject = subjects()[2];
   Character character = character_of(subject.spec, subject.file);
@@ -184,8 +185,8 @@ TEST(CInterfaceThreads, ATableIsReadWhileOthersAskForMore) {
   }
 }
 
-// As a button of a host program does it: the flag is set on one thread, and read where the search
-// reports, on the thread that called.
+// As by a button of a host program: the flag is set on one thread, and read where the search
+// reports, on the calling thread.
 TEST(CInterfaceThreads, ASearchIsStoppedFromAnotherThreadAndOthersGoOn) {
   struct Watched {
     std::thread::id caller;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Characters whose nodes rest in a motion, and whose mesh tells the pose that it was bound in.
+// Characters whose nodes rest in a motion, and whose mesh shows the pose in which it was bound.
 #include <gmock/gmock.h>
 
 #include <shigusa/character.hpp>
@@ -20,9 +20,8 @@ std::size_t index_of(const json& gltf, const std::string& name) {
   throw std::runtime_error("no node " + name);
 }
 
-// A person whose mesh was bound standing, in centimetres with z up, as Blender's FBX files come
-// out: the node that shows the mesh tells how that space lies in the world. The nodes rest in a
-// leap.
+// A person whose mesh was bound standing, in centimetres with z up, as in Blender's FBX files: the
+// node that shows the mesh determines how that space lies in the world. The nodes rest in a leap.
 std::string leaping_file() {
   json gltf = person_gltf();
   std::vector<MeshPoint> points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Characters that nobody here made: they start as they were recorded, and keep every promise.
+// Characters of other authors: they start in their recorded posture, and meet every requirement.
 #include <gmock/gmock.h>
 
 #include <shigusa/files.hpp>
@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Recorded{"lab0_CesiumMan.glb", 0, "CesiumMan"}),
     [](const auto& of) { return std::string(of.param.name); });
 
-// The files of ../shared: the height of each person, or why there is none.
+// The files of ../shared: the height of each person, or the reason for its absence.
 struct Shared {
   const char* file;
   double stature;  // m, or 0
@@ -251,7 +251,7 @@ TEST(BuildCharacter, MassIsThatOfAnAveragePersonUnlessGiven) {
   EXPECT_NEAR(build_character(spec).value().mass(), 90.0, 0.01);
 }
 
-// A figure of 1 m below a head of 0.8 m, as games draw them.
+// A figure of 1 m below a head of 0.8 m, as in games.
 TEST(BuiltCharacter, OfABigHeadIsAsHeavyAndStrongAsItsLimbs) {
   const auto knee = [](const CharacterSpec& spec) {
     const BodyModel body = build_character(spec).value();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A person of an FBX file, who leaves as BVH and as the GLB of the skeleton.
+// A person of an FBX file, written as BVH and as the GLB of the skeleton.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

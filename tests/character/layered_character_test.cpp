@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers on characters that nobody here made.
+// Layers on characters of other authors.
 #include <gtest/gtest.h>
 
 #include <shigusa/files.hpp>

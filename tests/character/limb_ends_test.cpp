@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Characters whose arms end at their forearms, or legs at their shanks.
+// Characters whose arms end at the forearms, or legs at the shanks.
 #include "character/limb_ends.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ using nlohmann::json;
 using testing::Contains;
 using testing::HasSubstr;
 
-// The file without a node and all that hangs on it.
+// The file without a node and its descendants.
 json without(const json& gltf, const std::string& name) {
   std::vector<bool> gone(gltf["nodes"].size(), false);
   const std::function<void(int)> drop = [&](int i) {
@@ -52,7 +52,7 @@ json without(const json& gltf, const std::string& name) {
   return rest;
 }
 
-// A tube about the way from a node to a point.
+// A tube about the line from a node to a point.
 void add_tube(std::vector<MeshPoint>& points, const json& gltf, const std::string& name,
               const Vec3d& end) {
   const ExportedGlb rest(glb(gltf.dump(), ""));
@@ -68,7 +68,7 @@ Vec3d place_of(const json& gltf, const std::string& name) {
   return ExportedGlb(glb(gltf.dump(), "")).place(index_of(gltf, name)).translation;
 }
 
-// A person without these limbs' ends, whose mesh reaches to where they were.
+// A person without these limbs' ends, whose mesh reaches to their former places.
 std::string ended(const std::string& end, const std::string& before, const Vec3d& beyond) {
   json gltf = person_gltf();
   std::vector<std::pair<std::string, Vec3d>> tips;
@@ -117,7 +117,7 @@ TEST(LimbEnds, ALegThatEndsAtItsShankGetsAFoot) {
   EXPECT_NEAR(norm(leg.knee - leg.ankle), norm(whole.knee - whole.ankle), 0.02);
 }
 
-// The file that leaves has the hands, so that whoever reads it finds them again.
+// The written file has the hands, so that a reader finds them again.
 TEST(LimbEnds, MotionsLeaveOnTheFileWithItsHands) {
   TaskFile file;
   file.character = loaded(ended("hand", "lower_arm", {0, -0.18, 0}));

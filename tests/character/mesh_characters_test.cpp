@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Characters with meshes: soles stand on the floor in what leaves, and results keep what the mesh
-// told.
+// Characters with meshes: soles stand on the floor in written files, and results keep the mesh's
+// measurements.
 #include <gmock/gmock.h>
 
 #include <functional>
@@ -28,7 +28,7 @@ constexpr double kNear = 0.003;  // m
 const std::string kMotion = "motion";
 
 // Shoes and shanks about the joints of a standing person: soles at `sole`, m in the person's own
-// world, whatever world the file is in.
+// world, independent of the file's.
 std::vector<MeshPoint> body_mesh(const json& gltf, double sole) {
   std::vector<MeshPoint> points;
   const ExportedGlb rest(glb(gltf.dump(), ""));
@@ -61,8 +61,8 @@ std::vector<MeshPoint> body_mesh(const json& gltf, double sole) {
   return points;
 }
 
-// A person's file whose shoes are 35 mm thicker than by stature; `make` turns it into an odd one,
-// its mesh with it, as that is bound to the nodes.
+// A person's file whose shoes are 35 mm thicker than by stature; `make` makes it unusual, with its
+// mesh, which is bound to the nodes.
 std::string odd_file(const std::function<void(json&)>& make, double sole = -0.035) {
   json gltf = person_gltf();
   MeshFile file(gltf);
@@ -71,7 +71,7 @@ std::string odd_file(const std::function<void(json&)>& make, double sole = -0.03
   return file.bytes();
 }
 
-// Puts the person below such a node.
+// Moves the person below such a node.
 std::function<void(json&)> below(json above) {
   above["name"] = "Armature";
   above["children"] = {0};
@@ -147,8 +147,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Odd{"Elsewhere", below({{"translation", {3.0, 1.5, -2.0}}})}),
     [](const auto& of) { return std::string(of.param.name); });
 
-// No rotation leads out of a mirror, so the file keeps its own axes, but its soles stand on its
-// own floor.
+// No rotation undoes a mirroring, so the file keeps its own axes, but its soles stand on its own
+// floor.
 TEST(MeshCharacter, AMirroredOneIsMeasuredAlike) {
   const CharacterSpec plain = loaded(odd_file([](json&) {}));
   const CharacterSpec mirror = loaded(odd_file(below({{"scale", {-1.0, 1.0, 1.0}}})));
@@ -274,7 +274,7 @@ TEST(MeshCharacter, BodyTellsTheCapsulesOfAllParts) {
   EXPECT_NEAR(shank, 0.052, 0.002);
 }
 
-// Characters that nobody here wrote; see ../shared/characters/manifest.tsv.
+// Characters of other authors; see ../shared/characters/manifest.tsv.
 struct Real {
   const char* file;
   double stature;  // m, of the mesh without helmets and hair, by hand

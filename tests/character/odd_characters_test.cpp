@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Characters as people's files have them, each made here from one person by one oddity: measured,
-// moved, and judged by the exported file's own forward kinematics.
+// Unusual characters of users, each made here from one person by one change: measured, moved, and
+// judged by the exported file's own forward kinematics.
 #include <gmock/gmock.h>
 
 #include <functional>
@@ -40,7 +40,7 @@ std::size_t index_of(const json& file, const std::string& name) {
   throw std::runtime_error("no node " + name);
 }
 
-// Puts the person below such a node.
+// Moves the person below such a node.
 std::function<void(json&)> below(json above) {
   above["name"] = "Armature";
   above["children"] = {0};
@@ -53,7 +53,7 @@ void add_child(json& file, const std::string& parent, json child, bool first = f
   file["nodes"].push_back(std::move(child));
 }
 
-// Turns a node in its parent about x (0), y or z.
+// Turns a node relative to its parent about x (0), y or z.
 void turn(json& file, const std::string& name, int axis, double angle_deg) {
   json& turned = node(file, name);
   const std::vector<double> was = turned.value("rotation", std::vector<double>{0, 0, 0, 1});
@@ -80,7 +80,7 @@ void add_helper(json& file, const std::string& name) {
   file["nodes"].push_back(helper);
 }
 
-// The motion of a character whose right hand reaches before it, as its exported file plays it.
+// The motion of a character whose right hand reaches ahead, as played by its exported file.
 struct Played {
   int frames = 0;
   double mass = 0.0;                                               // kg, of the body
@@ -151,7 +151,7 @@ TEST_P(OddCharacters, AreMappedAndKeepAllPromises) {
   }
 }
 
-// By what a page is told: nodes in their parents, with their scales.
+// From the page's data: nodes relative to their parents, with their scales.
 TEST_P(OddCharacters, StandWhereTheirDescribedNodesPutThem) {
   json gltf = person_gltf();
   GetParam().make(gltf);
@@ -181,8 +181,8 @@ void arms(json& file, double left_deg) {
   turn(file, "right_upper_arm", 2, -left_deg);
 }
 
-// As Blender exports a Rigify rig's deforming bones: trunk, clavicles, arms and legs each hang on
-// the armature.
+// As in Blender's export of a Rigify rig's deforming bones: trunk, clavicles, arms and legs each
+// hang on the armature.
 void limbs_beside_the_trunk(json& file) {
   const auto children_of = [&](const std::string& of) -> json& {
     return node(file, of)["children"];
@@ -212,7 +212,7 @@ void limbs_beside_the_trunk(json& file) {
   file["nodes"].push_back({{"name", "Armature"}, {"children", roots}});
 }
 
-// As Quaternius' older figures have them, to be moved by themselves.
+// As in Quaternius' older figures, to be moved separately.
 void feet_on_the_root(json& file) {
   json roots = {0};
   const std::size_t above = file["nodes"].size();
@@ -338,7 +338,7 @@ TEST(OddCharacter, ATrunkBesideItsLimbsIsFoundAndGoesWithThem) {
   }
 }
 
-// A giant of 3.2 m and a toy of 0.3: a person of 1.70 m moves, and the file's own size stays.
+// A giant of 3.2 m and a toy of 0.3 m: a person of 1.70 m moves, and the file keeps its own size.
 TEST(OddCharacter, OfNoPersonsSizeMovesAsAPersonAndPlaysOnItsFile) {
   for (const double size : {0.3, 3.2}) {
     json gltf = person_gltf();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Start postures from any frame of recorded and animated motion: hips, knees and elbows are turned
-// as people's are.
+// Start postures from any frame of recorded and animated motion: hips, knees and elbows turn like
+// people's.
 #include <gtest/gtest.h>
 
 #include <shigusa/character.hpp>

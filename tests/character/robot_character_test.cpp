@@ -102,7 +102,7 @@ TEST_F(RobotCharacter, TableHasTheFilesJointsAndTheRootsPlace) {
   EXPECT_THAT(names, testing::Not(HasSubstr("left_finger torque")));
 }
 
-// How deep (m) a limb's line is in a box, at the worst moment.
+// Depth (m) of a limb's line in a box, at the worst moment.
 double depth_of_line(const ExportedMotion& motion, const std::string& from, const std::string& to,
                      const Obstacle& box) {
   double deepest = -1e9;
@@ -198,7 +198,7 @@ TEST_F(RobotCharacter, ThatIsNoHumanoidIsToldSo) {
   EXPECT_THAT(task.error().to_string(), HasSubstr("arm.urdf: no humanoid robot"));
 }
 
-// The reader counts lines in the file, and not in what a result keeps of it.
+// The reader counts lines in the file, not in its copy in a result.
 TEST_F(RobotCharacter, ErrorsNameTheLinesOfTheFile) {
   file_.character.source = folder_.put("two.urdf",
                                        "\n<robot name='two'>\n<!-- a comment -->\n\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots' files that have more, or less, than a robot: a world, no masses, other units, key frames.
+// Robots' files with more, or less, than a robot: a world, no masses, other units, key frames.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using testing::Each;
 using testing::HasSubstr;
 using testing::Not;
 
-// The small robot's file with this before its first link.
+// The small robot's file with this text before its first link.
 std::string below(const std::string& world) {
   std::string text = RobotFile().text();
   return text.insert(text.find("<link name=\"pelvis\""), world);
@@ -37,7 +37,7 @@ std::string joint(const std::string& name, const std::string& type, const std::s
          "\"/><limit lower=\"-9\" upper=\"9\" effort=\"0\" velocity=\"0\"/></joint>";
 }
 
-// A world and six joints, each with a link but the last.
+// A world and six joints, each with a link except the last.
 std::string six_joints(const std::array<std::string, 3>& slides,
                        const std::array<std::string, 3>& turns) {
   std::string text = "<link name=\"scene\"/>";
@@ -122,7 +122,7 @@ TEST_F(RobotWorld, AWorldIsNoRoot) {
   EXPECT_THAT(doubts_of(bolted.task), Contains(HasSubstr("joint 'bolt' bolts the robot")));
 }
 
-// A dummy above the trunk that moves with it stays the root.
+// A dummy link above the trunk that moves with it stays the root.
 TEST_F(RobotWorld, AFrameFixedToTheTrunkIsTheRoot) {
   const auto dummy = reached(
       below("<link name=\"base_footprint\"/>" + joint("f", "fixed", "base_footprint", "pelvis")));
@@ -130,7 +130,7 @@ TEST_F(RobotWorld, AFrameFixedToTheTrunkIsTheRoot) {
   EXPECT_GT(range_of(dummy.columns.at("root.x [m]")), 1e-3);
 }
 
-// Where six joints take the pelvis in a frame, in the robot's world.
+// Placement of the pelvis by six joints in a frame, in the robot's world.
 Transformd carried_to(const Reached& reached, std::size_t frame, const std::array<Vec3d, 6>& axes) {
   Transformd at;
   for (std::size_t k = 0; k < 6; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frame of a recording that a motion starts from: the first in which the person stands still.
+// The frame of a recording in which a motion starts: the first in which the person stands still.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -29,8 +29,8 @@ struct Turn {
   double angle_deg;
 };
 
-// A posture of the standing figure, whose OFFSETs are a T: the joints' turns, with the arms hanging
-// unless they are spread, and the hips moved (m) and turned as a whole.
+// A posture of the standing figure, whose OFFSETs form a T-pose: the joints' turns, with hanging
+// arms unless they are spread, and the hips moved (m) and turned as a whole.
 struct Posture {
   std::vector<Turn> turns{};
   Vec3d hips{};
@@ -138,7 +138,7 @@ Result<CharacterSpec> loaded(const std::string& bvh, CharacterSpec spec = {}) {
   return spec;
 }
 
-// The farthest that a joint of one start is from the other's (m).
+// Largest distance of a joint between two starts (m).
 double apart(const CharacterSpec& a, const CharacterSpec& b) {
   std::vector<Vec3d> points;
   for_each_point(*a.landmarks, [&](const Vec3d& p) { points.push_back(p); });
@@ -204,7 +204,7 @@ TEST(StartFrame, StepThatIsStillIsNoStance) {
   EXPECT_EQ(loaded(figure.bvh())->frame, kRestPose);
 }
 
-// Somebody who treads on the spot stands upright on both feet for moments.
+// A person stepping on the spot stands upright on both feet for moments.
 TEST(StartFrame, FeetThatMoveAreNoStance) {
   FilmedFigure figure;
   for (int k = 0; k < 30; ++k) {
@@ -301,7 +301,7 @@ TEST(StartFrame, OfWhoLiesFirstIsThatInWhichTheyStand) {
   EXPECT_EQ(loaded(sleeper.bvh())->frame, kRestPose);
 }
 
-// A file with z up may have OFFSETs with y up: nobody lies in it.
+// A file with z up may have OFFSETs with y up, which does not mean that the person lies.
 TEST(StartFrame, WhoStandsAlongAnotherAxisThanAtRestDoesNotLie) {
   FilmedFigure figure;
   figure.hold({.whole = about(Axis::x, 90)}, 10);
@@ -314,7 +314,7 @@ TEST(StartFrame, WhoStandsAlongAnotherAxisThanAtRestDoesNotLie) {
   EXPECT_TRUE(loaded(at_hips.bvh(), {.frame = 3}));
 }
 
-// How many frames are looked at closely where nobody could hold any, of somebody who stands.
+// Number of frames examined closely in a recording of a standing person without any steady frame.
 int starts_tried(int frames) {
   FilmedFigure figure;
   figure.hold({}, frames);
@@ -372,7 +372,7 @@ TEST(StartFrame, OfAFileWithoutMotionIsTheRestPose) {
   EXPECT_THAT(loaded(text, {.frame = 0}).error().to_string(), HasSubstr("does not exist"));
 }
 
-// A person whose nodes turn as told at 0 s and as at rest from 0.5 s to 1 s.
+// A person whose nodes turn by the given rotations at 0 s, and are at rest from 0.5 s to 1 s.
 std::string rising_glb(const std::vector<Turn>& turns) {
   nlohmann::json file = person_gltf();
   std::string binary;
@@ -432,7 +432,7 @@ TEST(StartFrame, OfAnAnimationInWhichThePersonLiesIsRefused) {
   EXPECT_THAT(refused.error().to_string(), HasSubstr("in frame 0 the person lies"));
 }
 
-// Of a mesh's or a tool's node a start does not depend.
+// The start does not depend on nodes of meshes or tools.
 TEST(StartFrame, KeysWithoutNumbersCountOfThePersonsBonesAlone) {
   const auto first = [](const char* node) {
     const std::string file = rising_glb({{node, Axis::x, std::nan("")}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The posture that a character starts from: a frame as it is, or the rest pose stood at ease.
+// The start posture of a character: an unchanged frame, or the rest pose standing at ease.
 #include <gmock/gmock.h>
 
 #include <bit>
@@ -25,15 +25,15 @@ using testing::Not;
 
 Quatd about(Axis axis, double angle_deg) { return to_quat(rotation(axis, radians(angle_deg))); }
 
-// Turns a node in its parent, in each frame or at rest.
+// Turns a node relative to its parent, in each frame or at rest.
 void turn(const Skeleton& skeleton, std::vector<LocalTransform>& frame, const char* name,
           const Quatd& by) {
   LocalTransform& local = frame.at(static_cast<std::size_t>(skeleton.find(name)));
   local.rotation = by * local.rotation;
 }
 
-// A BVH of the standing figure, whose OFFSETs are a T, in two frames: the arms are `down` from the
-// T by that angle, and hang in the second.
+// A BVH of the standing figure, whose OFFSETs form a T-pose, in two frames: the arms are lowered
+// from the T by the angle `down`, and hang in the second.
 std::string spread_bvh(double down_deg) {
   SkeletonMotion motion{standing_figure().skeleton(), {}};
   motion.clip.frames = 2;
@@ -53,7 +53,7 @@ Result<CharacterSpec> loaded(std::string bytes, CharacterSpec spec) {
   return spec;
 }
 
-// How far an arm hangs below its shoulder, as a share of its length.
+// Depth of an arm's end below its shoulder, as a share of its length.
 double hangs(const CharacterSpec& spec) {
   const Landmarks::Arm& arm = spec.landmarks->right_arm;
   return (arm.shoulder.y - arm.wrist.y) /
@@ -197,7 +197,7 @@ constexpr Bend kLeap[] = {{"right_upper_leg", Axis::x, -80.0},
                           {"hips", Axis::x, 20.0},
                           {"right_upper_arm", Axis::x, -120.0}};
 
-// An animation whose only frame has no node turned, as the person's nodes are where they stand.
+// An animation whose only frame turns no node, as the person's nodes are in their standing pose.
 json standing_animation(json& file, std::string& binary) {
   binary.clear();
   const auto put = [&](float x) { binary += word_bytes(std::bit_cast<std::uint32_t>(x)); };
@@ -220,7 +220,7 @@ json standing_animation(json& file, std::string& binary) {
   return animation;
 }
 
-// A person bound as they stand, below an armature with z up, whose nodes rest bent.
+// A person bound standing, below an armature with z up, whose nodes rest bent.
 std::string bent_glb(std::span<const Bend> pose, bool skinned, bool animated = false) {
   json file = person_gltf();
   const SinCos<double> half = sin_cos(radians(-45.0));

@@ -54,7 +54,7 @@ TEST(ParseNumber, TooLargeIsInfiniteAndTooSmallIsNought) {
   EXPECT_EQ(parse_number("0." + noughts + "1"), 0.0);
 }
 
-// The C library reads numbers too, by rounding of its own.
+// The C library parses numbers too, with its own rounding.
 TEST(ParseNumber, AgreesWithTheCLibraryOnAllDoubles) {
   EXPECT_TRUE(rc::check("as strtod", [](std::uint64_t bits) {
     const auto value = std::bit_cast<double>(bits);

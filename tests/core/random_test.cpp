@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing_support;
 
-// SplitMix64's finaliser, written down a second time.
+// SplitMix64's finaliser, implemented a second time.
 std::uint64_t finaliser(std::uint64_t z) {
   z ^= z >> 30;
   z *= 13787848793156543929ULL;

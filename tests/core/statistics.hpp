@@ -7,7 +7,7 @@
 #include <vector>
 
 // Bounds for tests that count random events. With fixed seeds such a test always gives the same
-// answer; the bounds say that a right implementation misses them for one seed in a million.
+// answer; a correct implementation violates the bounds for one seed in a million.
 namespace shigusa::testing_support {
 
 // Half width of the interval around n p that holds a binomial count: five standard deviations,

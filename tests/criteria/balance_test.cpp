@@ -20,7 +20,7 @@ const BodyModel& rod() {
   return body;
 }
 
-// The penalty for leaning by these angles, frame by frame.
+// The penalty of leaning by these angles, frame by frame.
 double penalty_of(const std::vector<double>& leans, const BalanceSettings& settings = {}) {
   std::vector<std::vector<double>> frames;
   for (const double lean : leans) frames.push_back({lean});

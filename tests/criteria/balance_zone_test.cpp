@@ -31,7 +31,7 @@ double penalty_at(const std::vector<double>& ahead, const BalanceZoneSettings& s
   return penalty_by<BalanceZone>(body, motion_through(body, frames), settings);
 }
 
-// How far inside the polygon a point is.
+// Distance of a point inside the polygon.
 double inside(const std::vector<SupportEdge>& edges, double x, double z) {
   double nearest = 1e9;
   for (const SupportEdge& e : edges) nearest = std::fmin(nearest, e.offset + e.x * x + e.z * z);

@@ -31,7 +31,7 @@ double penalty_of(const std::vector<double>& angles, double outside = kPressureO
   return penalty_by<CentreOfPressure>(body, motion_through(body, frames), {.outside = outside});
 }
 
-// Where nothing moves the floor presses under the centre of mass.
+// At rest the centre of pressure is below the centre of mass.
 TEST(CentreOfPressure, OfAStillBodyIsUnderItsCentreOfMass) {
   const auto leaning = [](double ahead) { return penalty_of({std::asin(ahead)}); };
   EXPECT_EQ(leaning(0.0), 0.0);
@@ -41,8 +41,8 @@ TEST(CentreOfPressure, OfAStillBodyIsUnderItsCentreOfMass) {
   EXPECT_EQ(leaning(0.8), 1.0);
 }
 
-// h a / g behind a mass that is pushed ahead by a: the mass swings by e and back, so that it is
-// pushed by a = e f² at the ends and by -2 a in the middle.
+// h a / g behind a mass with acceleration a ahead: the mass swings by e and back, with acceleration
+// a = e f² at the ends and -2 a in the middle.
 TEST(CentreOfPressure, IsMovedByWhatTheMassIsPushedBy) {
   const double e = 1e-4;
   const double frame_rate = 1.0 / Clip{}.frame_time;

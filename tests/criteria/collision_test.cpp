@@ -46,7 +46,7 @@ TEST(Collision, AStandingPersonTouchesNothing) {
   }
 }
 
-// Where a hand is at another body's part, whatever angles bring it there.
+// A hand at a part of another body, by any angles that bring it there.
 TEST(Collision, SeesForearmsInHeadsAndShanks) {
   const BodyModel body = full_body();
   const auto folded = posture(body, {{"right_shoulder.flexion", 150},
@@ -100,7 +100,7 @@ TEST(Collision, SeesTheFloorBelowTheHands) {
   EXPECT_EQ(deepest_collision(body, clip_of(body, {deep})).other, "floor");
 }
 
-// A ball whose middle is at the wrist: in by both radii.
+// A ball centred at the wrist: the depth is the sum of both radii.
 TEST(Collision, DepthInABallIsThatOfTheirRadii) {
   const BodyModel body = human_body();
   const auto raised = posture(body, {{"right_shoulder.flexion", 90}});
@@ -145,7 +145,7 @@ TEST(Collision, SegmentsWithoutLengthArePoints) {
   EXPECT_NEAR(distance_of(above, line({0.5, 0, 0}, {0.5, 0, 0})), 2.0, 1e-9);
 }
 
-// Against the pair of nearest points, which is tested by itself.
+// Compared with the pair of nearest points, which has its own test.
 TEST(Collision, DistanceOfSegmentsIsThatOfTheirNearestPoints) {
   Random random(5);
   for (int i = 0; i < 2000; ++i) {
@@ -176,7 +176,7 @@ TEST(Collision, TaperedCapsulesAreAsThickAsWhereTheyAreNearest) {
   }
 }
 
-// A person whose parts yield by that much (m).
+// A person whose parts yield by that depth (m).
 BodyModel soft_person(double give) {
   BodyDefinition body = human_body().definition();
   for (Capsule& capsule : body.capsules) capsule.give = give;

@@ -16,13 +16,14 @@ using namespace testing_support;
 constexpr double kLean = radians(50);
 constexpr double kOff = 0.1;  // rad
 
-// People's flexion of the knees (rad) at a lean, for hands so far from the ankles (of kHandAhead).
+// People's knee flexion (rad) at a lean, with the hands that far ahead of the ankles (in
+// kHandAhead).
 double peoples_knees(double lean, double far) {
   return kKneeOfTrunk * (kKneesNear + (1.0 - kKneesNear) * far) * lean * lean /
          (lean + kKneesBegin);
 }
 
-// A posture of people's proportions, with the hands so far ahead of the ankles (of kHandAhead).
+// A posture of people's proportions, with the hands that far ahead of the ankles (in kHandAhead).
 Pose peoples(double lean, double far = 1.0) {
   Pose pose{.lean = lean};
   pose.left_knee = pose.right_knee = peoples_knees(lean, far);
@@ -39,7 +40,7 @@ double penalty_of(const Pose& pose, const CoordinationSettings& settings = {}) {
   return penalty_of_poses<Coordination>({pose}, settings);
 }
 
-// The penalty of knees that are off by so much (rad).
+// The penalty of knees with that error (rad).
 double cost_of(double off, double angle = kCoordinationAngle) {
   const double squares = 0.25 * off * off / (angle * angle);
   return squares / (1.0 + squares);
@@ -156,7 +157,7 @@ TEST(Coordination, OfABodyWithoutKneesHipsOrShouldersIsZero) {
   }
 }
 
-// The half body's left side is a stub, and a seated person's legs are of one piece.
+// The half body's left side is a stub, and a seated person's legs are one piece.
 TEST(Coordination, OfAHalfBodyAndOfWhoSitsIsZero) {
   const Landmarks person = standing_landmarks(1.7, kStandingToeOut);
   const BodyModel sits = build_human(

@@ -21,7 +21,7 @@ using namespace testing_support;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// A short motion of the full body that breaks limits, leans and takes torque.
+// A short motion of the full body that exceeds limits, leans and needs torque.
 Motion wild_motion(const BodyModel& body) {
   Random random(61);
   std::vector<std::vector<double>> frames;
@@ -36,7 +36,7 @@ Motion wild_motion(const BodyModel& body) {
 
 constexpr Vec3d kGoal{0.2, 0.4, -0.3};
 
-// All built-in criteria at work, each with the weight 1.
+// All built-in criteria, each with weight 1.
 CriteriaSettings every_criterion() {
   CriteriaSettings settings;
   for_each_criterion([&](const auto& criterion) { criterion.weight(settings) = 1.0; });
@@ -51,7 +51,7 @@ UserCriterion constant(double value, double weight = 0.1, double scale = 1.0) {
           .value = [value](const BodyModel&, const Motion&) { return value; }};
 }
 
-// The penalty that a user's criterion of that value comes to.
+// The penalty of a user's criterion with that value.
 double user_penalty(double value, double scale = 1.0) {
   const BodyModel body = full_body();
   CriteriaSettings settings;
@@ -148,8 +148,8 @@ TEST(CriteriaPresets, DefaultIsTheMixtureOfTheDocs) {
   EXPECT_EQ(documented.size(), count);
 }
 
-// A criterion says by its type that it looks at the body's placement: it cannot be shown a frame
-// without one.
+// A criterion's type states that it needs the body's placement, so it cannot get a frame without
+// one.
 static_assert(looks_at_placement<Head<double>, double>);
 static_assert(looks_at_placement<Collision<double>, double>);
 static_assert(looks_at_placement<CentreOfPressure<double>, double>);
@@ -243,7 +243,7 @@ TEST(Score, FrameByFrameIsTheSameAsOfTheWholeMotion) {
   EXPECT_EQ(built_in.score(), score_motion(body, motion, settings).total);
 }
 
-// The search shows a criterion one motion after the other.
+// The search reuses a criterion for one motion after the other.
 TEST(Score, CriteriaForgetTheMotionBefore) {
   const BodyModel body = human_body();
   const Motion before = wild_motion(body);
@@ -265,8 +265,8 @@ TEST(Score, CriteriaForgetTheMotionBefore) {
       });
 }
 
-// Penalties are made of means and maxima over the frames, which of equal frames are the frame's
-// own.
+// Penalties consist of means and maxima over the frames, which for equal frames are those of one
+// frame.
 TEST(Score, AStillMotionIsTheSameOfOneFrameAndOfMany) {
   const BodyModel body = full_body();
   // leaning far, an arm in the trunk and beyond its limits

@@ -15,7 +15,7 @@ using namespace testing_support;
 
 constexpr int kHinges = 8;
 
-// Eight hinges with the range -1 to 2 rad: one of them alone does not fill the scale.
+// Eight hinges with the range -1 to 2 rad, so that one of them alone does not reach the scale.
 BodyDefinition hinges() {
   BodyDefinition body = chain_definition(std::vector<Pendulum>(kHinges));
   for (Dof& dof : body.dofs) {

@@ -27,7 +27,8 @@ BodyModel on_a_foot() {
   return BodyModel(body);
 }
 
-// Of a body that stands still in the middle of its foot while its joint gives these torques (N·m).
+// The penalty of a body that stands still in the middle of its foot while its joint gives these
+// torques (N·m).
 Motion standing(const BodyModel& body, const std::vector<double>& torques) {
   std::vector<std::vector<double>> frames(torques.size(), {0.0});
   Motion motion = motion_through(body, frames);
@@ -57,7 +58,7 @@ TEST(Feasibility, StrengthIsThatOfTheTorquesDirection) {
   EXPECT_EQ(penalty_of({kStrength}), 0.0);
 }
 
-// Where nothing moves the floor presses under the centre of mass.
+// At rest the centre of pressure is below the centre of mass.
 TEST(Feasibility, PressureOutsideTheFeetCounts) {
   const BodyModel body = on_a_foot();
   const auto leaning = [&](double ahead) {

@@ -18,12 +18,12 @@ constexpr Vec3d kForwards{0, 0, 1};
 constexpr Vec3d kOutwards{-1, 0, 0};
 constexpr Vec3d kUp{0, 1, 0};
 
-// Of two spans between three frames, the middle frame counts as half of each: the mean over time is
-// this share of it.
+// Of the two spans between three frames, the middle frame counts as half of each: the mean over
+// time is this share of its value.
 constexpr double kMiddleShare = 0.5;
 
-// The right hand goes by `way` (m) in three frames, and in the middle one it is off its line by
-// such a vector that its mean offset is that of a bow of `off` (of the way's length).
+// The right hand moves by `way` (m) in three frames, and in the middle one is off its line by a
+// vector such that its mean offset is that of a bow of `off` (of the path's length).
 std::vector<Pose> going(const Vec3d& way, const Vec3d& off = {}) {
   std::vector<Pose> poses(3);
   poses[0].right.hand = kFrom;
@@ -37,11 +37,11 @@ double penalty_of(const std::vector<Pose>& poses, double offset = kPathOffset) {
                                      {.offset = offset, .effectors = right_hand_of(posed_body())});
 }
 
-// The penalty where the mean square of what hands are off people's ways is that many squares of
-// the offset.
+// The penalty where the mean square deviation from people's paths is that many squares of the
+// offset.
 double penalty_for(double squares) { return squares / (1.0 + squares); }
 
-// The penalty of a hand that is off people's way by so much (of its length).
+// The penalty of a hand that deviates from people's path by that share of its length.
 double cost_of(double off) { return penalty_for(off * off / (kPathOffset * kPathOffset)); }
 
 TEST(HandCurve, MeanOfABowIsThatOfTheMinimumJerkProfile) {
@@ -51,8 +51,8 @@ TEST(HandCurve, MeanOfABowIsThatOfTheMinimumJerkProfile) {
   EXPECT_NEAR(kMeanBow, sum / kSteps, 1e-4);
 }
 
-// The right hand goes by `way` (m) as people's hands do, and leaves its line by a bow of `off` (of
-// the way's length).
+// The right hand moves by `way` (m) as people's hands do, and leaves its line by a bow of `off` (of
+// the path's length).
 std::vector<Pose> bowing(const Vec3d& way, const Vec3d& off, int frames) {
   std::vector<Pose> poses;
   for (int f = 0; f < frames; ++f) {
@@ -72,7 +72,7 @@ TEST(HandCurve, OfABowIsTheSameInFewFramesAndInMany) {
   }
 }
 
-// A hand's places at both ends count for half a frame each.
+// A hand's positions at both ends count for half a frame each.
 TEST(HandCurve, IsTheMeanOverTimeNotOverFrames) {
   constexpr double kBow = 0.1;
   const Vec3d way{0, 0, 0.4};

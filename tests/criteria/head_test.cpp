@@ -40,7 +40,7 @@ Vec3d node_at(const char* name, double lean) {
   return {};
 }
 
-// A goal seen from the upright head at this angle to the left of straight ahead (rad).
+// A goal at this angle to the left of straight ahead (rad), seen from the upright head.
 Vec3d to_the_left(double angle) {
   return node_at("head", 0.0) + Vec3d{std::sin(angle), 0.0, std::cos(angle)} * 0.7;
 }

@@ -20,7 +20,7 @@ BodyModel hinges(int count) {
   return chain(std::vector<Pendulum>(static_cast<std::size_t>(count)));
 }
 
-// The penalty of one hinge that goes through these angles.
+// The penalty of one hinge with these angles, frame by frame.
 double penalty_of(const std::vector<double>& angles,
                   const JointAccelerationSettings& settings = {}) {
   std::vector<std::vector<double>> frames;

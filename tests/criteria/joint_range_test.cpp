@@ -143,8 +143,8 @@ TEST(JointRange, NeverFallsAsAJointGoesFurther) {
   }
 }
 
-// Swing and twist: at the side a shoulder turns out by 60°, lifted sideways by 90°, and inwards by
-// 70°.
+// Swing and twist: a shoulder turns outwards by 60° at the side, by 90° when abducted, and inwards
+// by 70°.
 TEST(JointRange, ALiftedArmTurnsOutFurther) {
   const BodyModel body = human_body();
   for (const std::string side : {"left", "right"}) {

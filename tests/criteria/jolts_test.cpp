@@ -18,7 +18,7 @@ constexpr double kBack = 40.0;                                      // N·m
 constexpr double kJoltOfHinge = kTorqueJolt * (kForwards + kBack);  // N·m, within kJoltTime
 constexpr double kBodyWeight = 700.0;                               // N
 
-// The penalty of a worst change that is as many jolts as that, over the limit.
+// The penalty of a worst change of that many jolts, over the limit.
 double penalty_for(double jolts) {
   const double fourth = std::pow(jolts, 4);
   return fourth / (1.0 + fourth);
@@ -42,7 +42,7 @@ BodyModel standing_hinge() {
   return BodyModel(body);
 }
 
-// The penalty for these torques (frames × hinges, N·m) of a body that does not move.
+// The penalty of these torques (frames × hinges, N·m), for a body at rest.
 double penalty_of(const std::vector<double>& torques, const JoltsSettings& settings = {},
                   std::size_t hinges = 1, double frame_time = kJoltTime) {
   const BodyModel body = strong_hinges(hinges);
@@ -53,7 +53,7 @@ double penalty_of(const std::vector<double>& torques, const JoltsSettings& setti
   return penalty_by<Jolts>(body, motion, settings);
 }
 
-// Shows frames in which the floor presses by these forces, see pressure().
+// Passes frames with these floor pressures to the criterion, see pressure().
 void show_pressures(const std::vector<Vec3d>& pressures, Jolts<double>& jolts,
                     double frame_time = kJoltTime) {
   const std::vector<double> zero{0.0};
@@ -75,7 +75,7 @@ struct Floor {
   BodyModel body = standing_hinge();
 };
 
-// The penalty where the floor presses at these places (m, with y = 0).
+// The penalty of pressure at these places (m, with y = 0).
 double penalty_at(const std::vector<Vec3d>& places, const Floor& floor = {}) {
   std::vector<Vec3d> pressures;
   for (const Vec3d& place : places) pressures.push_back(pressure_at(place, floor.force));
@@ -154,7 +154,7 @@ TEST(Jolts, ABodyWithoutFeetHasNoPressure) {
   EXPECT_EQ(penalty_at(places, {.body = strong_hinges(1)}), 0.0);
 }
 
-// A body that falls presses on nothing.
+// A falling body presses on nothing.
 TEST(Jolts, WithoutAFloorAreANumber) {
   Jolts<double> jolts(standing_hinge());
   show_pressures({pressure_at({}), {}, {10.0, -50.0, 0}, {}}, jolts);

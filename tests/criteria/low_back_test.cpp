@@ -14,8 +14,8 @@ namespace {
 
 using namespace testing_support;
 
-// The penalty where both hips, or the one of the half body, give these torques (N·m, all hips
-// together) in three frames.
+// The penalty where both hips, or the one of the half body, give these torques (N·m, sum of the
+// hips) in three frames.
 double penalty_of(const BodyModel& body, const std::vector<double>& together,
                   const LowBackSettings& settings = {}) {
   const std::vector<double> start(body.start().begin(), body.start().end());
@@ -30,7 +30,7 @@ double penalty_of(const BodyModel& body, const std::vector<double>& together,
   return penalty_by<LowBack>(body, motion, settings);
 }
 
-// Moment (N·m) that the hips must give against gravity, from the inverse dynamics.
+// Moment (N·m) of the hips against gravity, from the inverse dynamics.
 double hip_torque(const BodyModel& body, const std::vector<double>& posture) {
   DynamicsWorkspace<double> work(body);
   const std::vector<double> still(posture.size(), 0.0);
@@ -45,7 +45,7 @@ double hip_torque(const BodyModel& body, const std::vector<double>& posture) {
   return sum;
 }
 
-// The start posture with both hips flexed by so much (rad).
+// The start posture with both hips flexed by that angle (rad).
 std::vector<double> stoop(const BodyModel& body, double flexion) {
   std::vector<double> q(body.start().begin(), body.start().end());
   for (const int hip : back_constants(body).dofs) q[static_cast<std::size_t>(hip)] += flexion;

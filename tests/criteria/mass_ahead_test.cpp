@@ -18,8 +18,8 @@ constexpr double kLow = kHangs - kLowReach * kPosedStature;
 constexpr Vec3d kAhead{0, 0, 1};
 constexpr Vec3d kAside{-1, 0, 0};
 
-// Both hands end over the place (m, from the ankles over the floor), at a height (m), with the
-// centre of mass `mass` (m) away from where it is as the body stands.
+// Both hands end over the place (m, from the ankles along the floor), at a height (m), with the
+// centre of mass `mass` (m) from its standing position.
 Pose reaching(const Vec3d& place, double height, const Vec3d& mass) {
   Pose pose;
   pose.left.hand = pose.right.hand = place + Vec3d{0.0, height, kPosedAnkles.z};
@@ -31,10 +31,10 @@ double penalty_of(const Pose& pose, const MassAheadSettings& settings = {}) {
   return penalty_of_poses<MassAhead>({pose}, settings);
 }
 
-// The penalty where the square of what the mass is off is that many squares of the distance.
+// The penalty where the squared error of the mass is that many squares of the distance.
 double penalty_for(double squares) { return squares / (1.0 + squares); }
 
-// The penalty of a centre of mass that is so far (m) from where people have it.
+// The penalty of a centre of mass that far (m) from people's.
 double cost_of(double off) { return penalty_for(off * off / (kMassDistance * kMassDistance)); }
 
 TEST(MassAhead, OfStandingWithTheHandsOverTheAnklesIsZero) {
@@ -121,7 +121,7 @@ TEST(MassAhead, WhoStartsElsewhereIsMeasuredAsWhoStands) {
   EXPECT_NEAR(penalty_of_poses<MassAhead>({pose}, {}, BodyModel(stooped)), cost_of(0.1), 1e-12);
 }
 
-// As one that sits, whose legs have no joints.
+// As of a seated body, whose legs have no joints.
 TEST(MassAhead, ABodyWithoutKneesHasItsMassAtHomeWhereItStarts) {
   const BodyModel sits = posed_body_without({"left_knee", "right_knee"});
   Pose pose = reaching({}, kHangs, {});

@@ -45,7 +45,7 @@ TEST(SupportMargins, AreTheLeastOnesAndTellWhen) {
   EXPECT_LT(margins->pressure.distance, margins->centre_of_mass.distance);
 }
 
-// h a / g behind a mass that is pushed ahead by a.
+// h a / g behind a mass with acceleration a ahead.
 TEST(SupportMargins, OfThePressureKnowsWhatPushesTheMass) {
   const BodyModel body = on_a_foot();
   const double e = 1e-5;

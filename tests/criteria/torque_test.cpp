@@ -21,7 +21,7 @@ BodyModel strong_hinge() {
   return BodyModel(body);
 }
 
-// The penalty for these torques (frames × dofs, N·m).
+// The penalty of these torques (frames × dofs, N·m).
 double penalty_of(const BodyModel& body, const std::vector<double>& torques,
                   const TorqueSettings& settings = {}) {
   const std::vector<double> upright(body.dofs().size(), 0.0);

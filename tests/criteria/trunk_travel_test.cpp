@@ -11,12 +11,12 @@ namespace {
 
 using namespace testing_support;
 
-// Where the body's right shoulder is as it stands upright (m).
+// Position of the body's right shoulder in the upright posture (m).
 const Vec3d kHome = kPosedAnkles + Vec3d{-0.5 * kPosedShoulders, kPosedLeg + kPosedTrunk,
                                          kStandsAhead* kPosedStature};
 constexpr double kAlone = kArmAlone * kPosedArm;  // m, as far as the arm reaches alone
 
-// The right shoulder ends `moved` (m) away from its home and the hand so far (m) from that.
+// The right shoulder ends `moved` (m) from its home, and the hand that far (m) from there.
 Pose reaching(double far, const Vec3d& moved) {
   Pose pose;
   pose.right = {kHome + moved, kHome + Vec3d{0, 0, far}};
@@ -29,10 +29,10 @@ double penalty_of(const std::vector<Pose>& poses, double distance = kTravelDista
       poses, {.distance = distance, .effectors = right_hand_of(body)}, body);
 }
 
-// The penalty where the mean square of what shoulders are off is that many squares of the distance.
+// The penalty where the mean square error of shoulders is that many squares of the distance.
 double penalty_for(double squares) { return squares / (1.0 + squares); }
 
-// The penalty of a shoulder's way that is too long, or too short, by so much (m).
+// The penalty of a shoulder's travel that is too long, or too short, by that length (m).
 double cost_of(double more) {
   return penalty_for(more * more / (kTravelDistance * kTravelDistance));
 }
@@ -69,7 +69,7 @@ TEST(TrunkTravel, WhoStartsStoopedIsToStandUp) {
               cost_of(0.1), 1e-12);
 }
 
-// As one that sits, whose legs have no joints.
+// As of a seated body, whose legs have no joints.
 TEST(TrunkTravel, ABodyWithoutKneesIsAtHomeWhereItStarts) {
   const BodyModel sits = posed_body_without({"left_knee", "right_knee"});
   const Vec3d start = kPosedAnkles + Vec3d{-0.5 * kPosedShoulders, kPosedLeg + kPosedTrunk, 0.0};
@@ -140,7 +140,8 @@ TEST(GoalHands, ArmsAreAsLongAsTheyReachStretchedOut) {
   }
 }
 
-// The built-in bodies start where they are at home: kStandsAhead and kHandHangs are theirs.
+// The built-in bodies start in the home positions, from which kStandsAhead and kHandHangs are
+// taken.
 TEST(PosturePoints, BuiltInBodiesStandAtHome) {
   for (const BodyModel& body : {full_body(), human_body(), human_body({1.6, 60.0, Sex::female})}) {
     const PosturePoints points = posture_points(body);

@@ -20,7 +20,7 @@ const BodyModel& rod() {
   return body;
 }
 
-// The rod led through these angles so slowly that its weight is all that is felt.
+// The rod moved through these angles so slowly that only its weight acts.
 Motion led_through(const std::vector<double>& angles) {
   std::vector<std::vector<double>> frames;
   for (const double angle : angles) frames.push_back({angle});
@@ -40,7 +40,7 @@ std::vector<double> from_to(double from, double to, int steps) {
   return angles;
 }
 
-// The criterion's answer in joules.
+// The criterion's value in joules.
 double work_of(const Motion& motion) {
   return penalty_by<Work>(rod(), motion) * full_work(rod(), {});
 }

@@ -149,7 +149,7 @@ TEST(Dataset, RowsAreThoseOfTheTaskMadeAlone) {
   }
 }
 
-// A body that stands on its left foot has its freedoms in another order.
+// A body that stands on its left foot has its dofs in another order.
 TEST(Dataset, JointsHaveOneOrderWhicheverFootStands) {
   Json json = small_plan(2, 2);
   json["motions"] = "all";

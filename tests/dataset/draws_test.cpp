@@ -182,7 +182,7 @@ TEST(Draws, WrongDrawsAreToldWithTheirPlace) {
   EXPECT_THAT(complaint(R"({"x": {"rotation": "some"}})"), HasSubstr("allowed is \"any\""));
 }
 
-// A task's own members must never be taken for draws.
+// A task's own members must never be mistaken for draws.
 TEST(Draws, NoFieldOfATaskHasADrawsWord) {
   const Json schema = Json::parse(task_schema());
   const std::string text = schema.dump();

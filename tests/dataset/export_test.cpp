@@ -19,7 +19,7 @@ namespace {
 using namespace testing_support;
 using testing::HasSubstr;
 
-// A data set in a folder of its own, and a folder for what leaves it.
+// A data set in its own folder, and a folder for exports.
 struct MadeSet {
   WorkFolder data;
   WorkFolder out;
@@ -79,7 +79,7 @@ Floats floats_of(const std::string& file) {
   return array;
 }
 
-// The files of a .zip whose files are not packed, by the heads that stand before each.
+// The files of a .zip without compression, by the headers before each.
 std::map<std::string, std::string> unzipped(const std::string& zip) {
   const auto number = [&zip](std::size_t at, int bytes) {
     std::size_t value = 0;
@@ -123,7 +123,7 @@ std::vector<std::string> fields_of(const std::string& line) {
   return fields;
 }
 
-// The turn of an axis times its angle, by Rodrigues' formula.
+// The rotation by a rotation vector, by Rodrigues' formula.
 Vec3d turned(const Vec3d& turn, const Vec3d& v) {
   const double angle = norm(turn);
   if (angle == 0.0) return v;
@@ -280,7 +280,7 @@ struct Aim {
   Vec3d at;
   double load;
 };
-// Of somebody of 1.7 m who squats, and reaches for these goals.
+// A motion of a person of 1.7 m who squats and reaches for these goals.
 std::string caption_for(const std::vector<Aim>& aims, double error = 0.0) {
   const auto text = [](const char* name) {
     return Column{.name = name, .type = ElementType::text, .text_size = 16};

@@ -3,7 +3,7 @@
 
 #include "dataset/hdf5.hpp"
 
-// Reads an index's tables as others do, by HDF5's own library, which finds the shards' rows.
+// An independent reader of an index's tables, by HDF5's own library, which finds the shards' rows.
 namespace shigusa::testing_support {
 
 inline Result<hdf5::Handle> open_file(const std::filesystem::path& path) {
@@ -48,7 +48,7 @@ inline Result<std::vector<std::string>> read_texts(const hdf5::Handle& object, c
   return column.texts();
 }
 
-// Fills in a column's shape, its numbers and what it says.
+// Reads a column's shape, numbers and texts.
 inline Result<void> read_column(const hdf5::Handle& group, const std::string& table,
                                 Column& column) {
   const std::string place = table + "/" + column.name;
@@ -75,8 +75,8 @@ inline Result<void> read_column(const hdf5::Handle& group, const std::string& ta
   return {};
 }
 
-// Of `table` must be there its path, its columns' names and types and the names of its lists; all
-// else is filled in.
+// `table` must have its path, its columns' names and types and the names of its lists; all else is
+// read.
 inline Result<void> read_index(const std::filesystem::path& path, Table& table) {
   SHG_TRY_ASSIGN(const hdf5::Handle file, open_file(path));
   const hdf5::Handle group(H5Gopen2(file.id(), table.path.c_str(), H5P_DEFAULT), H5Gclose);

@@ -63,7 +63,7 @@ Table shape_of(const Table& table) {
   return shape;
 }
 
-// The rows of all shards, one shard after the other.
+// The rows of all shards, in order.
 std::map<std::string, Table> joined(const WorkFolder& folder, std::uint64_t shards) {
   std::map<std::string, Table> tables;
   for (std::uint64_t shard = 0; shard < shards; ++shard) {
@@ -397,7 +397,7 @@ RC_GTEST_PROP(Quantiles, AreNearThoseOfTheSortedNumbers, (std::vector<double> nu
 
 // --- splits ---
 
-// Tasks of people who are drawn, and their goals.
+// Tasks of drawn people, and their goals.
 struct SplitInput {
   Table tasks = empty_tables()[0];
   Table goals = empty_tables()[1];

@@ -13,7 +13,7 @@
 // Small plans for tests of data sets.
 namespace shigusa::testing_support {
 
-// A half body that reaches for points of a box, by searches of few motions.
+// A half body that reaches for points in a box, with searches of few motions.
 inline Json small_plan(std::uint64_t tasks, std::uint64_t shard_tasks) {
   return Json::parse(R"({
     "version": 1, "seed": 7, "series": ["angles"],
@@ -33,14 +33,14 @@ inline DatasetPlan plan_of_json(const Json& json, const std::filesystem::path& f
   return *std::move(plan);
 }
 
-// Makes a plan's data in a folder, which must work.
+// Makes a plan's data in a folder, which must succeed.
 inline DatasetRun made(const DatasetPlan& plan, DatasetSettings settings) {
   const auto run = make_dataset(plan, settings);
   EXPECT_TRUE(run) << run.error().to_string();
   return run.value_or(DatasetRun{});
 }
 
-// The tables of a shard, of motions the first.
+// The tables of a shard, motions first.
 struct ShardTables {
   Table tasks;
   Table goals;

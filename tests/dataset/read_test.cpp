@@ -36,7 +36,7 @@ Json loaded_plan() {
   return json;
 }
 
-// The task that a motion is of, as it was searched.
+// The task of a motion, as it was searched.
 Task task_of(const DatasetPlan& plan, const DatasetMotion& motion) {
   TaskFile file = plan.task(motion.task).value().file;
   Task task = make_task(file, {}).value();

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-// The page of a plan of five tasks, of whose three shards `shards` are made.
+// The page of a plan of five tasks, with `shards` of its three shards made.
 std::string shown(const WorkFolder& work, Json json, std::uint64_t shards,
                   std::size_t motions = 6) {
   const DatasetPlan plan = plan_of_json(json);
@@ -33,7 +33,7 @@ Json five_tasks() {
   return json;
 }
 
-// The number of times that a word is in a text.
+// Number of occurrences of a word in a text.
 std::size_t count_of(const std::string& text, std::string_view word) {
   std::size_t count = 0;
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {

@@ -7,10 +7,10 @@
 #include "dataset/plans.hpp"
 #include "dataset/task_rows.hpp"
 
-// Shards as a stranger may make them: their sums are right, and what they hold is not.
+// Manipulated shards: their checksums are right, and their content is not.
 namespace shigusa::testing_support {
 
-// Writes a shard anew, with the sum that belongs to it, after a change of its tables.
+// Rewrites a shard, with its checksum, after a change of its tables.
 inline void change_shard(const WorkFolder& folder, std::uint64_t shard,
                          const std::function<void(std::vector<Table>&)>& change) {
   const std::string name = shard_name(shard);
@@ -36,7 +36,7 @@ inline void change_tables(const WorkFolder& folder, const std::function<void(Tab
   });
 }
 
-// Changes what HDF5 has of a shard.
+// Changes the HDF5 bytes of a shard.
 inline void change_file(const WorkFolder& folder, const std::function<void(hid_t)>& change) {
   const std::string name = shard_name(0);
   const std::string bytes = folder.get(name);

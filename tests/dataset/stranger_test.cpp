@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A data set may be a stranger's: whatever its shards hold, nothing crashes, no other file is read,
-// and the shard is named.
+// A data set may come from an untrusted source: whatever its shards contain, nothing crashes, no
+// other file is read, and the shard is named.
 #include "dataset/stranger.hpp"
 
 #include <gmock/gmock.h>
@@ -269,7 +269,7 @@ TEST_F(Stranger, AMotionThatIsThereTwiceIsRefused) {
   EXPECT_THAT(exported.error().to_string(), HasSubstr("twice"));
 }
 
-// Whatever byte of the file is another: it is read, or refused.
+// With any byte of the file changed, it is read, or refused.
 TEST_F(Stranger, AnyByteMayBeAnother) {
   const std::string bytes = folder_.get(shard_name(0));
   const ShardHead head = parse_head(bytes).value();

@@ -18,7 +18,7 @@ using namespace testing_support;
 
 constexpr int kStarts = 20;
 
-// (m) what closest_reach leaves to a goal, within the limits
+// (m) remaining distance of closest_reach to a goal, within the limits
 double library_distance(const BodyModel& body, const Vec3d& goal) {
   Task task(body);
   task.goals = {{"right_hand", goal}};

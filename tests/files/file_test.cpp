@@ -56,7 +56,7 @@ class File : public ::testing::Test {
   fs::path folder_;
 };
 
-// While it lives, files may not grow beyond `bytes`: what a full disk looks like to a writer.
+// During its lifetime, files may not grow beyond `bytes`, as on a full disk.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -239,7 +239,7 @@ TEST_F(File, APipeOfTheProgramsOwnIsReadToItsEnd) {
   close(ends[0]);
 }
 
-// With the standard streams closed, what is printed would go to the file that took their number.
+// With the standard streams closed, printed text would go to the file with their number.
 TEST_F(File, FilesNeverGetAStandardStreamsNumber) {
   put("a", "text");
   const pid_t child = fork();

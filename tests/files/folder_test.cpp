@@ -69,7 +69,7 @@ TEST(Descriptor, ReadsAtAPlaceAllOrNothing) {
   EXPECT_EQ(read_some(file, block, 4), 2);
 }
 
-// A file that somebody else writes by its path, and which is given up.
+// A file that another program writes by its path, and that is discarded.
 TEST(Staging, AFileThatIsNotMovedOutGoesWithIt) {
   const WorkFolder work;
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Position channels that count from the OFFSET, and those that are whole places.
+// Position channels relative to the OFFSET, and those that are whole positions.
 #include "formats/bvh_positions.hpp"
 
 #include <fmt/format.h>

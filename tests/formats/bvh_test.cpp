@@ -434,7 +434,7 @@ TEST(BvhReader, ErrorsInAFileNameIt) {
   EXPECT_EQ(motion.error().place, "line 16 of " + path.filename().string());
 }
 
-// Origins of the joints by name; an end site goes by its parent's name and a star.
+// Origins of the joints by name; an end site has its parent's name and a star.
 std::vector<std::pair<std::string, Vec3d>> origins(const SkeletonMotion& motion, int frame) {
   const auto world = world_transforms(motion.skeleton, motion.clip, frame);
   std::vector<std::pair<std::string, Vec3d>> result;
@@ -450,7 +450,7 @@ std::vector<std::pair<std::string, Vec3d>> origins(const SkeletonMotion& motion,
   return result;
 }
 
-// The furthest that any origin moves when the motion is written and read back (m).
+// Largest displacement of any origin when the motion is written and read back (m).
 double moved_by_writing(const SkeletonMotion& motion, double unit = 0.01) {
   const auto read = parse_bvh(format_bvh(motion, {.unit = unit}), "written.bvh");
   EXPECT_TRUE(read) << read.error().to_string();
@@ -472,8 +472,8 @@ Quatd turned(double z, double x, double y) {
          axis_rotation(Axis::y, radians(y));
 }
 
-// A chain of `rotations.size()` joints of 0.1 m, and its tip; the rotations of one frame after the
-// other.
+// A chain of `rotations.size()` joints of 0.1 m, and its tip; the rotations of one frame, in
+// sequence.
 SkeletonMotion chain(const std::vector<std::vector<Quatd>>& frames) {
   SkeletonMotion motion;
   auto& nodes = motion.skeleton.nodes;
@@ -533,7 +533,7 @@ RC_GTEST_PROP(BvhWriter, ReadingBackMovesNoOriginByAMicrometre, ()) {
   RC_ASSERT(moved_by_writing(motion, unit) < 1e-6);
 }
 
-// Channels of three rotations in that order, and of the place where `moves`.
+// Channels of three rotations in that order, and of the position if `moves`.
 std::vector<BvhChannel> channels_of(const std::vector<Axis>& order, bool moves) {
   std::vector<BvhChannel> channels;
   for (const Axis axis : order) channels.push_back({true, axis});
@@ -589,7 +589,7 @@ TEST(BvhWriter, ChannelsThatCannotTellAMotionAreReplaced) {
   EXPECT_EQ(read.channels[2].size(), 1u);
 }
 
-// Of a file whose hips hang on another node: they move there, and have no channels for that.
+// A file whose hips hang on another node: they move in it, and have no channels for that.
 TEST(BvhWriter, ANodeThatGetsPositionsKeepsTheOrderOfItsRotations) {
   SkeletonMotion motion = chain({{{}, turned(30, 40, 50)}});
   motion.clip.local[1].translation += Vec3d{0.1, 0.2, 0.3};
@@ -768,8 +768,8 @@ TEST_P(RealBvh, IsReadWholly) {
   EXPECT_EQ(motion->clip.frames, GetParam().frames);
 }
 
-// The promise is for a person in metres; written in their own units these bodies are up to 100
-// times as large.
+// The bound holds for a person in metres; in their own units these bodies are up to 100 times as
+// large.
 TEST_P(RealBvh, SurvivesWritingAndReading) {
   if (!fs::exists(path())) GTEST_SKIP() << "no " << path();
   const auto motion = read_bvh(path());

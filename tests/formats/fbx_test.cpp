@@ -15,7 +15,7 @@ namespace {
 using namespace testing_support;
 using testing::HasSubstr;
 
-// The text form has 15 digits behind the point of up to some 100 units.
+// The text form has 15 digits after the decimal point, for up to some 100 units.
 constexpr double kRounding = 1e-12;
 
 GltfCharacter read(const std::string& bytes) {
@@ -29,7 +29,7 @@ std::string error_of(const std::string& bytes) {
   return glb ? "no error" : glb.error().to_string();
 }
 
-// Joints stand where the figure's points are.
+// Joints are at the figure's points.
 void expect_figure(const GltfCharacter& character, const StickFigure& figure) {
   const Skeleton& skeleton = character.rest.skeleton;
   const std::vector<Vec3d> at = rest_origins(skeleton);
@@ -50,7 +50,7 @@ TEST(Fbx, BothFormsGiveTheSameSkeleton) {
   }
 }
 
-// As MotionBuilder, Maya and Blender wrote it before 2011, in decimetres with z up.
+// As written by MotionBuilder, Maya and Blender before 2011, in decimetres with z up.
 TEST(Fbx, VersionSixGivesTheSameSkeleton) {
   FbxFile file(standing_figure().transformed({{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}));
   file.axes = {2, 1, 1, -1, 0, 1};
@@ -98,7 +98,7 @@ TEST(Fbx, PlacesAreTheProductOfTheFilesParts) {
   }
 }
 
-// Maya's segment scale compensation: what hangs on a joint stands farther, and is no larger.
+// Maya's segment scale compensation: a joint's children are farther away, but not larger.
 TEST(Fbx, ScaleThatAModelDoesNotInheritMovesItAlone) {
   for (const Vec3d& scale : {Vec3d{0.01, 0.01, 0.01}, Vec3d{1.3, 1.3, 1.3}, Vec3d{0.5, 2, 1}}) {
     FbxFile file(standing_figure());
@@ -140,7 +140,7 @@ std::string text_of(const std::vector<ScaledModel>& models) {
 
 Mat3d diagonal(const Vec3d& v) { return {{v.x, 0, 0}, {0, v.y, 0}, {0, 0, v.z}}; }
 
-// The origins by the product of matrices that Autodesk's SDK shows, in metres.
+// The origins by the product of matrices given by Autodesk's SDK, in metres.
 std::vector<Vec3d> origins_of(const std::vector<ScaledModel>& models) {
   struct World {
     Vec3d at{};
@@ -308,7 +308,7 @@ TEST(Fbx, RecordsThatLieAboutTheirLengthAreRefused) {
   }
 }
 
-// Cut short anywhere, a file is an error or a smaller skeleton, never a crash.
+// A file truncated anywhere is an error or a smaller skeleton, never a crash.
 TEST(Fbx, TruncatedFilesGiveClearErrors) {
   for (const std::string& whole :
        {FbxFile(standing_figure()).text(), FbxFile(standing_figure()).bytes()}) {

@@ -25,7 +25,7 @@ std::string floats(const std::vector<double>& values) {
   return bytes;
 }
 
-// A root with one child, 1 m above it, whose `path` goes by these keys.
+// A root with one child, 1 m above it, whose `path` has these keys.
 struct Channel {
   std::vector<double> times{0.0, 1.0};
   std::vector<double> values{0, 0, 0, 1, 0, 0, 1, 0};  // a half turn about z
@@ -67,7 +67,7 @@ Result<GltfMotion> read(const Channel& channel, double rate = 4.0) {
   return parse_gltf_animation(glb(file.dump(), binary), "wave.glb", {.frame_rate = rate});
 }
 
-// Where the hand is in a frame.
+// Position of the hand in a frame.
 Vec3d hand(const GltfMotion& motion, int frame) {
   return world_transforms(motion.motion.skeleton, motion.motion.clip, frame).back().translation;
 }
@@ -144,7 +144,7 @@ TEST(GltfAnimationReader, ReadsDataInTheText) {
   expect_at(hand(motion, 0), {-1, 1, 0});
 }
 
-// Angles written by add_animations come back, in single precision.
+// Angles written by add_animations are read back, in single precision.
 TEST(GltfAnimationReader, ReadsWhatIsWrittenHere) {
   const std::string file = person_gltf().dump();
   const GltfCharacter person = parse_gltf(file, "person.gltf").value();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes that the makers of meshopt and Draco pack are read as they were.
+// Meshes packed by meshopt and Draco are read like the originals.
 #include <draco/compression/encode.h>
 #include <gmock/gmock.h>
 #include <meshoptimizer.h>
@@ -32,7 +32,7 @@ struct Grid {
   std::vector<std::uint32_t> corners;
 };
 
-// A limb: a tube along the bones, bound to both by turns.
+// A limb: a tube along the bones, bound to both alternately.
 Grid tube() {
   Grid grid;
   for (int i = 0; i < kRings; ++i) {
@@ -73,7 +73,7 @@ MeshFile plain() {
   return file;
 }
 
-// The same with each view packed, the corners as triangles.
+// The same with each view packed, and the corners as triangles.
 MeshFile by_meshopt() {
   MeshFile file = plain();
   const std::string whole = std::exchange(file.binary, "");
@@ -123,7 +123,7 @@ std::unique_ptr<draco::PointAttribute> column(draco::GeometryAttribute::Type typ
   return attribute;
 }
 
-// The same as one mesh of Draco; `bits` of positions, 0: as they are.
+// The same as one mesh of Draco; `bits` of positions, 0: unquantised.
 MeshFile by_draco(int method, int bits) {
   const Grid grid = tube();
   draco::Mesh mesh;
@@ -169,7 +169,7 @@ Skin read(MeshFile file) {
   return read_gltf_skin(bytes, "hero.glb", *character, character->places);
 }
 
-// The farthest that a vertex of one is from the nearest of the other.
+// Largest distance of a vertex of one mesh from the nearest of the other.
 double apart(const Skin& one, const Skin& other) {
   double most = 0.0;
   for (const SkinVertex& vertex : one.vertices) {
@@ -277,7 +277,7 @@ INSTANTIATE_TEST_SUITE_P(
                 [](MeshFile& f) { primitive(f)["extensions"][kDraco] = json::object(); },
                 "names no bufferView and attributes"}));
 
-// Each byte of a packed mesh changed: what is read is a mesh, or told.
+// With any byte of a packed mesh changed, the reader gives a mesh or a doubt.
 TEST(PackedMesh, DamageIsNoHarm) {
   for (const auto make : {&by_meshopt, &draco_file}) {
     const MeshFile whole = make();

@@ -25,7 +25,7 @@ Skin read(const std::string& bytes) {
   return read_gltf_skin(bytes, "hero.glb", *character, character->places);
 }
 
-// Two bones: one a quarter turn about z at x = 1, and one 1 along its x, which is up.
+// Two bones: one turned by 90° about z at x = 1, and one 1 along its x, which is up.
 json two_bones() {
   return json::parse(R"({"asset": {"version": "2.0"}, "nodes": [
       {"name": "lower", "translation": [1, 0, 0], "children": [1],
@@ -53,7 +53,7 @@ void expect_at(const Skin& skin, const Vec3d& at) {
       << skin.vertices[0].position.x << ' ' << skin.vertices[0].position.y;
 }
 
-// a quarter turn takes (0.5, 0.25) to (-0.25, 0.5); the one joint is at (1, 0), the other at (1, 1)
+// a quarter turn takes (0.5, 0.25) to (-0.25, 0.5); one joint is at (1, 0), the other at (1, 1)
 const Vec3d kBent{0.75, 0.5 + 0.75, 0.0};
 
 TEST(GltfSkin, AVertexStandsWhereItsJointsTakeIt) {
@@ -191,7 +191,7 @@ TEST(GltfSkin, OfTooManyVerticesEverySecondIsTaken) {
   EXPECT_EQ(read(file.bytes()).vertices.size(), kSkinMaxVertices / 2 + 1);
 }
 
-// Many vertices of which few are drawn cost their share of the indices.
+// In a mesh with many vertices, few of which are drawn, the cost counts the indices.
 TEST(GltfSkin, PartsOfMoreThanTheMostIndicesInAllAreLeftOut) {
   MeshFile file(two_bones());
   file.json["nodes"][2].erase("skin");

@@ -127,8 +127,8 @@ TEST(Gltf, OnlyJointsAndWhatTheyHangOnAreTaken) {
   EXPECT_THAT(names(c), ElementsAre("rig", "hand", "fingertip"));
 }
 
-// The person with a skin over the trunk, as mannequins are: on each limb hangs a part of it, whose
-// own origin is somewhere else.
+// The person with a skin over the trunk, as in mannequins: each limb has a part of it, whose own
+// origin is elsewhere.
 nlohmann::json person_with_rigid_limbs() {
   nlohmann::json file = person_gltf();
   nlohmann::json& nodes = file["nodes"];
@@ -173,7 +173,7 @@ TEST(Gltf, GlbIsReadAsItsJson) {
   for (const std::string& name : names(text)) EXPECT_EQ(place(text, name), place(binary, name));
 }
 
-// Zeros at the end of a GLB's text, as some writers leave them, are none of the text.
+// Zeros at the end of a GLB's text, as some writers leave them, are not part of the text.
 TEST(Gltf, ZerosAfterTheTextOfAGlbAreLeftOut) {
   const std::string json = person_gltf().dump();
   for (const std::size_t zeros : {1U, 2U, 3U, 6U}) {
@@ -246,7 +246,7 @@ TEST(Gltf, PersonStandsWhereTheirBvhPutsThem) {
   }
 }
 
-// The person with the bones of `map` instead of names: VRM node index = place in person_gltf.
+// The person with the bones of `map` instead of names: VRM node index = index in person_gltf.
 nlohmann::json nameless_person() {
   nlohmann::json file = person_gltf();
   for (nlohmann::json& node : file["nodes"]) node.erase("name");

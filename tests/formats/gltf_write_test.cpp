@@ -14,7 +14,7 @@ using namespace testing_support;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-// A file with all that must stay: odd spacing and numbers, members in no order, an animation.
+// A file with features that must survive: odd spacing and numbers, unordered members, an animation.
 constexpr const char* kOdd = R"({ "extras":{"note":"}] \" {[","big":1.50e+00,"asset":0},
   "nodes" : [ {"name":"a","children":[1],"mesh":0,"extras":[]}, {"name":"b" , "translation":[0,1,0]} ],
   "animations":[{"name":"old","channels":[{"sampler":0,"target":{"node":1,"path":"scale"}}],"samplers":[{"input":0,"output":1}]}],
@@ -81,7 +81,7 @@ TEST(AddAnimations, WritesWhatMovesAndWhen) {
     EXPECT_EQ(sampler.at("interpolation"), "LINEAR");
 }
 
-// A property that others have keys of and the new one has not gets two, of where it is at rest.
+// A property with keys in other animations but not in the new one gets two, at its rest value.
 TEST(AddAnimations, HoldsWhatTheFilesOwnHaveKeysOf) {
   nlohmann::json file = nlohmann::json::parse(kOdd);
   file["meshes"] = {{{"primitives", {{{"targets", {1, 2}}}}}, {"weights", {0.25, 0.5}}}};

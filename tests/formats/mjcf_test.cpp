@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 constexpr double kRounding = 1e-12;
 
-// A model of two bodies, the second with what is given, from its own line on.
+// A model of two bodies, the second with the given text, from its own line on.
 std::string two_bodies(const std::string& within, const std::string& before = "",
                        const std::string& of_second = "") {
   return "<mujoco model=\"m\">" + before +
@@ -89,7 +89,8 @@ TEST(Mjcf, OrderOfEulerAnglesIsTheCompilers) {
   expect_near(turn("zyx"), z * x);
 }
 
-// b's own words go before its class, that before the class around it, and childclass before none.
+// An element's own attributes override its class, which overrides the enclosing class; childclass
+// applies without a class of its own.
 TEST(Mjcf, ClassesGiveWhatAnElementDoesNotSay) {
   const std::string classes =
       "<default><joint range=\"-1 1\"/><default class=\"x\"><joint range=\"-2 2\"/>"
@@ -146,7 +147,7 @@ TEST(Mjcf, SlidingAndFollowingJointsKeepTheirPlaceWithADoubt) {
   EXPECT_THAT(follows.doubts, Contains(HasSubstr("follows another joint")));
 }
 
-// At the angle 0 of a joint whose model stands at 90 degrees, the body is turned back.
+// At angle 0 of a joint whose model stands at 90 degrees, the body is turned back.
 TEST(Mjcf, ReferenceAngleIsThatOfTheModelAsItStands) {
   const Robot robot = read(two_bodies("<joint axis=\"0 0 1\" ref=\"90\"/>", "", "pos=\"1 0 0\""));
   expect_near(robot.joints[0].origin.rotation, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}});
@@ -174,7 +175,7 @@ TEST(Mjcf, EffortIsWhatActuatorsAllow) {
   EXPECT_EQ(effort("<motor joint=\"j\" ctrlrange=\"-inf inf\"/>"), 0.0);
 }
 
-// Sums over thin slices across z: ellipses, which lessen beyond `even` (m) from the middle.
+// Sums over thin slices across z: ellipses, which shrink beyond `even` (m) from the middle.
 TEST(Mjcf, ShapesWeighWhatTheirSlicesWeigh) {
   struct Solid {
     const char* geom;
@@ -410,7 +411,7 @@ TEST_F(MjcfIncludes, CirclesAndCrowdsAreRefused) {
   EXPECT_THAT(read(crowd + "</mujoco>").error().to_string(), HasSubstr("more than 32 files"));
 }
 
-// A robot goes through URDF, in which results keep it.
+// A robot is converted to URDF, in which results keep it.
 TEST(Mjcf, RobotIsTheSameAsUrdf) {
   for (const std::string& text : {research_mjcf(), makers_mjcf()}) {
     const Robot robot = parse_mjcf(text, "r.xml").value();

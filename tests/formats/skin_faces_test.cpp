@@ -8,7 +8,7 @@
 namespace shigusa {
 namespace {
 
-// A triangle of 1 m and 2 m, each of whose corners goes with a node of its own.
+// A triangle of 1 m and 2 m, each of whose corners is bound to its own node.
 std::vector<SkinVertex> corners() { return {{{0, 0, 0}, 3}, {{1, 0, 0}, 4}, {{0, 2, 0}, 5}}; }
 
 TEST(SkinFaces, LargeTrianglesHavePointsOnThem) {

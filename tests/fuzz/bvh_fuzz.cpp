@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a BVH file to a measured person: nothing may crash, hang or fill the memory,
-// and what was read can be written and read again.
+// From the bytes of a BVH file to a measured person: no crash, hang or memory exhaustion, and the
+// result can be written and read again.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

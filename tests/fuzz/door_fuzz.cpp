@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Budgets that the readers allow and that would take an input seconds are left to other tests.
+// Budgets that the readers allow, but that would take seconds per input, are left to other tests.
 constexpr int kMostEvaluations = 20;
 constexpr std::size_t kMostCandidates = 2;
 constexpr double kLongest = 1.5;  // s
@@ -43,14 +43,14 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-// False where it was refused, which is told in a sentence and never the library's own fault.
+// False if the call was refused, which must be by a sentence and not by an internal error.
 bool done(shigusa_status status) {
   require(status != SHIGUSA_FAULT && status != SHIGUSA_OUT_OF_MEMORY);
   require(status == SHIGUSA_OK || shigusa_message()[0] != '\0');
   return status == SHIGUSA_OK;
 }
 
-// The text that `function` gives by its last argument; "" where it refuses.
+// The text that `function` returns in its last argument; "" if it fails.
 template <class Function, class... Arguments>
 std::string text_of(Function function, Arguments... arguments) {
   shigusa_bytes* bytes = nullptr;
@@ -59,7 +59,7 @@ std::string text_of(Function function, Arguments... arguments) {
   return {shigusa_bytes_data(bytes), shigusa_bytes_size(bytes)};
 }
 
-// JSON as the budgets are looked up in it; its deep parts, which none is in, are left out.
+// JSON for the look-up of budgets, without its deep parts, which contain none.
 Json shallow(std::string_view text) {
   return Json::parse(
       text, [](int depth, Json::parse_event_t, Json&) { return depth < 8; }, false);
@@ -77,7 +77,7 @@ bool is_quick(const Json& task) {
          !task.contains("generator");
 }
 
-// The formats that a motion can leave in.
+// The formats in which motions are written.
 const std::vector<std::string>& written_formats() {
   static const std::vector<std::string> formats = [] {
     std::vector<std::string> names;
@@ -90,7 +90,7 @@ const std::vector<std::string>& written_formats() {
   return formats;
 }
 
-// All that may be asked of a result.
+// All requests to a result.
 void look_through(const shigusa_character* character, const shigusa_result* result) {
   const std::string summary = text_of(shigusa_result_describe, result);
   require(!summary.empty());
@@ -147,7 +147,7 @@ void score(const std::string& name, const std::string& options, std::string_view
                 options.empty() ? nullptr : options.c_str());
 }
 
-// The text before the next line's end; both are taken off.
+// Removes the first line from the text and returns it.
 std::string take_line(std::string_view& text) {
   const std::string_view line = text.substr(0, text.find('\n'));
   text.remove_prefix(std::min(text.size(), line.size() + 1));

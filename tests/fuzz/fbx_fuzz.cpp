@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of an FBX file through glTF to a measured person: nothing may crash, hang or fill
-// the memory, and every number stays finite.
+// From the bytes of an FBX file through glTF to a measured person: no crash, hang or memory
+// exhaustion, and every number stays finite.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

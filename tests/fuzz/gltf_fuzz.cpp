@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a glTF, GLB or VRM file to its mesh, to a measured person, to the file with an
-// animation, and to the animation that it has: nothing may crash, hang or fill the memory, and
-// every number stays finite.
+// From the bytes of a glTF, GLB or VRM file to its mesh, to a measured person, to the file with a
+// new animation, and to its own animation: no crash, hang or memory exhaustion, and every number
+// stays finite.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a stored limb library to cells: nothing may crash, hang or fill the memory, and
-// what is taken must be a library again.
+// From the bytes of a stored limb library to cells: no crash, hang or memory exhaustion, and
+// accepted bytes form a library again.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From the text of an MJCF file, which may include itself, through URDF to a body that stands:
-// nothing may crash, hang or fill the memory, every number stays finite, and what the one reader
-// took the other takes.
+// From the text of an MJCF file, which may include itself, through URDF to a standing body: no
+// crash, hang or memory exhaustion, every number stays finite, and URDF made by one reader is
+// accepted by the other.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

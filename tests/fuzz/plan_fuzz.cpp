@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a data set's plan to a few tasks: nothing may crash, hang or fill the memory,
-// and a task that is drawn is one that could stand in a file. A shard's head is read from the same
-// bytes.
+// From the bytes of a data set's plan to a few tasks: no crash, hang or memory exhaustion, and a
+// drawn task is valid in a file. A shard's head is read from the same bytes.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

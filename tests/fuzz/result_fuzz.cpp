@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a result to parameters that can be edited: nothing may crash, hang or fill the
-// memory, and no file is opened.
+// From the bytes of a result to editable parameters: no crash, hang or memory exhaustion, and no
+// file is opened.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

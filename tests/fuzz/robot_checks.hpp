@@ -11,7 +11,7 @@
 
 namespace shigusa {
 
-// From a robot that was read to a body that stands: every number stays finite.
+// Builds a standing body of a robot: every number stays finite.
 inline void check_robot(Robot robot) {
   for (const Transformd& x : robot_places(robot)) {
     if (!is_finite(x.translation.x + x.translation.y + x.translation.z)) std::abort();

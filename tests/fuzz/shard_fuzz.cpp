@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the bytes that HDF5 has of a data set's shard, whose sum is made to be right, to the page
-// and the files that are made of it: nothing may crash, hang or fill the memory.
+// From the HDF5 bytes of a data set's shard, with a corrected checksum, to its page and exported
+// files: no crash, hang or memory exhaustion.
 #include <unistd.h>
 
 #include <cstddef>
@@ -23,7 +23,7 @@ namespace {
 
 using namespace shigusa;
 
-// The plan that tests/fuzz/shard_corpus is of, and a folder for one shard of it.
+// The plan of tests/fuzz/shard_corpus, and a folder for one of its shards.
 struct Folder {
   std::filesystem::path path;
   DatasetPlan plan;
@@ -51,7 +51,7 @@ struct Folder {
                         "position_m": {"box_m": [[-0.4, 0.6, 0.2], [0.1, 1.5, 0.5]]}}]}})";
 };
 
-// All that is made of a shard that is read.
+// Makes all outputs of a shard that was read.
 void use(const Folder& folder) {
   (void)show_dataset(folder.path, {.motions = 2});
   for (const DataFormat format : {DataFormat::csv, DataFormat::npz, DataFormat::humanml3d}) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a task file to a motion in a BVH file: nothing may crash, hang or fill the
-// memory, no file is opened, every number stays finite, and what was read can be written and read
-// again.
+// From the bytes of a task file to a motion in a BVH file: no crash, hang or memory exhaustion, no
+// file is opened, every number stays finite, and the task can be written and read again.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the text of a URDF file to a body that stands: nothing may crash, hang or fill the memory,
-// and every number stays finite.
+// From the text of a URDF file to a standing body: no crash, hang or memory exhaustion, and every
+// number stays finite.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

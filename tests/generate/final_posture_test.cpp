@@ -11,7 +11,7 @@
 namespace shigusa {
 namespace {
 
-// The start posture with some freedoms at other angles (degrees).
+// The start posture with some dofs at other angles (degrees).
 std::vector<double> posed(const BodyModel& body,
                           const std::vector<std::pair<const char*, double>>& turned) {
   std::vector<double> angles(body.start().begin(), body.start().end());

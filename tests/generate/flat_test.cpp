@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The preset flat: its parameter space, its archive, and what generate() makes of them.
+// The preset flat: its parameter space, its archive, and its results.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(Goals, Flat,
                          testing::Values(Vec3d{0.25, 0.55, 0.5}, kAtTheFeet,
                                          Vec3d{-0.35, 1.9, 0.25}));
 
-// a squat down to the feet is nothing that people do, and scores far worse
+// a squat down to the feet is unnatural, and scores far worse
 TEST(FlatSearch, AtTheFeetItFindsAStoopAndBentKnees) {
   Task task = flat_task(full_body(), kAtTheFeet);
   task.duration = 3.0;  // what ankles have the strength for to let a body down into a squat

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A motion delivered as free passes through neither head nor shank by another geometry than the
-// kernel's.
+// A motion delivered as collision-free passes through neither head nor shank by another geometry
+// than the kernel's.
 #include <gtest/gtest.h>
 
 #include <shigusa/human.hpp>
@@ -14,9 +14,9 @@ namespace {
 
 using namespace testing_support;
 
-// m: capsules give way by kCollisionDepth, and their shape is not the flesh's
+// m: capsules tolerate kCollisionDepth, and their shape differs from the flesh's
 constexpr double kThrough = 0.010;
-// Builds that check every step take fifteen times as long for a goal.
+// Builds that check every step take fifteen times as long per goal.
 #ifdef NDEBUG
 constexpr int kGoals = 30;
 #else
@@ -25,8 +25,8 @@ constexpr int kGoals = 3;
 
 constexpr int kPlainGoals = 30;
 
-// Where forearms came through head and shanks: about the head, at the shins, between the feet and
-// behind the back. In parts of the stature.
+// Places where forearms passed through head and shanks: about the head, at the shins, between the
+// feet and behind the back. In parts of the stature.
 Vec3d awkward_goal(int index, Random& random) {
   const auto near = [&](const Vec3d& at, const Vec3d& by) {
     return Vec3d{at.x + random.uniform(-by.x, by.x), at.y + random.uniform(-by.y, by.y),
@@ -85,8 +85,8 @@ TEST_P(FreeMotions, PassThroughNeitherHeadNorShank) {
   EXPECT_LE(found.shank, kThrough);
 }
 
-// The other geometry sees what the capsules are for: straight to a goal, with no search that would
-// begin at motions which are known to be free.
+// The other geometry detects the collisions that the capsules prevent: straight to a goal, without
+// a search that would begin at motions known to be free.
 TEST_P(FreeMotions, WouldWithoutTheirCapsules) {
   BodyDefinition bare = body().definition();
   std::erase_if(bare.capsules, [](const Capsule& capsule) {

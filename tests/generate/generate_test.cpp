@@ -29,13 +29,13 @@ GenerateResult generated(const Task& task, const Progress& progress = {}) {
   return generate(task, progress).value();
 }
 
-// A search of one task is much work for many claims.
+// One search of a task is shared by many tests, as it takes long.
 const GenerateResult& full_generation() {
   static const GenerateResult generation = generated(task_for(full_body(), kFrontLow));
   return generation;
 }
 
-// Largest root mean square (rad) over the dofs, at any frame: how far two motions are apart.
+// Largest root-mean-square difference (rad) of two motions' angles in any frame.
 double motion_distance(const Clip& a, const Clip& b) {
   double largest = 0.0;
   for (int f = 0; f < a.frames; ++f) {
@@ -48,7 +48,7 @@ double motion_distance(const Clip& a, const Clip& b) {
   return largest;
 }
 
-// Everything that a candidate says, number by number.
+// All numbers of a candidate.
 std::vector<double> numbers(const Candidate& c) {
   std::vector<double> all = c.motion.clip.angles;
   all.insert(all.end(), c.motion.torques.begin(), c.motion.torques.end());
@@ -334,7 +334,7 @@ TEST(Generate, ProgressOfASearchInPartsNeverGoesBack) {
   }
 }
 
-// How far the right elbow bends at the most, as a share of a straight angle.
+// Largest bend of the right elbow, as a share of a straight angle.
 UserCriterion elbow_bend() {
   return {.name = "elbow_bend",
           .weight = 5.0,
@@ -423,7 +423,7 @@ TEST(Regenerate, GivesTheCandidateAgain) {
   }
 }
 
-// The way (rad) that a dof goes in all.
+// Total change (rad) of a dof over a motion.
 double travel(const Clip& clip, int dof) {
   double sum = 0.0;
   const auto d = static_cast<std::size_t>(dof);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions that would jolt in their usual time.
+// Motions that would jolt in their usual duration.
 #include <gtest/gtest.h>
 
 #include <shigusa/generate.hpp>
@@ -18,7 +18,8 @@ const Task kBothHands(human_body(), {.goals = {{"right_hand", {-0.25, 0.35, 0.45
                                                {"left_hand", {0.2, 0.35, 0.45}}}});
 constexpr int kMotions = 1000;
 
-// The first motion of random parameters that jolts in the problem's time, as a search's result.
+// The first motion of random parameters that jolts in the problem's duration, in the form of a
+// search's result.
 std::optional<GenerateResult> jolting(const Problem& problem) {
   const std::unique_ptr<Planner> planner = make_planner(problem).value();
   const ParameterSpace space(problem.reach, *problem.parameters, GeneCode::natural);

@@ -132,7 +132,7 @@ TEST(Heels, LiftOfOneFootThatStands) {
   EXPECT_LE(generation.candidates[0].contacts[0].max_slide, 1e-3);
 }
 
-// A heel goes where it is asked to, by the ankle above it, while its toes stay.
+// A heel reaches its goal by the ankle above it, while its toes stay.
 TEST(Heels, LiftsForAGoalOfTheAnkle) {
   Task task = task_for(kFrontLow);
   const Vec3d from = effector_position(task.body, task.body.start(), "left_ankle");
@@ -152,7 +152,7 @@ TEST(Heels, LiftsForAGoalOfTheAnkle) {
   EXPECT_LE(contacts[1].max_slide, 1e-3);
 }
 
-// A foot that steps is one that its toes end: it lands flat.
+// A foot lands flat after a step, toes included.
 TEST(Heels, AStepLandsLevel) {
   Task task = task_for(kFrontLow);
   const Vec3d from = effector_position(task.body, task.body.start(), "left_foot");

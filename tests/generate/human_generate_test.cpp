@@ -28,7 +28,7 @@ Task task_for(const BodyModel& body, const Vec3d& goal, const char* hand = "righ
 
 GenerateResult generated(const Task& task) { return generate(task).value(); }
 
-// rad, how far a freedom ends from where it began
+// rad, distance of a dof's final angle from its start
 double travel(const Task& task, const Candidate& candidate, const char* dof) {
   const auto d = static_cast<std::size_t>(task.body.find_dof(dof).value());
   const Clip& clip = candidate.motion.clip;
@@ -77,7 +77,7 @@ TEST(GenerateHuman, FreeArmDoesNotStayStiffWhereTheTrunkBends) {
   }
 }
 
-// Of a goal that is low and far in front.
+// The result for a goal that is low and far in front.
 TEST(GenerateHuman, FreeArmIsACounterweightWhereBalanceCounts) {
   Task task = task_for(full_body(), {-0.2, 0.6, 0.7});
   task.duration = make_problem(task)->duration;  // whether it is possible in that or not
@@ -111,7 +111,7 @@ TEST(GenerateHuman, FreeArmFollowsAMinimumJerkToItsFinalAngles) {
   }
 }
 
-// The rod of an arm that goes up in front of its shoulder is no longer than the hand is away.
+// The rod of an arm that rises in front of its shoulder is no longer than the hand's distance.
 TEST(GenerateHuman, TrunkStaysForWhatTheArmReaches) {
   const Task task = task_for(full_body(), kHigh);
   const Candidate candidate = generated(task).candidates[0];

@@ -32,7 +32,7 @@ Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) 
 
 GenerateResult generated(const Task& task) { return generate(task).value(); }
 
-// Everything that a generation says, number by number.
+// All numbers of a result.
 std::vector<double> numbers(const GenerateResult& g) {
   std::vector<double> all{g.remaining_distance,      g.duration,
                           double(g.log.evaluations), double(g.log.near_copies),
@@ -206,7 +206,7 @@ TEST(GenerateLayers, GoalOutOfReachIsAStatusWithTheDistanceLeft) {
   }
 }
 
-// Random genomes do not stretch their limbs all at once, as these goals ask.
+// Random genomes do not stretch all limbs at once, as these goals require.
 TEST(GenerateLayers, GoalsAtTheEdgeOfReachAreMet) {
   for (const Vec3d& goal :
        {Vec3d{-0.83, 1.65, -0.03}, {-0.79, 1.81, 0.26}, {0.46, 1.83, 0.64}, {-0.69, 1.63, 0.68}}) {
@@ -256,8 +256,8 @@ TEST(GenerateLayers, WrongTasksAndBodiesAreErrors) {
   EXPECT_EQ(generate(rods).error().code, ErrorCode::unsupported);
 }
 
-// Rule R11. The hand goes to the other side of the trunk, and the library, which knows of no trunk,
-// lays the forearm through it.
+// Rule R11. The hand moves to the other side of the trunk, and the library, which ignores the
+// trunk, leads the forearm through it.
 TEST(GenerateLayers, ArmsThatPassThroughTheTrunkAreSearchedAgain) {
   int taken_back = 0;
   for (const Vec3d& goal : {Vec3d{0.1, 1.3, 0.15}, {0.2, 1.3, 0.25}, {0.3, 1.1, 0.25}}) {

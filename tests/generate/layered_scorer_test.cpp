@@ -11,7 +11,7 @@
 namespace shigusa {
 namespace {
 
-// Upper motions by chance, of a task by layers.
+// Random upper motions of a layered task.
 struct Layered {
   Layered(const BodyModel& body, Preset preset, std::vector<Goal> goals, int motions)
       : task(with_preset(Task(body, {.goals = std::move(goals)}), preset)),
@@ -43,7 +43,7 @@ struct Layered {
   std::vector<LayeredValues> uppers;
 };
 
-// A user's criterion that counts nothing has motions scored one by one, in double precision.
+// A user's criterion of weight 0 makes motions be scored one by one, in double precision.
 CriteriaSettings in_double(CriteriaSettings criteria) {
   criteria.user.push_back(
       {.name = "nothing", .weight = 0.0, .scale = 1.0, .value = [](const auto&, const auto&) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A user's own search, and what goes wrong in users' functions.
+// A user's own search, and failures in users' functions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

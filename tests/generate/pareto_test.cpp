@@ -90,8 +90,7 @@ TEST(Pareto, CandidatesTradeTheCriteriaAndMeetTheGoalWithinLimits) {
   }
 }
 
-// The front reaches about as far along each criterion as one search by the mixture does, or
-// farther.
+// The front reaches about as far along each criterion as one search by the mixture, or farther.
 TEST(Pareto, EachCriterionIsBetterSomewhereThanByTheMixtureAlone) {
   Task task = pareto_task();
   task.evaluations = 7 * 1500;

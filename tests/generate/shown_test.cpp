@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The motions that people see: some to choose from, on the way that is worth going, without haste.
+// The motions shown to users: several to choose from, on a sensible path, in enough time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Task task_for(const Vec3d& goal, double load = 0.0) {
   return task;
 }
 
-// Goals all around a person, with what was found for them.
+// Goals all around a person, with their results.
 struct Found {
   Task task;
   GenerateResult result;
@@ -44,7 +44,7 @@ const std::vector<Found>& found() {
   return all;
 }
 
-// Of a candidate that scores much worse than the first, and is not the best of a style.
+// Whether a candidate scores much worse than the first, and is not the best of a style.
 bool is_worse(const GenerateResult& result, const Candidate& candidate) {
   const auto style = [](const Candidate& c) { return style_of(c.final_posture.stoop_squat_index); };
   const auto other = [&](const Candidate& c) {

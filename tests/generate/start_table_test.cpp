@@ -105,7 +105,8 @@ TEST(NearestStarts, OfATallerPersonAreThoseOfTheSamePlaceInStatures) {
   EXPECT_EQ(tall.starts(), usual.starts());
 }
 
-// Goals at the height of the table's shoulder or over it are as far as the own arm reaches.
+// For goals at the height of the table's shoulder or above, distance counts in the own arm's
+// length.
 TEST(StartPlace, IsByTheOwnArm) {
   using F = StatureFractions;
   const BodyModel usual = human_body();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Task::starts: motions that are known, beside which a search begins.
+// Task::starts: known motions, near which a search begins.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ Task asked(std::vector<Goal> goals, int evaluations) {
   return task;
 }
 
-// A point of a space by chance.
+// A random point of a space.
 std::vector<double> any_point(const ParameterSpace& space, std::uint64_t seed) {
   Random random(seed);
   std::vector<double> point;
@@ -84,7 +84,7 @@ TEST(KnownStarts, PutGivenMotionsBeforeTheNearestOfTheTable) {
   EXPECT_THAT(known_starts(problem, space, many), SizeIs(many.size() * genes));
 }
 
-// A hand, two hands, and an elbow, for which there is no table.
+// A hand, two hands, and an elbow, which has no table.
 class Starts : public testing::TestWithParam<std::vector<Goal>> {};
 
 TEST_P(Starts, AreScoredSoThatNothingWorseComesOfTheSearch) {

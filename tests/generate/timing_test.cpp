@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A task's ease and gaze lead change when things happen, and neither where nor how.
+// A task's ease and gaze lead change the timing, but neither positions nor postures.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Words on goals that are not met, or by nothing possible: which is in the way, and in what time it
-// would do.
+// Messages about goals that are not met, or met only by impossible motions: the conflicting goal,
+// and the sufficient duration.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(Conflict, IsNoneWhereAllIsInReachOrNothingIs) {
   EXPECT_EQ(conflict({{"right_hand", {-3.0, 1.0, 0.4}}}), "");
 }
 
-// The time that is told of a task in haste; none where none is.
+// The duration reported for a task with too short a one; empty if none is.
 std::optional<double> told_time(const GenerateResult& result) {
   for (const Candidate& candidate : result.candidates) {
     if (candidate.judgement.possible_in) return candidate.judgement.possible_in;

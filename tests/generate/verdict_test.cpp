@@ -16,7 +16,7 @@ namespace {
 using namespace testing_support;
 using testing::HasSubstr;
 
-// Measures of a motion that asks for nothing.
+// Measures of a motion without any demand.
 MotionMeasures nothing_of(const BodyModel& body) {
   MotionMeasures measures;
   for (int d = 0; d < body.dof_count(); ++d) measures.loads.push_back({.dof = d});
@@ -122,8 +122,8 @@ TEST(Verdict, ReasonsSayJointNumberAndTime) {
   EXPECT_THAT(words, HasSubstr("left_knee.flexion is 12° beyond its range"));
 }
 
-// A mass of 1 kg on a rod of 1 m that swings up from hanging sideways within its strength when
-// there is time.
+// A mass of 1 kg on a rod of 1 m that swings up from hanging sideways, within its strength if there
+// is enough time.
 struct Swing {
   static BodyModel body(double strength) {
     BodyDefinition chain = chain_definition({{Axis::x, 1.0, 1.0}});

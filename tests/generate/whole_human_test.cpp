@@ -30,7 +30,7 @@ double penalty(const Candidate& candidate, const std::string& name) {
   return 1.0;
 }
 
-// the trunk leans less for as much knee: nearer to a squat
+// the trunk leans less for the same knee flexion: nearer to a squat
 TEST(WholeHuman, LoadMakesASquatterPosture) {
   double light = 0.0;
   double heavy = 0.0;
@@ -62,7 +62,7 @@ TEST(WholeHuman, StandsOnItsFeetAndHasSeveralAnswers) {
   EXPECT_GE(candidates, 14U);
 }
 
-// Straight ahead of the chest people do one thing, with the elbow here or there.
+// For goals straight ahead of the chest people use one posture, with the elbow in or out.
 TEST(WholeHuman, HasSeveralAnswersToWhatIsEasyAsWell) {
   std::size_t candidates = 0;
   for (const Vec3d& goal : {Vec3d{-0.08, 0.99, 0.54}, {0.57, 1.71, 0.31}, {-0.24, 1.55, 0.23}}) {
@@ -83,8 +83,7 @@ TEST(WholeHuman, HasSeveralAnswersToWhatIsEasyAsWell) {
   EXPECT_GE(candidates, 9U);
 }
 
-// The grip is 5 cm above the floor and the fingertips are 8 cm further on: the hand must be laid
-// flat.
+// The grip is 5 cm above the floor and the fingertips are 8 cm further on: the hand must lie flat.
 TEST(WholeHuman, HandsStayAboveTheFloor) {
   for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{2}, std::uint64_t{3}}) {
     const GenerateResult generation = reached({-0.25, 0.05, 0.35}, 0.0, seed);

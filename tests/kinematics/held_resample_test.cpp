@@ -13,7 +13,7 @@ namespace {
 
 using namespace testing_support;
 
-// Three hinges that fold and unfold between 5 frames a second.
+// Three hinges that fold and unfold, at 5 frames a second.
 const Clip kFolding{
     .dofs = 3,
     .frames = 5,

@@ -14,10 +14,10 @@ namespace {
 
 using namespace testing_support;
 
-// A limb whose segments need not be straight: a person's grip lies off the forearm's line.
+// A limb with segments that need not be straight: a person's grip lies off the forearm's line.
 HingedLimb bent_limb(double sign) { return {{0.01, -0.3, 0.02}, {-0.02, -0.25, 0.03}, sign}; }
 
-// The far end by rotating, not by the closed form.
+// The far end by rotations instead of the closed form.
 Vec3d end_of(const Vec3d& first, const Vec3d& second, double turn) {
   return first + rotation(Axis::x, turn) * second;
 }

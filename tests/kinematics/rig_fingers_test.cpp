@@ -25,7 +25,7 @@ TEST(HandPostures, BendMoreTowardsTheLittleFingerAndAsTheFunctionalPosition) {
 }
 
 // Jeannerod: widest at 60 to 70 % of the way. The third difference of a curve with a continuous
-// second derivative shrinks as the step does.
+// second derivative shrinks with the step.
 TEST(Openness, IsWidestLateAndSmooth) {
   EXPECT_EQ(openness(0.0), 0.0);
   EXPECT_EQ(openness(1.0), 0.0);
@@ -55,7 +55,7 @@ Quatd about(const Vec3d& axis, double angle) {
   return {axis.x * half.sin, axis.y * half.sin, axis.z * half.sin, half.cos};
 }
 
-// A hand with one finger of three joints along x, whose nodes have axes of any kind.
+// A hand with one finger of three joints along x, with nodes of arbitrary axes.
 struct OneFinger {
   explicit OneFinger(Random& random) {
     Quatd above{0, 0, 0, 1};

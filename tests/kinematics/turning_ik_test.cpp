@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Targets that turn: in one step of weighted IK, and as NLP-IK's objective.
+// Targets with orientations: in one step of weighted IK, and in NLP-IK's objective.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 using namespace testing_support;
 using Vector = std::vector<double>;
 
-// The right hand is to stay where it is, and to turn.
+// The right hand keeps its position, and turns.
 IkTarget<double> hand_target(const BodyModel& body, const Vector& q) {
   const Effector& hand = body.effector(body.find_effector("right_hand").value());
   const Kinematics<double> now = placed(body, q);

@@ -28,7 +28,7 @@ Vector ik_step(const BodyModel& body, const Vector& q, const Targets& targets,
   return {dq.begin(), dq.end()};
 }
 
-// The tip of a chain is to move by `way`.
+// The tip of a chain moves by `way`.
 Targets tip_moves_by(const BodyModel& body, const Vector& q, const Vec3d& way) {
   const Effector& tip = body.effectors()[0];
   return {{.link = tip.link,
@@ -56,8 +56,8 @@ TEST(WeightedIk, HingesShareAWayByTheirInverseWeights) {
   EXPECT_NEAR(dq[1], 1 / w1 * multiplier, 1e-15);
 }
 
-// Weights tell how joints share a way, whatever their unit is: times a power of two not even a
-// rounding differs.
+// Weights determine how joints share a motion, whatever their unit: a factor of a power of two
+// changes not even the rounding.
 TEST(WeightedIk, AllWeightsTimesAPowerOfTwoMoveJointsAlike) {
   const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}});
   const Targets targets = tip_moves_by(body, {0, 0.5}, {0, 0.05, 0.1});
@@ -196,7 +196,7 @@ TEST(WeightedIk, MoreRowsThanFitAreRefused) {
   EXPECT_NO_THROW(ik_step(body, {0.0}, eight, {1.0}));
 }
 
-// A random step of the full body: both hands to somewhere near, the second foot held.
+// A random step of the full body: both hands to nearby goals, the second foot held.
 struct RandomStep {
   BodyModel body = full_body();
   Vector q;
@@ -237,8 +237,8 @@ double largest_difference(const Vector& a, const Vector& b) {
   return largest;
 }
 
-// Exactly true of the minimiser of Σ w Δq² among the Δq of one fixed set: from
-// Σ w a² ≤ Σ w b² and Σ w' b² ≤ Σ w' a² follows (w'_k - w_k) (b_k² - a_k²) ≤ 0.
+// Holds exactly for the minimiser of Σ w Δq² among the Δq of one fixed set: from Σ w a² ≤ Σ w b²
+// and Σ w' b² ≤ Σ w' a² follows (w'_k - w_k) (b_k² - a_k²) ≤ 0.
 RC_GTEST_PROP(WeightedIkProperty, LargerWeightNeverMovesAJointMore, (std::uint64_t seed)) {
   RandomStep step(seed);
   const auto k = static_cast<std::size_t>(*rc::gen::inRange(0, step.body.dof_count()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A person measured from a mesh, on a figure whose flesh is drawn around its joints.
+// A person measured from a mesh: a figure with flesh drawn around its joints.
 #include <gmock/gmock.h>
 
 #include <shigusa/human.hpp>
@@ -41,7 +41,8 @@ void add_shoe(const StickFigure& figure, const std::string& foot, const Shoe& sh
   }
 }
 
-// A ring of vertices every 2 cm around a limb, as thick as `radius` tells of the share of the way.
+// Rings of vertices every 2 cm around a limb, whose thickness `radius` gives by the share of the
+// way.
 template <class Radius>
 void add_limb(const StickFigure& figure, const std::string& from, const std::string& to,
               Radius&& radius, Mesh& mesh) {
@@ -68,7 +69,7 @@ void add_limb(const StickFigure& figure, const std::string& from, const std::str
       figure, from, to, [radius](double) { return radius; }, mesh);
 }
 
-// An ellipsoid of vertices, evenly about its middle, and one at its top.
+// An ellipsoid of vertices, evenly about its centre, with one at its top.
 void add_ball(int node, const Vec3d& middle, const Vec3d& half, Mesh& mesh) {
   constexpr int kCount = 400;
   for (int i = 0; i <= kCount; ++i) {
@@ -179,7 +180,7 @@ TEST(PersonSkin, PegsBearTheBodyOnFeet) {
   EXPECT_NEAR(sole[0].y, 0.0, 1e-6);
 }
 
-// On a sole without breadth nobody stands, and no file may say so of a person.
+// Nobody stands on a sole without width, so no person's file may state one.
 TEST(PersonSkin, SheetsBearTheBodyOnFeet) {
   using F = StatureFractions;
   const StickFigure figure = standing_figure();
@@ -205,7 +206,7 @@ TEST(PersonSkin, AFootWithoutMeshEndsWithItsShanks) {
   EXPECT_NEAR(person.placement.origin.y, 0.039 * kStature, 1e-6);
 }
 
-// Bones without names and feet without toes: facing is told by the mesh alone.
+// Bones without names and feet without toes: only the mesh shows the facing.
 TEST(PersonSkin, FeetPointWhereTheirMeshLies) {
   StickFigure figure = standing_figure();
   for (const char* toes : {"LeftToeBase", "RightToeBase"}) figure = figure.without(toes);
@@ -232,7 +233,7 @@ StickFigure without_head_tip() {
   return figure;
 }
 
-// A head as high as all the rest, as drawn for games.
+// A head as high as the rest of the body, as in games.
 TEST(PersonSkin, ABigHeadTellsTheStature) {
   const StickFigure figure =
       without_head_tip().transformed({{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}});
@@ -313,8 +314,7 @@ TEST(FittedParts, ATaperingLimbHasTheRadiiOfItsEnds) {
   EXPECT_NEAR(person.landmarks.parts[BodyPart::left_forearm]->to_radius, 0.033, 0.005);
 }
 
-// Vertices that stick out to one side are no flesh: a sleeve that hangs, a sword in the hand, a
-// skirt.
+// Vertices that stick out to one side are no flesh: a hanging sleeve, a sword in the hand, a skirt.
 TEST(FittedParts, SleevesSwordsAndSkirtsMakeNoBarrel) {
   const StickFigure figure = standing_figure();
   Mesh mesh;
@@ -418,7 +418,7 @@ TEST(FittedParts, AnArmouredArmHasItsOwnThickness) {
   EXPECT_NEAR(radius_of(person, BodyPart::left_forearm), 0.04, 0.005);
 }
 
-// The head's ellipsoid lies within skull and jaw, but for what a capsule cannot follow.
+// The head's ellipsoid lies within skull and jaw, as far as a capsule can follow it.
 TEST(FittedParts, SkullAndJawCoverTheHead) {
   const StickFigure figure = without_head_tip();
   Mesh mesh = shoes(figure, {});
@@ -432,7 +432,7 @@ TEST(FittedParts, SkullAndJawCoverTheHead) {
   EXPECT_NEAR(skull.to.z + skull.radius, 0.01 + 0.098, 0.01);
 }
 
-// Arrows of axes at all bones, say.
+// Arrows of axes at all bones, for example.
 TEST(FittedParts, AMeshWithAHeadBesideItsBoneShowsNoBody) {
   const StickFigure figure = without_head_tip();
   const Vec3d head = figure.points[static_cast<std::size_t>(figure.find("Head"))].at;

@@ -10,8 +10,8 @@
 namespace shigusa {
 namespace {
 
-// A person who stands with straight arms, `raised` from hanging and turned by `yaw` from the side
-// to the front, both in degrees; the left forearm bent by `bend`.
+// A standing person with straight arms, `raised` from hanging and turned by `yaw` from the side to
+// the front, both in degrees; the left forearm bent by `bend`.
 Landmarks with_arms(double raised, double yaw, double bend = 0.0) {
   Landmarks person = standing_landmarks(1.7, 0.0);
   for (const Side side : kBothSides) {

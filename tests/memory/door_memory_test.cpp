@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whenever memory runs out within a function of the C interface, it says so or is done without:
-// nothing ends the program, nothing is lost, and what was there before goes on working. Each
-// allocation in turn gets none, by day one in fifty.
+// When memory runs out within a function of the C interface, it fails with a message or continues
+// without: nothing ends the program, nothing leaks, and existing objects still work. Each
+// allocation in turn fails, by day one in fifty.
 #include <gtest/gtest.h>
 #include <shigusa.h>
 #include <sys/mman.h>
@@ -103,7 +103,7 @@ shigusa_status series_at(const Hands& hands) {
   return status;
 }
 
-// A refused call, whose reason is asked for: a failure too needs memory.
+// A refused call, whose reason is read: a failure needs memory too.
 shigusa_status refused(const Hands&) {
   const shigusa_status status = created(R"({"source": "human", "stature_m": 99})", "");
   const shigusa_status told = text(shigusa_failure);
@@ -156,7 +156,7 @@ const std::vector<Step>& steps() {
   return all;
 }
 
-// The state of a process that tries a step, seen by the one that waits for it.
+// The state of a process that tries a step, shared with the waiting one.
 struct Progress {
   long allocation = 0;  // that is being refused
   long tried = 0;
@@ -164,7 +164,7 @@ struct Progress {
   char wrong[200] = "";
 };
 
-// Calls a step on a thread of its own, which has not failed yet, with that lack; its status.
+// Calls a step on a new thread, with that allocation failing; returns its status.
 shigusa_status called(const Step& step, const Hands& hands, Lack lack, long allocation,
                       long& made) {
   shigusa_status status = SHIGUSA_OK;
@@ -177,10 +177,10 @@ shigusa_status called(const Step& step, const Hands& hands, Lack lack, long allo
   return status;
 }
 
-// Blocks that nlohmann's constructor of an object loses where it throws: what the object has yet.
+// Blocks leaked by nlohmann's constructor of an object if it throws: the object's members so far.
 constexpr long kLost = 64;
 
-// Tries a step; in a process of its own, which a fault may end.
+// Tries a step in a process of its own, which a fault may end.
 void try_step(const Step& step, const Hands& hands, Progress& progress) {
   const auto wrong = [&](const char* what, long number) {
     std::snprintf(progress.wrong, sizeof progress.wrong, "%s %ld", what, number);

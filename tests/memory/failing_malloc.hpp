@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The C library's memory, in the hands of the tests: this program's own functions of these names
-// stand before it, for the libraries too.
+// The C library's allocation functions, under the tests' control: this program's functions of these
+// names replace them, for the libraries too.
 namespace shigusa::testing_support {
 
 enum class Lack {
@@ -11,12 +11,12 @@ enum class Lack {
   from_then  // nor does any after it
 };
 
-// From now on, on this thread, the allocation of that number (from 1) gets no memory.
+// From now on, on this thread, the allocation with that number (from 1) fails.
 void run_out(Lack lack, long allocation);
 
-// Allocations of this thread since.
+// Number of allocations of this thread since.
 [[nodiscard]] long allocations();
-// Blocks of all threads that are not given back.
+// Number of blocks of all threads that are not freed.
 [[nodiscard]] long blocks();
 
 }  // namespace shigusa::testing_support

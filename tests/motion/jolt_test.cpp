@@ -6,7 +6,7 @@
 namespace shigusa {
 namespace {
 
-// Frames of three freedoms that go evenly, one of which steps aside by `by` (rad) in a frame.
+// Frames of three evenly moving dofs, one of which is displaced by `by` (rad) in a frame.
 Clip stepping(int frames, int frame, int dof, double by) {
   Clip clip{.dofs = 3, .frames = frames, .angles = {}};
   for (int f = 0; f < frames; ++f) {

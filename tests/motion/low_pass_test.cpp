@@ -22,7 +22,7 @@ Clip clip_of(int frames, const Function& angle) {
   return clip;
 }
 
-// The amplitude that a wave of this frequency (Hz) has in the middle of a long clip.
+// Amplitude of a wave of this frequency (Hz) in the middle of a long clip.
 double gain(double hertz) {
   Clip clip = clip_of(600, [&](double t) { return std::sin(2.0 * kPi * hertz * t); });
   low_pass(clip, kCutoff);

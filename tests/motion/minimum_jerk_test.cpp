@@ -118,7 +118,8 @@ TEST(MinimumSnap, BeginsAndEndsWithoutJerk) {
   EXPECT_NEAR((1 - minimum_snap(1 - h)) / (h * h * h), 0.0, 36 * h);
 }
 
-// When (of the duration) the minimum-jerk profile with such a haste is fastest, by its differences.
+// Time (of the duration) of the peak velocity of the minimum-jerk profile with such a haste, by
+// differences.
 double fastest_at(double haste) {
   constexpr double kStep = 1e-3;
   double most = 0.0;

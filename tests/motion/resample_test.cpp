@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFrames = 61;  // of the kernel's motions
 
-// Turns by a radian with minimum jerk, and back with another freedom.
+// Turns by a radian with minimum jerk, and back with another dof.
 Clip reach(double duration) {
   Clip clip{.dofs = 2, .frames = kFrames, .frame_time = duration / (kFrames - 1), .angles = {}};
   for (int f = 0; f < kFrames; ++f) {
@@ -70,8 +70,8 @@ TEST(Resampled, EndsWithTheClipsLastPosture) {
   }
 }
 
-// |d³s/dτ³| of the minimum-jerk profile is 60 at most, so of 60 steps a radian is off by
-// 60 / 60³ / 40 at most.
+// |d³s/dτ³| of the minimum-jerk profile is 60 at most, so with 60 steps the error of a radian is at
+// most 60 / 60³ / 40.
 TEST(Resampled, IsTheMotionBetweenFramesToo) {
   const double duration = 1.088;
   const double most = 60.0 / 60.0 / 60.0 / 60.0 / 40.0;

@@ -18,7 +18,7 @@ using namespace testing_support;
 using Targets = std::vector<IkTarget<double>>;
 using Vector = std::vector<double>;
 
-// An effector is to move by `way` from where it is in the posture.
+// An effector moves by `way` from its position in the posture.
 IkTarget<double> moves_by(const BodyModel& body, const Vector& q, const Vec3d& way,
                           std::size_t effector = 0) {
   const Effector& e = body.effectors()[effector];
@@ -26,7 +26,7 @@ IkTarget<double> moves_by(const BodyModel& body, const Vector& q, const Vec3d& w
       .link = e.link, .point = e.point, .position = placed(body, q).point(e.link, e.point) + way};
 }
 
-// The second foot stays as it is in the start posture.
+// The second foot stays as in the start posture.
 IkTarget<double> planted(const BodyModel& body) {
   const Foot& foot = body.feet()[1];
   const Kinematics<double> start = placed(body, body.start());
@@ -199,7 +199,7 @@ TEST(NlpIk, ACouplingHoldsUnlessTheStartPostureIsBeyondIt) {
   }
 }
 
-// A posture of the full body, ways for both hands, and weights.
+// A posture of the full body, displacements for both hands, and weights.
 struct RandomTask {
   BodyModel body = full_body();
   Vector from = start_of(body);

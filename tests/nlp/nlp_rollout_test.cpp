@@ -30,7 +30,7 @@ std::vector<double> angles_of(NlpRollout& rollout, const MotionInput<double>& in
   return angles;
 }
 
-// rad, how far the clip's angles pass their limits at most
+// rad, largest excess of the clip's angles beyond their limits
 double most_excess(const BodyModel& body, const Clip& clip) {
   double excess = 0.0;
   for (int f = 0; f < clip.frames; ++f) {
@@ -118,7 +118,7 @@ RC_GTEST_PROP(NlpRolloutProperty, ScalingAllWeightsByAPowerOfTwoChangesNoByte,
   RC_ASSERT(roll_out_nlp(reach.problem, reach.parameters).motion.clip.angles == before);
 }
 
-// The half body with no limits to speak of.
+// The half body with practically no limits.
 BodyModel boundless_body() {
   BodyDefinition definition = half().definition();
   definition.couplings.clear();

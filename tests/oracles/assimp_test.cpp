@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An exported BVH as assimp, which other tools read it by, understands it.
+// An exported BVH as read by assimp, which other tools use.
 #include <assimp/scene.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace testing_support;
 
-// Where the file's nodes are by assimp's reading of hierarchy and motion.
+// Positions of the file's nodes by assimp's reading of hierarchy and motion.
 class AssimpMotion {
  public:
   explicit AssimpMotion(const std::string& bvh) {
@@ -118,7 +118,7 @@ TEST_P(AssimpReadsExport, EveryJointIsWhereOurReaderPutsIt) {
 INSTANTIATE_TEST_SUITE_P(Of, AssimpReadsExport, testing::Values("half_body", "full_body"),
                          [](const auto& of) { return std::string(of.param); });
 
-// BVH characters, whose motions leave on the file's own nodes.
+// BVH characters, whose motions are written on the file's own nodes.
 class AssimpReadsCharacter : public testing::TestWithParam<const char*> {};
 
 TEST_P(AssimpReadsCharacter, HandEndsWhereItIsToldAndFeetStay) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FBX files as assimp reads them, and those that it writes.
+// FBX files as read by assimp, and files written by it.
 #include "formats/fbx.hpp"
 
 #include <assimp/config.h>
@@ -30,7 +30,7 @@ void collect(const aiNode& node, const aiMatrix4x4& above, std::map<std::string,
   for (unsigned i = 0; i < node.mNumChildren; ++i) collect(*node.mChildren[i], world, at);
 }
 
-// Where nodes are by assimp, in the file's unit.
+// Positions of nodes by assimp, in the file's unit.
 std::map<std::string, Vec3d> places(const aiScene& scene) {
   std::map<std::string, Vec3d> at;
   collect(*scene.mRootNode, {}, at);
@@ -45,7 +45,7 @@ std::map<std::string, Vec3d> read_by_assimp(const std::string& bytes) {
   return places(*scene);
 }
 
-// How many nodes of ours stand where `theirs` has those of their names.
+// Number of this reader's nodes at the positions of their namesakes in `theirs`.
 int expect_same(const std::string& bytes, const std::map<std::string, Vec3d>& theirs) {
   const Result<std::string> glb = glb_of_fbx(bytes, "f.fbx");
   if (!glb) {
@@ -73,8 +73,8 @@ FbxRecord property(const char* name, std::int32_t value) {
   return {"P", {name, "enum", "", "", value}, {}};
 }
 
-// A chain of joints with all that can be said of their places, but for post-rotations: assimp 5.2
-// does not invert them, as Autodesk's formula does.
+// A chain of joints with all kinds of transform properties except post-rotations: assimp 5.2 does
+// not invert them, as Autodesk's formula does.
 FbxFile with_everything(std::uint64_t seed) {
   FbxFile file(standing_figure());
   Random random(seed);

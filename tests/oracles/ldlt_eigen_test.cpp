@@ -47,7 +47,8 @@ TEST(LdltAgainstEigen, DefiniteSystemsHaveTheSameSolution) {
   }
 }
 
-// Rows of length near 1, each either new and well apart from the others or a sum of earlier ones.
+// Rows of length near 1, each either new and well separated from the others or a sum of earlier
+// ones.
 Eigen::MatrixXd dependent_rows(int rows, Random& random) {
   Eigen::MatrixXd j = 0.1 * random_matrix(rows, rows + 4, random);
   for (int i = 0; i < rows; ++i) {

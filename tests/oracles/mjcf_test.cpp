@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// MJCF files as MuJoCo itself reads them: where bodies are at any angles, what they weigh, and
-// where an exported motion takes them.
+// MJCF files as read by MuJoCo itself: positions of bodies at any angles, masses, and positions in
+// an exported motion.
 #include "formats/mjcf.hpp"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ namespace {
 
 using namespace testing_support;
 
-// All that the reader takes: each shape, by size and between points, each orientation, inertias of
-// both forms, off-centre hinges, a ball, a reference angle, classes within classes.
+// All features of the reader: each shape, by size and between points, each orientation, inertias of
+// both forms, off-centre hinges, a ball, a reference angle, nested classes.
 const char* const kEverything = R"(<mujoco model="all">
 <compiler angle="degree" eulerseq="zXy"/>
 <default><geom density="700"/><default class="c"><geom type="capsule" size="0.05 0.2"/>
@@ -100,7 +100,7 @@ Quatd about(const Vec3d& axis, double angle) {
   return {axis.x * half.sin, axis.y * half.sin, axis.z * half.sin, half.cos};
 }
 
-// Turns each joint of the robot and of MuJoCo's model alike; the links' places.
+// Sets each joint of the robot and of MuJoCo's model to the same angle; the links' positions.
 std::vector<Transformd> turned(const Robot& robot, MujocoModel& mujoco, Random& random) {
   std::vector<Transformd> places(robot.links.size());
   std::map<std::string, Quatd> balls;
@@ -184,7 +184,7 @@ TEST(MujocoReadsMjcf, AsWeDoTheResearchLayout) {
   expect_same_bodies(work.put("research.xml", research_mjcf()));
 }
 
-// The models of others, with stand-ins for what they include.
+// Models from other projects, with stand-ins for their included files.
 std::string shared_model(const std::string& file, const WorkFolder& work) {
   const std::string path = std::string(SHIGUSA_SHARED_DIR) + "/characters/" + file;
   if (!std::filesystem::exists(path)) return "";

@@ -16,7 +16,7 @@ namespace {
 
 using namespace testing_support;
 
-// Both sides compute in doubles over at most 45 joints: they differ by 1e-13 or so.
+// Both sides compute in double precision over at most 45 joints: they differ by some 1e-13.
 constexpr double kTolerance = 1e-9;
 
 BodyModel character(BodyExtent extent = BodyExtent::full) {
@@ -29,7 +29,7 @@ BodyModel one_leg_up() {
   return build_human(person, {"one_leg_up", BodyExtent::full, 1.6, 80.0, Sex::male});
 }
 
-// Every other freedom about an axis that is no coordinate axis, as robots have them.
+// Every other dof about an axis that is no coordinate axis, as in robots.
 BodyModel slanting() {
   BodyDefinition body = character().definition();
   Random random(5);

@@ -17,7 +17,7 @@ namespace {
 using namespace testing_support;
 
 // Among postures whose distances differ by less than 5 mm the library takes the most natural one,
-// and its descents end within 0.1 mm of where they lead.
+// and its descents end within 0.1 mm of their limit.
 constexpr double kNearEqual = 5.1e-3;
 
 TEST(ReachabilityAgainstSecondSearch, OneHand) {
@@ -88,8 +88,8 @@ constexpr int kGoals = 100;
 constexpr int kGoals = 1000;
 #endif
 
-// A thousand random goals of one body, each searched for with the first three populations of the
-// paper's algorithm: enough to meet what the library does with any goal.
+// A thousand random goals of one body, each searched with the first three populations of the
+// paper's algorithm: enough to exercise the library's handling of any goal.
 class ManyGoals {
  public:
   explicit ManyGoals(BodyModel body) : task_(with_preset(Task(std::move(body)), Preset::paper)) {

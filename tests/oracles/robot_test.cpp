@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots from URDF files, checked from what is exported by urdfdom's model and KDL's frames.
+// Robots from URDF files: the exported motion checked by urdfdom's model and KDL's frames.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ constexpr Spot kSpots[] = {{"low_front", {0.0, 0.35, 0.30}},
                            {"at_the_feet", {0.0, 0.08, 0.15}},
                            {"high_right", {-0.20, 0.90, 0.20}}};
 
-// The path of the robot's file, or nothing where these files are not here.
+// The path of the robot's file, or nothing without these files.
 std::string path_of(const RobotCase& robot, const WorkFolder& folder) {
   if (*robot.file == '\0') {
     return folder.put("small.urdf", RobotFile().text());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Generated motions played by MuJoCo's forward simulation: a body on its two feet on a floor with
-// friction, moved by the computed torques and a weak PD controller, with nothing else to balance
-// it. A stiffer one falls more often: it takes the feet along.
+// friction, moved by the computed torques and a weak PD controller, without any other balance. A
+// stiffer controller falls more often, as it moves the feet along.
 #include <gtest/gtest.h>
 
 #include <shigusa/generate.hpp>

@@ -39,14 +39,14 @@ Vector shigusas_step(const BodyModel& body, const Step& step) {
   return Eigen::Map<const Vector>(dq.data(), static_cast<Eigen::Index>(dq.size()));
 }
 
-// (dofs) 1 / w, w from the logarithmic middle out
+// (dofs) 1 / w, with w uniform in its logarithm
 std::vector<double> random_inverse_weights(const BodyModel& body, Random& random) {
   std::vector<double> inverse;
   for (int d = 0; d < body.dof_count(); ++d) inverse.push_back(std::exp(random.uniform(-2.5, 2.5)));
   return inverse;
 }
 
-// An effector's goal up to 10 cm from where it is.
+// An effector's goal up to 10 cm from its position.
 IkTarget<double> random_goal(const Kinematics<double>& kinematics, const Effector& effector,
                              Random& random) {
   const Vec3d away{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
@@ -205,8 +205,8 @@ class KktSystem {
   Vector residual_{0};
 };
 
-// Goals for both hands and the second foot to be put back where it stands, from a posture near the
-// start that has moved the foot a little.
+// Goals for both hands, and the second foot held at its place, from a posture near the start that
+// has moved the foot slightly.
 Step both_hands_and_foot(const BodyModel& body, Random& random) {
   Step step{.q = {body.start().begin(), body.start().end()}};
   for (double& angle : step.q) angle += random.uniform(-0.3, 0.3);

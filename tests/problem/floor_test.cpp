@@ -19,7 +19,7 @@ Quatd about_x(double angle) {
   return {half.sin, 0.0, 0.0, half.cos};
 }
 
-// A step of the left foot to `up` (m) above where its ankle starts.
+// A step of the left foot to `up` (m) above its ankle's start.
 Task step_task(double up, bool heels = false) {
   Task task(human_body(BodyBuild{.heels = heels}));
   const int foot = task.body.find_effector("left_foot").value();

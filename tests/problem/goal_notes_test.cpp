@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Goals that are given, and odd.
+// Goals that are valid, but odd.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::vector<std::string> notes_on(const Vec3d& place, const char* effector = "ri
   return texts;
 }
 
-// The middle of the lines of the part of that name, and its radius.
+// The middle of the lines of the part with that name, and its radius.
 struct Part {
   Vec3d middle{};
   double radius = 0.0;

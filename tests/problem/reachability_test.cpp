@@ -24,8 +24,8 @@ Vec3d random_point(Random& random) {
   return {random.uniform(-2.0, 2.0), random.uniform(-0.5, 2.5), random.uniform(-2.0, 2.0)};
 }
 
-// Distances below 5 mm apart count as equal in the choice among descents, and a descent ends within
-// 0.1 mm of where it leads.
+// Distances less than 5 mm apart count as equal in the choice among descents, and a descent ends
+// within 0.1 mm of its limit.
 constexpr double kSlack = 5.1e-3;
 
 TEST(ClosestReach, OfTheHalfBodyIsItsClosedForm) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The places of obstacles that hands rest on.
+// Places on obstacles for resting hands.
 #include <gtest/gtest.h>
 
 #include <shigusa/human.hpp>

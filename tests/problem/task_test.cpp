@@ -23,7 +23,7 @@ Task task_for(const Vec3d& goal) {
   return with_preset(Task(full_body(), {.goals = {{"right_hand", goal}}}), Preset::paper);
 }
 
-// The message that a task is refused with, or nothing.
+// The message with which a task is refused, or nothing.
 std::string refusal(const Task& task) {
   const Result<ReachProblem> problem = make_problem(task);
   return problem ? "" : problem.error().to_string();

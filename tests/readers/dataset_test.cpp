@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data sets as other people's programs read them: shards by h5py, pandas and h5wasm, and the
-// LeRobot data sets that scripts/dataset_to_lerobot makes of them by DuckDB.
+// Data sets as read by other programs: shards by h5py, pandas and h5wasm, and the LeRobot data sets
+// that scripts/dataset_to_lerobot makes of them by DuckDB.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -19,7 +19,7 @@ constexpr const char* kTool = SHIGUSA_SOURCE_DIR "/tools/lerobot";
 // Debian's: a python3 that comes first on the path may have no h5py
 constexpr const char* kPython = "/usr/bin/python3";
 
-// People who reach with either hand, in two shards.
+// People reaching with either hand, in two shards.
 constexpr const char* kPeople = R"({"version": 1, "seed": 3, "tasks": 6, "shard_tasks": 3, "task": {
   "character": {"source": "human", "stature_m": {"percentile": [5, 95]}}, "evaluations": 120,
   "goals": [{"effector": {"choice": ["right_hand", "left_hand"]}, "load_kg": {"uniform": [0, 5]},
@@ -90,7 +90,7 @@ class Datasets : public testing::Test {
 
 using DatasetReaders = Datasets;
 
-// Each table's names and columns, words among them, to the last bit; also through the index, whose
+// Each table's names and columns, including words, to the last bit; also through the index, whose
 // columns are in the shards.
 TEST_F(DatasetReaders, H5pyAndH5wasmFindTheSameBytes) {
   SKIP_WITHOUT_PACKAGES();
@@ -141,7 +141,7 @@ TEST_F(LeRobot, IsReadBackByDuckdb) {
   EXPECT_TRUE(runs("diff -r lerobot again")) << said();
 }
 
-// Else the test above could not fail.
+// Shows that the test above can fail.
 TEST_F(LeRobot, IsFoundToBeOfOtherShards) {
   SKIP_WITHOUT_PACKAGES();
   make("people", kPeople);
@@ -160,7 +160,7 @@ TEST_F(LeRobot, IsFoundToBeOfOtherShards) {
   }
 }
 
-// A learner for a robot needs its file's joints, in the file's order.
+// Learning for a robot needs its file's joints, in the file's order.
 TEST_F(LeRobot, OfARobotHasTheJointsOfItsFile) {
   SKIP_WITHOUT_PACKAGES();
   make("robots", fmt::format(kBodies, R"(["small_robot.urdf"])"));
@@ -183,7 +183,7 @@ TEST_F(LeRobot, IsOfOneBody) {
   EXPECT_TRUE(reads_back("two lerobot")) << said();
 }
 
-// A learner that is judged by the test split must not have learnt from its people.
+// A learner judged by the test split must not have learnt from its people.
 TEST_F(LeRobot, HasTheSplitsOfTheIndex) {
   SKIP_WITHOUT_PACKAGES();
   std::string plan = kPeople;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A GLB that scripts/glb_to_fbx made an FBX of has the same motion in both, as three.js reads them:
+// A GLB and the FBX that scripts/glb_to_fbx made of it have the same motion, as read by three.js:
 // compare_fbx.mjs.
 #include <cstdlib>
 #include <sstream>

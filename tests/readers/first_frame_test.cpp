@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A motion that starts from a frame of an animation has that frame's mesh in its first, as three.js
-// skins both: compare_first_frame.mjs.
+// A motion that starts from a frame of an animation has that frame's mesh in its first frame, with
+// both skinned by three.js: compare_first_frame.mjs.
 #include <cctype>
 #include <cstdlib>
 #include <sstream>

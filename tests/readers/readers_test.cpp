@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GLB and VRMA as three.js, its VRM plugins and Khronos' validator read them: check_result.mjs.
+// GLB and VRMA as read by three.js, its VRM plugins and Khronos' validator: check_result.mjs.
 #include <fmt/format.h>
 
 #include <bit>
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Of, SecondReaders,
                            return name;
                          });
 
-// All people's files, in all formats that they leave in.
+// All people's files, in all formats in which their motions are written.
 class EveryCharacter : public SecondReaders {};
 
 TEST_P(EveryCharacter, LeavesAsItIsComputed) {
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-// Animations of files that nobody here made, each node in each frame.
+// Animations of files from other authors, each node in each frame.
 class AnimationsBesideThree : public SecondReaders {};
 
 TEST_P(AnimationsBesideThree, AreSampledAlike) {
@@ -172,7 +172,7 @@ TEST_F(SecondReadersOfOurOwn, ReadTheMannequinsOfBuiltInBodies) {
   }
 }
 
-// A triangle on the hand; no person's file is needed for it.
+// A triangle on the hand, which needs no person's file.
 TEST_F(SecondReadersOfOurOwn, ReadAPersonWithAMesh) {
   nlohmann::json file = person_gltf();
   std::string binary;

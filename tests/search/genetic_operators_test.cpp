@@ -140,7 +140,7 @@ TEST(Shuffled, HasEachOrderEquallyOften) {
   EXPECT_TRUE(shuffled(0, random).empty());
 }
 
-// From parents of zeros and of ones the cut can be read off a child.
+// A child of parents of zeros and of ones shows the cut.
 TEST(ChildrenOf, CutIsUniformOverTheGapsBetweenBits) {
   constexpr int bits = 8 * 4;
   const auto parents = individuals({Genome(8, 0x0), Genome(8, 0xF)});
@@ -337,7 +337,7 @@ TEST(GeneticOperators, RefuseWhatTheyCannotDo) {
   EXPECT_THROW((void)roulette(kFitness, 5, random), PreconditionError);
 }
 
-// How many generations, after the first population, until the test is met.
+// Number of generations after the initial population until the test is met.
 int generations_until_converged(ConvergenceTest test,
                                 const std::vector<std::vector<Genome>>& populations) {
   for (std::size_t i = 0; i < populations.size(); ++i) {

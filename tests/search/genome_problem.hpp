@@ -8,7 +8,7 @@
 
 #include "search/genetic.hpp"
 
-// Problems over genomes, as the genetic algorithm sees those over points.
+// Problems over genomes, which the genetic algorithm decodes from points.
 namespace shigusa::testing_support {
 
 // A problem from a function that scores one genome.
@@ -29,7 +29,7 @@ inline Genome genome_of(const Individual& individual, int bits_per_gene = kPaper
   return genome_of_point(individual.point, bits_per_gene);
 }
 
-// Keeps the genomes of each call.
+// Records the genomes of each call.
 struct GenomeRecorder {
   std::vector<std::vector<Genome>> batches;
 

@@ -20,7 +20,7 @@ double sum_of_codes(const Genome& genome) {
   return sum;
 }
 
-// The sum of six codes; counts what it scores.
+// The sum of six codes; counts its evaluations.
 SearchProblem sum_of_genes(int& scored) {
   return problem_of(6, 4, [&scored](const Genome& genome) {
     ++scored;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rules that all searches keep; what each finds is in its own test.
+// Rules for all searches; the quality of each has its own test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

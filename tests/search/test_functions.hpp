@@ -12,12 +12,12 @@
 #include <span>
 #include <vector>
 
-// Functions with known optima, all 0, and what a search does with them.
+// Functions with known optima, all 0, and measures of a search on them.
 namespace shigusa::testing_support {
 
 using Function = std::function<double(std::span<const double>)>;
 
-// The optimum lies in 0.2..0.8, at another place in each coordinate.
+// The optimum lies in 0.2..0.8, at a different place in each coordinate.
 inline double shift(std::size_t i) {
   return 0.2 + 0.6 * std::fmod(0.37 * static_cast<double>(i) + 0.29, 1.0);
 }
@@ -40,8 +40,8 @@ inline double ellipsoid(std::span<const double> x) {
   return sum;
 }
 
-// Σ 10^(4 i / (n - 1)) d_i², d = x - shift mirrored at the diagonal: a condition of 10⁴, and no
-// axis of it along a coordinate.
+// Σ 10^(4 i / (n - 1)) d_i², d = x - shift mirrored at the diagonal: a condition of 10⁴, with no
+// axis along a coordinate.
 inline double rotated_ellipsoid(std::span<const double> x) {
   const double n = static_cast<double>(x.size());
   double along = 0.0;
@@ -82,7 +82,7 @@ inline double corner(std::span<const double> x) {
   return sum / static_cast<double>(x.size());
 }
 
-// A bowl whose middle is beyond the upper face in every second coordinate, less its least in the
+// A bowl whose centre is beyond the upper face in every second coordinate, minus its minimum in the
 // cube, which is on those faces.
 inline double bowl_beyond(std::span<const double> x) {
   double sum = 0.0;
@@ -103,7 +103,7 @@ inline SearchProblem problem_of(int genes, Function function) {
           }};
 }
 
-// A record of what a problem was asked, point by point and batch by batch.
+// Records a problem's evaluations, point by point and batch by batch.
 struct Record {
   std::vector<std::vector<double>> points;
   std::vector<double> scores;
