@@ -54,7 +54,7 @@ TEST_F(Human, MirrorsAndEditsAWholeHuman) {
   ASSERT_EQ(run({"mirror", "out", "--formats", "csv"}).exit_code, 0);
   const Json score = StoredRun(work_, "out").candidate(1).at("score");
   const Json image = StoredRun(work_, "out/mirror-1").candidate(1).at("score");
-  // the body stands on the same foot, and only rounding tells its two legs apart
+  // the body stands on the same foot, and only rounding distinguishes its two legs
   EXPECT_NEAR(image.get<double>(), score.get<double>(), 1e-3);
   const ProgramRun edited =
       run({"edit", "out", "--formats", "csv", "--set", "hip.flexion.weight=3"});

@@ -44,7 +44,7 @@ class Layers : public testing::Test {
     return run(call);
   }
 
-  // All files of a result, less what tells how it was computed.
+  // All files of a result, without the entries about the computation.
   [[nodiscard]] std::map<std::string, std::string> bytes(const std::string& folder) const {
     const StoredRun stored(work_, folder);
     std::map<std::string, std::string> all;

@@ -21,7 +21,7 @@ const char* const kGoal = "right_hand=-0.2,1.1,0.4";
 
 struct Mistake {
   Words call;
-  Words told;  // what the message must contain
+  Words told;  // required words of the message
 };
 using Mistakes = std::vector<Mistake>;
 

@@ -24,7 +24,7 @@ class Stances : public testing::Test {
 
 TEST_F(Stances, TiptoeKeepsTheToesAndTellsHowFarHeelsLift) {
   work_.put("person.bvh", person_bvh());
-  // who has a rigid trunk and no clavicles reaches less high
+  // a person with a rigid trunk and no clavicles reaches less high
   for (const auto& [who, goal] : {std::pair{"human", "right_hand=-0.25,2.3,0.15"},
                                   std::pair{"person.bvh", "right_hand=-0.25,2.22,0.15"}}) {
     const ProgramRun run = reach(who, {"--heels", "--goal", goal});

@@ -93,7 +93,7 @@ TEST_F(Streams, ProgressIsShownOnATerminal) {
   const ProgramRun run = reach("one", long_search_, {.terminal = true, .interrupt_after = 800ms});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr(" motions, best score "));
-  // the line is taken away before anything else is told
+  // the line is removed before any other output
   const std::size_t last = run.err.rfind(" motions, best score ");
   EXPECT_THAT(run.err.substr(last), HasSubstr("\r\x1b[K"));
 }

@@ -116,7 +116,7 @@ class Studio : public testing::Test {
     return 0;
   }
 
-  // True if the server ends well when it is told to.
+  // True if the server ends well on request.
   bool ends() {
     kill(child_, SIGTERM);
     int status = -1;
@@ -304,7 +304,7 @@ TEST_F(Studio, TellsWhatItCannotServe) {
   EXPECT_EQ(taken.exit_code, 2);
   EXPECT_THAT(taken.err, HasSubstr("port " + std::to_string(port_)));
 
-  // a folder of a person who meant another one
+  // a folder given by mistake
   work_.put("home/index.html", "x");
   std::filesystem::create_symlink("../page/index.html", work_.path() / "home/link.html");
   work_.put("home/film.mkv", "");

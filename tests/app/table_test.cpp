@@ -99,7 +99,7 @@ TEST_F(Table, LeavesOutNoCriterion) {
       largest = std::max(largest, candidate.at("criteria").at(name).get<double>());
     }
     const std::string row = line_with(done.out, name + " ");
-    // as it is printed, with four digits
+    // as printed, with four digits
     EXPECT_EQ(row.empty(), largest < 5e-5) << name;
     EXPECT_EQ(zeros.find(name) != zeros.npos, row.empty()) << name;
   }

@@ -211,7 +211,7 @@ TEST(CInterfaceThreads, ASearchIsStoppedFromAnotherThreadAndOthersGoOn) {
     watched[i].caller = std::this_thread::get_id();
     const shigusa_watch watch{report, &watched[i]};
     const Character character = character_of(R"("full_body")");
-    // far more than there is time for, where it is to be stopped
+    // far more than there is time for, to be cancelled
     const std::string task = quick_reach("flat", i % 2 == 0 ? 1'000'000 : 200);
     const Outcome result = made_by(shigusa_generate, character.get(), task.c_str(), 2, &watch);
     ends[i] = json_of(result.get()).at("search_detail").at("end");

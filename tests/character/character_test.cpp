@@ -76,7 +76,7 @@ TEST_P(RecordedCharacter, StartsInTheRecordedPosture) {
     const std::string of = side == Side::left ? "left_" : "right_";
     const auto& leg = person.leg(side);
     const auto& arm = person.arm(side);
-    // what is written moves no origin by more than 1e-6 m
+    // writing moves no origin by more than 1e-6 m
     EXPECT_LE(norm(exported.at(of + "upper_leg", 0) - leg.hip), 1e-6);
     EXPECT_LE(norm(exported.at(of + "lower_leg", 0) - leg.knee), 1e-6);
     EXPECT_LE(norm(exported.at(of + "foot", 0) - leg.ankle), 1e-6);
@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
         Shared{"lab0_CesiumMan.glb", 1.518, "nothing follows joint", "Skeleton_arm_joint_L__2_"},
         // his right arm ends at the elbow
         Shared{"mjolnir_BrainStem.glb", 1.841, "right_hand is put", "node 15"},
-        // arms end at the forearms, and what is called left is on its right
+        // arms end at the forearms, and left and right are exchanged
         Shared{"godot_platformer_player.glb", 2.071, "the file is mirrored", "left_hand"},
         // spines that wind: by the bones 1.90 m
         Shared{"cats_mannyquin.glb", 1.820, "at the start they hang", "DEF-hand.L"},
@@ -200,7 +200,7 @@ TEST(MeasureCharacter, GltfAndBvhOfAPersonAreMeasuredAlike) {
     // BVH's angles are written so that no origin moves by more than 1e-6 m
     EXPECT_NEAR(*gltf.stature, *bvh.stature, 1e-6);
     EXPECT_LE(norm(gltf.landmarks->left_leg.toe - bvh.landmarks->left_leg.toe), 1e-6);
-    // who stands in the file's rest pose is laid at ease, and stays so in a recording's frame
+    // a person in the file's rest pose is posed at ease, and one in a recording's frame stays so
     EXPECT_LE(norm(gltf.landmarks->left_arm.fingertip - bvh.landmarks->left_arm.fingertip), 5e-3);
   }
 }

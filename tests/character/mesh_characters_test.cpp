@@ -296,7 +296,7 @@ TEST_P(RealMeshes, StandOnTheirSoles) {
   const GltfAnimation animation =
       exporter.animation(task.body, generation.candidates[0].motion.clip, kMotion);
   const std::string bytes = exporter.glb(std::span(&animation, 1)).value();
-  // the reader itself is tested against its definition; here it reads what leaves
+  // the reader is tested against its own definition elsewhere; here it reads written files
   const auto moved = parse_gltf_animation(bytes, "out.glb", {.animation = kMotion});
   ASSERT_TRUE(moved) << moved.error().to_string();
   const Skin skin = read_gltf_skin(bytes, "out.glb", moved->character, moved->posed);

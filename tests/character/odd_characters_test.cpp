@@ -114,7 +114,7 @@ Result<Played> reach_with_right_hand(TaskFile& file) {
 struct Odd {
   const char* name;
   std::function<void(json&)> make;
-  const char* doubt = "";  // a part of what is told
+  const char* doubt = "";  // a part of the doubt
   bool flat_feet = true;
 };
 

@@ -421,7 +421,7 @@ TEST(StartFrame, OfAnAnimationIsFoundAsOfARecording) {
   const CharacterSpec again =
       loaded_glb(rising, {.frame = spec.frame, .animation = "rise"}).value();
   EXPECT_EQ(apart(again, spec), 0.0);
-  // asked for, it is taken as it is
+  // on request it is used unchanged
   const CharacterSpec lifted = loaded_glb(rising, {.frame = 0, .animation = "rise"}).value();
   EXPECT_GT(lifted.landmarks->left_leg.knee.y, spec.landmarks->left_leg.knee.y + 0.2);
 }

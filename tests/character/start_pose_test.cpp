@@ -294,7 +294,7 @@ TEST(StartPose, OwnPoseOfWhoStandsIsTheStart) {
   EXPECT_FALSE(own->rig->rig.at_ease);
   const auto bound = loaded(bent_glb({}, true), {.source = "bound.glb"});
   EXPECT_NEAR(*own->stature, *bound->stature, 1e-5);
-  // as the nodes are, and not as who stands at ease
+  // as the nodes are, and not at ease
   const CharacterRig& rig = *own->rig;
   const ExportedGlb file(*rig.bytes);
   const auto wrist = static_cast<std::size_t>(rig_node(*own, "right_hand"));
@@ -307,7 +307,7 @@ TEST(StartPose, OwnPoseOfWhoStandsIsTheStart) {
       loaded(bent_glb(kHandRaised, true), {.source = "own.glb", .frame = kRestPose});
   EXPECT_GT(hangs(*at_rest), 0.9);
   EXPECT_THAT(at_rest->doubts, Not(Contains(HasSubstr("the pose that the file shows"))));
-  // what the mesh was not bound in nobody knows
+  // without a bound mesh the bind pose is unknown, and the arms are laid at ease
   EXPECT_GT(hangs(*loaded(bent_glb(kHandRaised, false), {.source = "own.glb"})), 0.9);
 }
 

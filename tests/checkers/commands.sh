@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh
-# Read by self_test.sh: the commands of scripts/ on small projects, whose compilers, tests and programs are scripts of some
-# lines.
+# Sourced by self_test.sh: tests the commands of scripts/ on small projects, whose compilers, tests and programs are short
+# scripts.
 
-# project: a tree with scripts/, where programs of $tree/bin go first; nothing is installed
+# project: makes a tree with scripts/, where programs of $tree/bin come first on PATH; nothing is installed
 project() {
   fresh
   mkdir -p "$tree/scripts" "$tree/bin"
@@ -12,7 +12,7 @@ project() {
   program bin/cmake 'true'
 }
 
-# program PATH LINE…: a script, of bash
+# program PATH LINE…: writes a bash script
 program() {
   write "$1" '#!/usr/bin/env bash'
   program_path=$tree/$1
@@ -21,16 +21,16 @@ program() {
   chmod +x "$program_path"
 }
 
-# in_project COMMAND…
+# in_project COMMAND…: runs it in the tree
 in_project() { (cd "$tree" && PATH="$tree/bin:$PATH" CCACHE_BASEDIR='' "$@"); }
 
-# with_words LINE…: lines of bash that know the words of common.sh
+# with_words LINE…: runs lines of bash with the functions of common.sh
 with_words() {
   program scripts/try 'source "$(dirname "${BASH_SOURCE[0]}")/common.sh"' "$@"
   in_project "$tree/scripts/try"
 }
 
-# the words that commands share
+# functions of common.sh
 project
 passes 'all of three' with_words 'f() { [ "$1" != bad ]; }' 'in_parallel f a b c'
 fails_with '' 'one of three' with_words 'f() { [ "$1" != bad ]; }' 'in_parallel f a bad c'
@@ -41,7 +41,7 @@ passes 'what is attempted' with_words 'attempt a true' 'tell_attempts night'
 fails_with 'night: failed: a' 'an attempt that fails' with_words 'attempt a false' 'attempt b true' 'tell_attempts night'
 passes 'an attempt that skips' with_words 'f() { return 77; }' 'attempt a f' 'tell_attempts night'
 case $output in *'night: skipped: a'*) ;; *) report "a skip is not told: $output" ;; esac
-# an old build is there, which could be built and tested
+# an old build exists that could be built and tested
 program bin/cmake '[ "$1" = --build ]'
 fails_with 'failed: a' 'a build that cannot be configured' with_words 'attempt a build gcc' 'tell_attempts night'
 fails_with 'failed: a' 'a target that cannot be configured' with_words 'attempt a build_target gcc x' 'tell_attempts night'
@@ -54,7 +54,7 @@ cp "$checkers/../may_skip.txt" "$tree" && write tests/may_skip.txt ''
 passes 'a test that passes' with_words 'run_tests gcc'
 program bin/ctest 'echo " 1/2 Test #1: io.File .....   Passed    0.01 sec"' 'exit 8'
 fails_with '' 'a test that fails' with_words 'run_tests gcc'
-# rooms COUNT STATUS: of a room whose tests end so
+# rooms COUNT STATUS: runs a room whose tests end like this
 rooms() {
   program build/gcc/tests/test_io "echo '[==========] $1 tests from 1 test suite ran. (5 ms total)'" "exit $2"
   with_words 'run_rooms gcc io'
@@ -81,7 +81,8 @@ fails_with 'no sources' 'a format of nothing' in_project "$tree/scripts/format" 
 
 # the same bytes
 project
-# engine BUILD SETS LINE…: a program that knows these SIMD sets and writes a result, then does LINE with $folder and $set
+# engine BUILD SETS LINE…: writes a program that has these SIMD sets and writes a result, then runs LINE with $folder
+# and $set
 engine() {
   engine_path=build/$1/bin/shigusa
   engine_sets=$2
@@ -102,7 +103,7 @@ engine gcc 'Known: scalar'
 engine clang 'Known: scalar' 'exit 4'
 fails_with '' 'a build that fails' same_bytes gcc clang
 
-# motions as recorded
+# recorded bytes
 project
 recorded() { in_project "$tree/scripts/check_recorded_bytes" --only '^(pareto|far) ' "$@"; }
 engine gcc 'Known: scalar'
@@ -137,7 +138,7 @@ rm -r "$tree/tests/fuzz/io_corpus"
 program build/clang-asan/fuzz/io_fuzz 'true'
 fails_with 'io_corpus' 'a target without a corpus' fuzz
 
-# what people reported
+# reports of users
 project
 mkdir -p "$tree/tests/checkers"
 cp "$scripts/../tests/checkers/reports.mjs" "$tree/tests/checkers"

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh
-# Read by self_test.sh: gates that compare what was counted with what was recorded. Of each list an empty one, and one that
-# lacks a row, are refused.
+# Sourced by self_test.sh: tests the gates that compare counts with recorded ones. Each refuses an empty list, and one
+# that lacks a row.
 
-# gate PROGRAM RECORDED COUNTED OPTION…: one of scripts/*.awk, on files of the tree
+# gate PROGRAM RECORDED COUNTED OPTION…: runs one of scripts/*.awk on files of the tree
 gate() {
   program=$1
   recorded=$tree/$2
@@ -15,7 +15,7 @@ fresh
 : >"$tree/empty"
 
 # coverage
-# summary ROOM COUNT COVERED …: as llvm-cov writes it, after every { a new line
+# summary ROOM COUNT COVERED …: prints it like llvm-cov, with a new line after every {
 summary() {
   while [ $# -gt 0 ]; do
     printf '"filename":"/home/me/src/%s/a_b.cpp","summary":\n"functions":\n"count":1,"covered":1},"lines":\n' "$1"
@@ -66,7 +66,7 @@ fails_with 'nothing was counted' 'counts of nothing' callgrind counts empty
 
 # speed
 speed() { gate speed_ratios.awk "$1" "$2" -v lacking="${3:-}"; }
-# measured SPEED …: of a/double, a/avx2 and a/avx512
+# measured SPEED …: speeds of a/double, a/avx2 and a/avx512
 measured() {
   echo 'name,iterations,"motions/s"'
   for set in double avx2 avx512; do
@@ -105,7 +105,7 @@ passes 'changes' awk -f "$scripts/mutants.awk" "$tree/src/core/a.cpp"
 [ "$(printf '%s\n' "$output" | cut -f 2-4 | tr '\t\n' ':,')" = "1:25: < ,1:28:3,1:36:0," ] ||
   [ "$(printf '%s\n' "$output" | wc -l)" = 3 ] || report "mutants.awk gives other changes: $output"
 
-# what ctest and node:test say
+# outputs of ctest and node:test
 ctest_says() { gate tests_told.awk "$1" "$2" -v strict="${3:-}" -v rooms="${4:-}"; }
 write skips '# may skip' 'io.Root needs another user'
 write passed ' 1/2 Test #1: io.File .....   Passed    0.01 sec' ' 2/2 Test #2: io.Root .....***Skipped   0.01 sec' \
@@ -139,7 +139,7 @@ fails_with '' 'no rooms' rooms_ran ran ''
 
 # characters' reaches
 if command -v node >/dev/null; then
-  # reaches LINE…: a line of JSON of one character each
+  # reaches LINE…: writes lines of JSON, one per character
   reaches() {
     rm -f "$tree"/*.json
     number=0

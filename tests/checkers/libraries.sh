@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh
-# Read by self_test.sh: the checkers of built libraries.
+# Sourced by self_test.sh: tests the checkers of built libraries.
 
-# a library that needs the C library's functions
+# a library that uses the C library's functions
 fresh
 write src/math/hidden.cpp '#include <cmath>' 'using namespace std;' \
   'double hidden(double y, double x) { return atan2(y, x); }'
@@ -13,9 +13,9 @@ if sh "$scripts/check_c_math.sh" "$tree" "$tree/libhidden.a" >/dev/null 2>&1; th
   report "check_c_math.sh accepts a library that needs atan2"
 fi
 
-# what the files of a SIMD set share with others
-# scorers LINE…: a library whose scorers and layers have these lines beside a function of their own
-# pack
+# functions that the files of a SIMD set share with others
+# scorers LINE…: builds a library whose scorers and layers have these lines besides a function of
+# their own pack
 scorers() {
   fresh
   rm -f "$tree/libscorers.a"
@@ -44,7 +44,7 @@ case $output in
   *"pack_scorer_avx2 shares with the rest of the program: helper()"*) ;;
   *) report "check_simd_symbols.sh refuses a shared function for another reason: $output" ;;
 esac
-# the pack of one set is another file's in the other
+# a pack of one set that occurs in another file
 scorers 'inline int helper(const Pack<float, 8>&) { return 1; }' 'int use() { return helper({}); }'
 if simd_symbols >/dev/null; then report "check_simd_symbols.sh accepts the pack of another set"; fi
 other='template <class T, int N> struct Pack { T lanes[N]; };

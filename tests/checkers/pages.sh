@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh
-# Read by self_test.sh: the checkers of pages.
+# Sourced by self_test.sh: tests the checkers of pages.
 
 # comments of public headers
 if command -v doxygen >/dev/null; then
@@ -61,7 +61,7 @@ fi
 
 # tutorials and the site's links
 if command -v python3 >/dev/null; then
-  # tutorial LINE…: a page that ends in these, of which the program makes a picture and prints a line
+  # tutorial LINE…: writes a page that ends in these lines, for which the program makes a picture and prints a line
   tutorial() {
     write docs/tutorials/a.md '```sh' 'printf good >picture.svg; echo took 3 s, cost 7' '```' \
       '![A picture](../images/tutorials/a/picture.svg)' '' "$@"
@@ -96,7 +96,7 @@ fi
 fresh
 write program '#!/bin/sh' '[ "$1" != fail ] || exit 4' 'mkdir -p out/low' 'printf "%s" "$1" >out/low/candidate-1.svg'
 chmod +x "$tree/program"
-# readme COMMAND PICTURE: what both pages show
+# readme COMMAND PICTURE: writes both pages with these
 readme() {
   for page in README.md README.ja.md; do
     write $page '```sh' "shigusa $1" '```' '```cpp' 'int x;' '```' "![x](docs/images/readme/$2.svg)"
@@ -132,7 +132,7 @@ if command -v node >/dev/null && [ -e /usr/share/javascript/katex/katex.js ]; th
   fails_with 'of neither form' 'a formula in another tag' formulas
 fi
 
-# trees of nothing
+# empty trees
 for checker in layers messages c_math spdx words prose paper_map spelling docs; do
   rm -rf "${tree:?}"/*
   write docs/glossary.md '## Retired' '| `OldName` | NewName |'

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# self_test.sh COMPILER: shows on small trees and small inputs that each checker and each gate of scripts/ refuses what
-# it should, and accepts what it should. The parts beside this file have them by kind.
+# self_test.sh COMPILER: tests, on small trees and inputs, that each checker and each gate of scripts/ refuses faults and
+# accepts the rest. The files beside this one have the tests by kind.
 set -eu
 compiler=$1
 checkers=$(cd "$(dirname "$0")" && pwd)
@@ -10,7 +10,7 @@ tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 failures=0
 
-# fresh: an empty tree with one file that every checker accepts
+# fresh: makes a tree with one file that every checker accepts
 fresh() {
   rm -rf "${tree:?}"/*
   mkdir -p "$tree/include" "$tree/src"
@@ -18,7 +18,7 @@ fresh() {
     '#include <tl/expected.hpp>' 'namespace shigusa {' 'inline double f(double x) { return x; }' '}'
 }
 
-# write PATH LINE…
+# write PATH LINE…: writes a file of the tree
 write() {
   path=$tree/$1
   shift
@@ -31,12 +31,12 @@ report() {
   failures=$((failures + 1))
 }
 
-# accepts CHECKER: the tree as it stands passes
+# accepts CHECKER: expects the present tree to pass
 accepts() {
   output=$(sh "$scripts/$1" "$tree" 2>&1) || report "$1 refuses a good tree: $output"
 }
 
-# refuses CHECKER PATH LINE MESSAGE: a good tree and this file do not pass, and MESSAGE is told
+# refuses CHECKER PATH LINE MESSAGE: expects a good tree with this file to fail with MESSAGE
 refuses() {
   fresh
   write docs/glossary.md '## Retired' '| `OldName`, `so many` | NewName |'
@@ -51,7 +51,7 @@ refuses() {
   fi
 }
 
-# fails_with MESSAGE WHAT COMMAND…: fails, and says MESSAGE
+# fails_with MESSAGE WHAT COMMAND…: expects the command to fail with MESSAGE
 fails_with() {
   wanted=$1
   what=$2
@@ -66,7 +66,7 @@ fails_with() {
   fi
 }
 
-# passes WHAT COMMAND…
+# passes WHAT COMMAND…: expects the command to pass
 passes() {
   what=$1
   shift

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=sh
-# Read by self_test.sh: the checkers of sources.
+# Sourced by self_test.sh: tests the checkers of sources.
 
 # messages
 fresh

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Compiles and runs the consumer in C++ with the shigusa that is installed in PREFIX, by what pkg-config tells: of a
-# shared library (SHARED) nothing that it needs itself. FLAGS are more of CXX.
+# Compiles and runs the consumer in C++ with the shigusa installed in PREFIX, by the output of pkg-config, which for a
+# shared library (SHARED) does not include its own dependencies. FLAGS are further flags of CXX.
 set(ENV{PKG_CONFIG_PATH} ${PREFIX}/${LIBDIR}/pkgconfig)
 function(ask variable)
   execute_process(COMMAND pkg-config ${ARGN} shigusa OUTPUT_VARIABLE answer OUTPUT_STRIP_TRAILING_WHITESPACE

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Configures, builds and runs the consumer in FOLDER beside this file, with the shigusa that is installed in PREFIX;
-# DEFINITIONS are more -D of it. That in C++ has a program of the README's lines too.
+# Configures, builds and runs the consumer in FOLDER beside this file, with the shigusa installed in PREFIX;
+# DEFINITIONS are further -D options. The one in C++ also builds the README's program.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

@@ -42,7 +42,7 @@ TEST(Text, WhatIsNoUtf8HasNoLength) {
 
 TEST(Text, MarkupIsEscaped) {
   EXPECT_EQ(markup_text("a < b & \"c\" > d"), "a &lt; b &amp; &quot;c&quot; &gt; d");
-  // what markup does not allow is left out, and bytes that are no UTF-8 are replaced
+  // characters that markup does not allow are dropped, and bytes that are no UTF-8 are replaced
   EXPECT_EQ(markup_text("a\x01\tb"), "ab");
   EXPECT_EQ(markup_text("a\xFF"
                         "b"),

@@ -55,7 +55,7 @@ TEST(Collision, SeesForearmsInHeadsAndShanks) {
                                      {"right_elbow.flexion", 120}});
   const CollisionFound head = deepest_collision(body, clip_of(body, {posture(body, {}), folded}));
   EXPECT_TRUE(head.other == "head" || head.other == "jaw" || head.other == "neck") << head.other;
-  // an arm that swings across the shins of who stoops
+  // an arm that swings across the shins of a stooping person
   int through = 0;
   for (double swing = -40.0; swing <= 20.0; swing += 5.0) {
     for (double lift = 60.0; lift <= 130.0; lift += 5.0) {

@@ -285,7 +285,7 @@ TEST(Score, AStillMotionIsTheSameOfOneFrameAndOfMany) {
   for (std::size_t i = 0; i < one.terms.size(); ++i) {
     const std::string& name = one.terms[i].name;
     EXPECT_NEAR(one.terms[i].penalty, many.terms[i].penalty, 1e-12) << name;
-    // what does not move neither speeds up nor works, and nothing of it changes
+    // a body at rest neither accelerates nor works, and nothing changes
     const bool still =
         name == "joint_acceleration" || name == "work" || name == "hand_curve" || name == "jolts";
     EXPECT_EQ(one.terms[i].penalty == 0.0, still) << name;

@@ -51,7 +51,7 @@ TEST(JointAcceleration, OfUniformAccelerationIsItsShare) {
 TEST(JointAcceleration, IsFullForATurnBy90DegreesInOneSecond) {
   std::vector<double> angles;
   for (int f = 0; f <= 60; ++f) angles.push_back(kPi / 2 * minimum_jerk(f / kRate));
-  // the closed form sqrt(120 / 7) · π / 2 over 6.5, and what 60 steps make of it
+  // the closed form sqrt(120 / 7) · π / 2 over 6.5, approximated by 60 steps
   EXPECT_NEAR(penalty_of(angles, {.acceleration = 2 * kJointAcceleration}), 0.5, 0.01);
   EXPECT_NEAR(std::sqrt(120.0 / 7.0) * kPi / 2, kJointAcceleration, 0.01);
 }

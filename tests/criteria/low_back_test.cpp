@@ -73,7 +73,7 @@ TEST(LowBack, HipTorquesAreTheMomentOfAllAboveThem) {
       moment += mass.mass * kGravity * (now.point(link, mass.com).z - now.origin[trunk].z);
     }
     ASSERT_GT(moment, 100.0);
-    // what lifts is extension
+    // lifting is extension
     EXPECT_NEAR(hip_torque(body, posture), -moment, 0.02 * moment) << body.name();
   }
 }
@@ -131,7 +131,7 @@ TEST(LowBack, StrengthFollowsTheBody) {
 }
 
 TEST(LowBack, BearsHalfItsStrengthUnderAHorizontalTrunk) {
-  // what de Leva's masses give for a mean man with hanging arms: 0.172 m of his weight
+  // by de Leva's masses, for a mean man with hanging arms: 0.172 m of his weight
   const BodyModel body = full_body();
   std::vector<double> posture = stoop(body, radians(90));
   for (const char* shoulder : {"left_shoulder.flexion", "right_shoulder.flexion"}) {

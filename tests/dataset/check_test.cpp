@@ -60,7 +60,7 @@ TEST_F(DatasetCheck, ThreadsChangeNothing) {
 TEST_F(DatasetCheck, AnyByteThatIsChangedIsFoundAndItsShardIsNamed) {
   const std::string whole = folder_.get(shard_name(1));
   const std::size_t size = whole.size();
-  // in the text of the head, in what fills it up, and in all parts of the rest
+  // in the text of the head, in its padding, and in all parts of the rest
   for (const std::size_t at :
        {std::size_t{0}, std::size_t{40}, std::size_t{110}, std::size_t{120}, std::size_t{400},
         std::size_t{511}, std::size_t{512}, std::size_t{700}, size / 3, size / 2, size - 1}) {

@@ -154,7 +154,7 @@ TEST(Draws, PlacesInReachAreReached) {
   for (std::uint64_t i = 0; i < 8; ++i) {
     const Json goals = drawn_from(form, i)["goals"];
     const Vec3d at{goals[0]["position_m"][0], goals[0]["position_m"][1], goals[0]["position_m"][2]};
-    // nobody's hand is further from where they stand than they are tall with an arm up
+    // nobody reaches farther from their place than their height with an arm up
     EXPECT_LT(norm(at), 2.4);
     seen.insert(at.x);
   }

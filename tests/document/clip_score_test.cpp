@@ -55,7 +55,7 @@ TEST_F(ClipScoreTest, AMotionOfItsOwnScoresAsItsSummaryHasIt) {
     ASSERT_EQ(score.score.terms.size(), candidate.score.terms.size());
     for (std::size_t i = 0; i < score.score.terms.size(); ++i) {
       EXPECT_EQ(score.score.terms[i].name, candidate.score.terms[i].name);
-      // a file does not tell which hands reach, and its first frame does not begin at rest
+      // a file does not state which hands reach, and its first frame does not begin at rest
       const std::string& term = score.score.terms[i].name;
       const bool of_hands = term == "hand_curve" || term == "trunk_travel" ||
                             term == "mass_ahead" || term == "coordination";

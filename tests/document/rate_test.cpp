@@ -18,7 +18,7 @@ using namespace testing_support;
 
 constexpr double kRates[] = {1.0, 24.0, 25.0, 29.97, 30.0, 60.0, 120.0, 240.0};
 constexpr double kMillimetre = 1e-3;
-constexpr double kWritten = 1e-6;  // m, what a BVH's digits leave open
+constexpr double kWritten = 1e-6;  // m, rounding of a BVH's digits
 
 struct Reach {
   Task task;

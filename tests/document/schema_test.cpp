@@ -133,7 +133,7 @@ TEST(TaskSchema, RefusesWhatTheReaderRefuses) {
   for (const Json& json : broken(Json::parse(format_task(file)))) {
     const Result<TaskFile> task = parse_task(json.dump(), "task.json");
     const bool taken = task_judge().judge(json).empty();
-    // what no schema of this kind can say: which names there are
+    // which names exist: no schema of this kind can state it
     const bool by_name =
         !task && task.error().message.text.find("unknown character") != std::string::npos;
     EXPECT_EQ(taken, task.has_value() || by_name)

@@ -49,7 +49,7 @@ class Figure {
     throw std::runtime_error("a root");
   }
 
-  // A child of the bone, so far on the way to the next one.
+  // A child of the bone, at that share of the way to the next one.
   Figure& leaf(const std::string& name, const std::string& bone, const std::string& next,
                double share) {
     const json at = scaled(node(next)["translation"], share);
@@ -258,7 +258,7 @@ TEST(TwistExport, AShouldersTwistIsCounteredNextToIt) {
 }
 
 TEST(TwistExport, ABoneBesideTheLimbGoesWithIt) {
-  // as some rigs hang it: on what the arm hangs on
+  // as in some rigs: on the arm's own parent
   Figure figure;
   figure.leaf("LUpArmTwist", "left_upper_arm", "left_lower_arm", 0.5);
   json& arm = figure.node("left_upper_arm");

@@ -53,7 +53,7 @@ TEST(StripFigureSvg, DiscThatNearlyHoldsAnotherIsDrawn) {
   Canvas canvas(100.0, 100.0);
   const Disc discs[] = {{{50.0, 50.0}, 10.0}, {{59.0, 50.0}, 1.0001}};
   canvas.hull(discs, {0}, 0.0);
-  // a rim of nearly a whole turn is told in parts that do not vanish
+  // a rim of nearly a whole turn is drawn in parts that do not vanish
   EXPECT_GE(count(canvas.finish(), "10 10 0 0 1"), 2u);
 }
 

@@ -16,7 +16,7 @@ struct Standing {
   const BodyModel body = human_body({.heels = true});
   std::vector<double> angles{body.start().begin(), body.start().end()};
   std::vector<double> tau;
-  std::vector<double> whole;  // what the joints would need if the base bore all
+  std::vector<double> whole;  // torques of the joints if the base bore everything
   Kinematics<double> kinematics{body};
   Wrench<double> ground;
 
@@ -38,7 +38,7 @@ TEST(Heels, ThatAreDownLeaveTheToesNothingToDo) {
   const Standing flat(0.0);
   EXPECT_EQ(flat.torque("right_toes.flexion"), 0.0);
   EXPECT_EQ(flat.torque("left_toes.flexion"), 0.0);
-  // and the other joints need what those of feet without toes need
+  // and the other joints need the torques of feet without toes
   const BodyModel body = human_body();
   const Kinematics<double> kinematics = placed(body, body.start());
   DynamicsWorkspace<double> work(body);

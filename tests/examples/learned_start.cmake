@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Makes 60 tasks of the plan of examples/learned_start below WORK_DIR by SHIGUSA, and learns from
-# them by EXAMPLE.
+# Makes 60 tasks of the plan of examples/learned_start in WORK_DIR by the program SHIGUSA, and runs
+# EXAMPLE, which learns from them.
 file(REMOVE_RECURSE ${WORK_DIR})
 file(MAKE_DIRECTORY ${WORK_DIR})
 file(READ ${SOURCE_DIR}/examples/learned_start/plan.json plan)

@@ -82,7 +82,7 @@ TEST(Plot, LinesRunFromAxisToAxisAndStayWithin) {
   const PlotAxis y{"score", {1, 10}};
   const std::string svg =
       line_plot(x, y, {{"a", {10, 1000}, {1, 10}}, {"b", {10, 1000}, {50, 50}}});
-  // the corners of the drawing, and the upper edge for what lies above it
+  // the corners of the drawing, and the upper edge for points above it
   EXPECT_THAT(svg, testing::HasSubstr("x1=\"62.0\" y1=\"344.0\" x2=\"532.0\" y2=\"14.0\""));
   EXPECT_THAT(svg, testing::HasSubstr("x1=\"62.0\" y1=\"14.0\" x2=\"532.0\" y2=\"14.0\""));
 }

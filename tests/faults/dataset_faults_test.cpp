@@ -47,7 +47,7 @@ class DatasetFaults : public testing::Test {
         EXPECT_TRUE(!std::filesystem::exists(path) || ShardReader::open(path)) << call;
       }
       EXPECT_TRUE(fault != Fault::disk_full || !met || code == 1) << "told, at call " << call;
-      // what the fault left behind is gone too
+      // the remains of the fault are gone too
       made(plan_, {.folder = work_.path(), .threads = 1});
       EXPECT_TRUE(work_.contents() == wanted.contents()) << call;
       if (!met) break;

@@ -177,7 +177,7 @@ TEST_F(ResultFaults, ProgramsThatWriteAtOnceTakeTurns) {
     }
     _exit(0);
   }
-  // who reads meanwhile finds one of them whole, and never a file of the other
+  // a concurrent reader finds one of them complete, and never a file of the other
   int running = static_cast<int>(children.size());
   while (running > 0) {
     const auto read = read_result(folder_, 1);

@@ -229,7 +229,7 @@ TEST_F(File, APipeOfTheProgramsOwnIsReadToItsEnd) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
   std::thread writer([&] {
-    // what comes late is waited for
+    // late bytes are waited for
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     EXPECT_EQ(write(ends[1], "task", 4), 4);
     close(ends[1]);

@@ -36,7 +36,7 @@ TEST(BvhPositions, OfZeroWhereOffsetsAreNotAreAdded) {
   EXPECT_EQ(place(file, 0, 0), (Vec3d{5, 5, 5}));
   EXPECT_EQ(place(file, 0, 2), (Vec3d{0, 1 + 1e-6, 0}));
   EXPECT_EQ(place(file, 1, 2), (Vec3d{0, 1.5, 0}));
-  // so that what is written counts from there for whoever reads it
+  // so that the written values are relative to it for any reader
   EXPECT_EQ(file.channels[0].size(), 6u);
   EXPECT_EQ(file.channels[2].size(), 3u);
 }

@@ -179,7 +179,7 @@ TEST(Fbx, ScaleIsInheritedByAutodesksFormula) {
           i == 0 ? -1 : static_cast<int>(random.below(static_cast<std::uint32_t>(i)));
       models.push_back({parent, 2 * static_cast<int>(random.below(2)), within(-50, 50),
                         within(-180, 180), within(0.5, 2)});
-      // whose scale differs from axis to axis, and is inherited before the turn, shears
+      // a scale that differs between axes, and is inherited before the turn, shears
       const bool even = trial % 2 == 0;
       if (even) models.back().scale = Vec3d{1, 1, 1} * models.back().scale.x;
       if (even && random.below(2) == 0) models.back().inherits = 1;

@@ -303,7 +303,7 @@ TEST(Vrm, WrongBonesAreLeftOutWithADoubt) {
   nlohmann::json& bones = file["extensions"]["VRM"]["humanoid"]["humanBones"];
   bones.push_back({{"bone", "leftHand"}, {"node", 0}});
   bones.push_back({{"bone", "jaw"}, {"node", 9999}});
-  bones.push_back({{"bone", "leftEye"}, {"node", -1}});  // what UniVRM writes for no bone
+  bones.push_back({{"bone", "leftEye"}, {"node", -1}});  // UniVRM's entry for a missing bone
   bones.push_back(7);
   const GltfCharacter c = read(file.dump());
   EXPECT_EQ(file_nodes(c), person_map().node);

@@ -45,7 +45,7 @@ TEST(AddAnimations, KeepsAllElseByteForByte) {
   const ExportedGlb exported(out);
   EXPECT_EQ(exported.binary().substr(0, 20), binary);
   EXPECT_EQ(exported.json().at("buffers").at(0).at("byteLength"), exported.binary().size());
-  // what was added taken out again leaves the old text
+  // removing the additions restores the old text
   std::string text = exported.text();
   const auto cut = [&text](const std::string& from, const std::string& until) {
     const std::size_t begin = text.find(from);

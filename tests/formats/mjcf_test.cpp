@@ -105,7 +105,7 @@ TEST(Mjcf, ClassesGiveWhatAnElementDoesNotSay) {
   EXPECT_NEAR(upper("<joint class=\"main\"/>", "childclass=\"y\""), 1.0, kRounding);
   EXPECT_NEAR(upper("<joint range=\"-3 3\"/>", "childclass=\"y\""), 3.0, kRounding);
   expect_near(read(two_bodies("<joint/>", classes, "childclass=\"y\"")).joints[0].axis, {1, 0, 0});
-  // of several the first is what holds for all
+  // of several, the first applies to all
   const std::string named =
       "<default class=\"all\"><joint range=\"-4 4\"/></default>"
       "<default class=\"z\"><joint range=\"-5 5\"/></default>";
@@ -357,7 +357,7 @@ TEST_F(MjcfIncludes, FilesThatAreNotThereAreDoubts) {
   EXPECT_THAT(read(including("robot.xml")).error().to_string(),
               HasSubstr("includes 'robot.xml', which is not here: it was read without it; what "
                         "follows may come of that: no <body> in <worldbody>"));
-  // the first error may come of what is missing
+  // the first error may be caused by the missing part
   const std::string in_class =
       "<mujoco><include file=\"a.xml\"/><include file=\"b.xml\"/><worldbody><body><geom "
       "class=\"of_a\" size=\"1\"/></body></worldbody></mujoco>";

@@ -140,7 +140,7 @@ TEST(Urdf, TellsWhatIsWrongAndWhere) {
       {"lower=\"-1\"", "lower=\"3\"", "the limits 3 to 2"},
       {"1 2 3", "1e9 2 3", "beyond"},
       {"child link=\"b\"", "child link=\"c\"", "joint 'j' names the link 'c', which is not there"},
-      // what urdfdom refuses would not drive a robot
+      // a file that urdfdom refuses would not drive a robot
       {"<robot name=\"r\">", "<robot>", "<robot> has no name"},
       {first, "<link name=\"b\"/>", "link 'b' is there twice"},
       {first, first + "<link name=\"c\"/>", "links 'a' and 'c' hang on none"},

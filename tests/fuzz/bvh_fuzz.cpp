@@ -15,11 +15,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace shigusa;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const auto motion = parse_bvh(text, "fuzz.bvh");
-  // a file is taken no worse where its faults may be told
+  // a file that is read without tolerance for faults is also read with it
   if (!parse_bvh_file(text, "fuzz.bvh", BvhFaults::told) && motion) std::abort();
   if (!motion) return 0;
 
-  // written in the unit that it was read in, so that no number outgrows what is allowed
+  // written in the unit of the file, so that no number exceeds the limits
   const auto again = parse_bvh(format_bvh(*motion, {.unit = 1.0}), "written.bvh");
   if (!again || again->skeleton.nodes.size() != motion->skeleton.nodes.size()) std::abort();
 

@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const Transformd& x : world) {
     if (!is_finite(x.translation.x + x.translation.y + x.translation.z)) std::abort();
   }
-  // what can be read can be written, or tells why not
+  // a readable file can be written, or a reason is given
   const GltfAnimation animation{
       "fuzz", 0.5, 2, {{file->file_node[0], file->places[0], {{}, {}}, {{}, {}}}}};
   if (const auto written = add_animations(bytes, "fuzz.glb", std::span(&animation, 1))) {

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace shigusa;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   if (const auto reduced = reduced_urdf(text, "fuzz.urdf")) {
-    // what results keep is read as it was written
+    // the text kept in results is read again
     const std::string kept = write_xml(*reduced);
     const auto again = reduced_urdf(kept, "fuzz.urdf");
     if (!again || write_xml(*again) != kept) std::abort();

@@ -141,7 +141,7 @@ class Flat : public testing::TestWithParam<Vec3d> {};
 
 TEST_P(Flat, CandidatesMeetTheGoalWithinAllLimitsAndEndApart) {
   Task task = flat_task(full_body(), GetParam());
-  task.duration = 2.0;  // in haste, what strength allows is less varied
+  task.duration = 2.0;  // in less time, strength allows less variety
   const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());
   ASSERT_GE(generation.candidates.size(), 2U);  // elbows that point inwards are left out
@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(Goals, Flat,
 // a squat down to the feet is unnatural, and scores far worse
 TEST(FlatSearch, AtTheFeetItFindsAStoopAndBentKnees) {
   Task task = flat_task(full_body(), kAtTheFeet);
-  task.duration = 3.0;  // what ankles have the strength for to let a body down into a squat
+  task.duration = 3.0;  // enough time for the ankles' strength to lower a body into a squat
   const GenerateResult generation = generate(task).value();
   double least = 100.0;
   double most = 0.0;

@@ -412,7 +412,7 @@ TEST(Regenerate, GivesTheCandidateAgain) {
         const GenerateResult again = regenerate(task, candidate.parameters).value();
         ASSERT_EQ(again.candidates.size(), 1u);
         EXPECT_EQ(numbers(again.candidates[0]), numbers(candidate));
-        // a player keeps what it knows of the task, and nothing of what it has played
+        // a player keeps its task's data, and no state of played motions
         for (int times = 0; times < 2; ++times) {
           const GenerateResult played = player.play(candidate.parameters).value();
           EXPECT_EQ(numbers(played.candidates[0]), numbers(candidate));

@@ -181,7 +181,7 @@ TEST(RegenerateHuman, GivesTheCandidateAgain) {
   for (const BodyModel& body : {half_body(), full_body()}) {
     const Task task = task_for(body, kLowFront);
     const GenerateResult generation = generated(task);
-    // what is not possible in its usual time got more
+    // motions impossible in their usual duration got a longer one
     const Task played = played_task(task, generation);
     for (const Candidate& candidate : generation.candidates) {
       const GenerateResult again = regenerate(played, candidate.parameters).value();

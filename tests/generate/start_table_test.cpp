@@ -121,7 +121,7 @@ TEST(StartPlace, IsByTheOwnArm) {
   const BodyModel changed(long_armed);
   const Vec3d after = start_place(changed, hand, goal).value();
   EXPECT_LE(norm(after * ((arm + 0.3) / arm) - before), 1e-3);
-  // what is below the shoulder is as far down to the floor as it is for the table's bodies
+  // below the shoulder, height counts in the own shoulder's height
   const Vec3d low{-0.2, 0.5 * shoulder.y, 0.3};
   EXPECT_NEAR(start_place(changed, hand, low)->y, -0.5 * F::kShoulderHeight, 1e-3);
 }

@@ -101,7 +101,7 @@ TEST(Verdict, IsThatOfTheWorstReasonWhichComesFirst) {
   const Judgement judgement = judge(body, measures);
   EXPECT_EQ(judgement.verdict, Verdict::impossible);
   ASSERT_EQ(judgement.reasons.size(), 3u);
-  EXPECT_EQ(judgement.reasons[0].kind, ReasonKind::collision);  // 4 times what is impossible
+  EXPECT_EQ(judgement.reasons[0].kind, ReasonKind::collision);  // 4 times the bound of impossible
   EXPECT_EQ(judgement.reasons[1].kind, ReasonKind::limit);      // 2 times
   EXPECT_EQ(judgement.reasons[2].kind, ReasonKind::strength);
   EXPECT_EQ(judgement.reasons[2].verdict, Verdict::strains);

@@ -99,7 +99,7 @@ TEST(WholeHuman, SquatsBesideStoops) {
   for (const Vec3d& goal : kLowGoals) {
     Task task(human_body(), {.goals = {{.position = goal}}});
     task.seed = 1;
-    task.duration = 2.0;  // what ankles have the strength for to let a body down into a squat
+    task.duration = 2.0;  // enough time for the ankles' strength to lower a body into a squat
     const GenerateResult generation = generate(task).value();
     const auto has = [&](Style style) {
       return std::any_of(generation.candidates.begin(), generation.candidates.end(),

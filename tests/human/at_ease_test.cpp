@@ -69,7 +69,7 @@ TEST(AtEase, TheTrunkComesDownAndAheadAsOne) {
 
 TEST(AtEase, BentKneesStay) {
   Landmarks before = t_pose();
-  // feet so far back that the mass is over their middle
+  // feet far enough back that the mass is over their middle
   for (Landmarks::Leg* leg : {&before.left_leg, &before.right_leg}) {
     leg->knee.z += 0.04;
     leg->ankle.z -= 0.02;

@@ -450,7 +450,7 @@ TEST(HumanBody, EveryPartHasItsCapsule) {
   }
   std::erase(expected, "trunk");
   EXPECT_THAT(capsule_names(human_body()), testing::UnorderedElementsAreArray(expected));
-  // without joints in trunk and hand these are a part of what they hang on
+  // without joints in trunk and hand, these are parts of their carriers
   std::erase_if(expected, [](const std::string& name) {
     return name.ends_with("spine") || name.ends_with("chest") || name.ends_with("hand");
   });

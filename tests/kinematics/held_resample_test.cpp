@@ -42,7 +42,7 @@ TEST(HeldResample, TipIsOnASplineOfItsOwn) {
     EXPECT_LT(norm(tip_at(held.frame(f)) - place), 1e-7) << f;  // where steps end
     most_free = std::max(most_free, norm(tip_at(free.frame(f)) - place));
   }
-  EXPECT_GT(most_free, 1e-3);  // what angles alone would leave
+  EXPECT_GT(most_free, 1e-3);  // error of angles alone
 }
 
 TEST(HeldResample, FirstAndLastFramesAreTheClipsOwn) {

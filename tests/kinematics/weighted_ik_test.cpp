@@ -140,7 +140,7 @@ TEST(WeightedIk, SupportIsDampedByItsMeanDiagonal) {
 }
 
 TEST(WeightedIk, ContactIsHeldAgainstAGoalThatPullsAway) {
-  // the tip is planted, the middle is asked for what the one freedom left cannot do: it gives way
+  // the tip is planted, and the goal of the middle exceeds the single dof left: it gives way
   const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}});
   const Vector q{0.3, 0.5, 0.6, 0.4};
   Targets targets = tip_moves_by(body, q, {0, 0, 0});

@@ -216,7 +216,7 @@ TEST(Ldlt, NullMatrixGivesZeroEvenAtAFloorOfZero) {
 
 TEST(Ldlt, NegativePivotsDropOut) {
   Matrix a{};
-  a(0, 0) = -1e-17;  // what rounding makes of 0
+  a(0, 0) = -1e-17;  // a 0 with rounding
   a(1, 1) = 2.0;
   EXPECT_EQ(solved(a, {1.0, 1.0}, 0.0), (Vector{0.0, 0.5}));
 }

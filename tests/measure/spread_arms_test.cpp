@@ -46,7 +46,7 @@ TEST(SpreadArms, AreHeldStraightAheadToo) {
       EXPECT_TRUE(spreads_arms(with_arms(raised, yaw))) << raised << " " << yaw;
     }
   }
-  // who reaches ahead and down may stand so, and who bends an elbow does
+  // people who reach ahead and down, or bend an elbow, may stand so
   EXPECT_FALSE(spreads_arms(with_arms(45.0, 90.0)));
   EXPECT_FALSE(spreads_arms(with_arms(90.0, 90.0, 60.0)));
   EXPECT_FALSE(spreads_arms(with_arms(90.0, -90.0)));

@@ -186,7 +186,7 @@ void try_step(const Step& step, const Hands& hands, Progress& progress) {
     std::snprintf(progress.wrong, sizeof progress.wrong, "%s %ld", what, number);
   };
   long all = 0;
-  // the second time finds what the library keeps for ever
+  // the second time the library's permanent data exist
   for (int k = 0; k < 2; ++k) (void)called(step, hands, Lack::none, 0, all);
   const shigusa_status usual = called(step, hands, Lack::none, 0, all);
   const long every = cases(1, 50);

@@ -205,7 +205,7 @@ TEST(EffectorPath, WithHasteBeginsAndEndsAtRestWhereItDoesWithout) {
     const Paths paths(haste);
     EXPECT_EQ(paths.hasty.at(0.0), paths.even.start);
     EXPECT_LT(norm(paths.hasty.at(1.0) - paths.even.goal), 1e-15);
-    // 10 (2 h)³ of a line of 1.5 m at most, and a detour whose own cube is 16 times as steep
+    // at most 10 (2 h)³ of a line of 1.5 m, and a detour whose own cube is 16 times as steep
     EXPECT_LT(norm(paths.hasty.at(kStep) - paths.even.start), 200 * kStep * kStep * kStep);
     EXPECT_LT(norm(paths.hasty.at(1.0 - kStep) - paths.even.goal), 200 * kStep * kStep * kStep);
   }

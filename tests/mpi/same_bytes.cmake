@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# One process and two of shigusa-mpi make the bytes that `shigusa dataset` makes, and go on where some are there.
+# One process and two of shigusa-mpi make the same bytes as `shigusa dataset`, and continue a partial data set.
 # cmake -D PROGRAM=… -D MPI_PROGRAM=… -D MPIEXEC=… -D WORK_DIR=… -P same_bytes.cmake
 file(REMOVE_RECURSE ${WORK_DIR})
 file(MAKE_DIRECTORY ${WORK_DIR}/two)
@@ -8,7 +8,7 @@ file(WRITE ${WORK_DIR}/plan.json [==[
  "task": {"character": {"source": "human", "stature_m": {"percentile": [5, 95]}}, "evaluations": 120,
    "goals": [{"effector": "right_hand", "position_m": {"box_m": [[-0.5, 0.4, 0.2], [0.1, 1.6, 0.5]]}}]}}
 ]==])
-# a test may be run by root, and on fewer cores than processes
+# tests may run as root, and on fewer cores than processes
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
 set(ENV{OMPI_MCA_rmaps_base_oversubscribe} 1)
@@ -22,7 +22,7 @@ function(run)
 endfunction()
 run(${PROGRAM} dataset plan.json --out alone)
 run(${MPIEXEC} -n 1 ${MPI_PROGRAM} plan.json one)
-# a shard that is there is left alone
+# an existing shard is kept
 file(COPY ${WORK_DIR}/alone/shard-000003.h5 DESTINATION ${WORK_DIR}/two)
 run(${MPIEXEC} -n 2 ${MPI_PROGRAM} plan.json two)
 file(GLOB files RELATIVE ${WORK_DIR}/alone ${WORK_DIR}/alone/*)
@@ -39,7 +39,7 @@ foreach(name IN LISTS files)
     endif()
   endforeach()
 endforeach()
-# a process that cannot go on ends all of them, and says why
+# a process that fails ends all of them, and states the reason
 execute_process(COMMAND ${MPIEXEC} -n 2 ${MPI_PROGRAM} nothing.json three WORKING_DIRECTORY ${WORK_DIR}
                 RESULT_VARIABLE failed ERROR_VARIABLE said)
 if(NOT failed OR NOT said MATCHES "nothing.json")

@@ -254,7 +254,7 @@ RC_GTEST_PROP(NlpIkProperty, GradientIsThatOfTheObjective, (std::uint64_t seed))
 }
 
 RC_GTEST_PROP(NlpIkProperty, ShortStepsAreThoseOfWeightedIk, (std::uint64_t seed)) {
-  // both are first-order equal, so what they differ by falls with the square of the way
+  // both are first-order equal, so the difference falls with the square of the displacement
   const BodyModel body = half_body();
   Random random(seed);
   // away from all limits

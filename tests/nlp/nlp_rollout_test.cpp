@@ -131,7 +131,8 @@ BodyModel boundless_body() {
 
 RC_GTEST_PROP(NlpRolloutProperty, WithoutLimitsAndInShortStepsItIsTheMotionOfWeightedIk,
               (std::uint64_t seed)) {
-  // both take the least weighted step along the path, and differ by what arcs bend within a step
+  // both take the least weighted step along the path, and differ by the curvature of arcs within a
+  // step
   static const BodyModel body = boundless_body();
   RandomReach reach(body, seed);
   const auto difference = [&](int steps) {

@@ -277,7 +277,7 @@ RC_GTEST_PROP(VariableMetricProperty, NoFeasiblePointOfAConvexQuadraticIsLower,
     const bool inside =
         std::all_of(quadratic.limits.begin(), quadratic.limits.end(),
                     [&](const LinearLimit& limit) { return along(limit, other) <= limit.bound; });
-    // what a step of kFine.tolerance may be worth
+    // the possible gain of a step of kFine.tolerance
     if (inside) RC_ASSERT(quadratic(other, gradient) >= value - 1e-8);
   }
 }

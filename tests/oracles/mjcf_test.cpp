@@ -64,7 +64,7 @@ class MujocoModel {
   [[nodiscard]] int find(mjtObj kind, const std::string& name) const {
     return mj_name2id(model_.get(), kind, name.c_str());
   }
-  // Where an angle, or what follows it, stands in qpos.
+  // The first coordinate of a joint in qpos.
   [[nodiscard]] double* qpos(const std::string& joint) {
     const int id = find(mjOBJ_JOINT, joint);
     SHG_CHECK(id >= 0, joint.c_str());

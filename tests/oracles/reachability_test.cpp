@@ -96,7 +96,7 @@ class ManyGoals {
     task_.genetic.max_generations = 2;
   }
 
-  // calls check(problem, generation) after what must hold of every generation
+  // calls check(problem, generation) after the checks of every result
   template <class Check>
   void run(Random& random, Check check) {
     const auto hands = static_cast<std::uint32_t>(task_.body.effectors().size());

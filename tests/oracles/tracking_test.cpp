@@ -19,7 +19,7 @@ using namespace testing_support;
 constexpr int kGoals = 100;
 constexpr double kHold = 1.0;       // s that the last posture is held
 constexpr double kFallen = 0.15;    // m that the centre of mass is off from where it was planned
-constexpr double kArmature = 0.01;  // kg m², what joints without muscle would shake for lack of
+constexpr double kArmature = 0.01;  // kg m², without which joints without muscles would shake
 
 constexpr double kFullStrength = radians(20.0);  // a joint off by this uses all of its strength
 constexpr double kDamping = 0.1;                 // s, of speed beside angle

@@ -37,7 +37,7 @@ TEST(IdleCost, IsOfAFreeArmThatComesIntoTheBody) {
   EXPECT_GT(cost_of("left_shoulder.abduction", 0.0, -5.0), 0.1);
   EXPECT_LT(cost_of("left_shoulder.abduction", 0.0, -5.0), 0.9);
   EXPECT_EQ(cost_of("left_shoulder.abduction", 0.0, -20.0), kIdleCollisionWeight);
-  // not what it begins with
+  // without the depth at the start
   EXPECT_EQ(cost_of("left_shoulder.abduction", -20.0, -20.0), 0.0);
   EXPECT_EQ(cost_of("left_shoulder.abduction", -20.0, -5.0), 0.0);
 }

@@ -174,7 +174,7 @@ TEST(LayeredHuman, HeadTurnsToTheGoalBeforeTheHandArrivesAndTheFreeArmHangs) {
   EXPECT_LT(off(45), 0.5 * off(0));
   // the hand has a tenth of its way to go when the head has next to nothing left
   EXPECT_LT(abs(off(45) - off(60)), 0.25 * off(0));
-  // upper arm within a share of what the trunk leans
+  // upper arm within a share of the trunk's lean
   const int arm = body.find_dof("left_shoulder.rotation").value();
   const Kinematics<double> end = placed(body, clip.frame(60));
   EXPECT_GT(end.link_rotation(arm).cy.y, 0.95);

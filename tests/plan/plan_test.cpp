@@ -43,7 +43,7 @@ TEST(ParameterList, HasANameOfItsOwnForEachParameterOfLayers) {
     EXPECT_EQ(std::set(names.begin(), names.end()).size(), list.size());
     for (std::size_t i = 0; i < list.size(); ++i) EXPECT_EQ(list.find(names[i]), i) << names[i];
     EXPECT_TRUE(list.check(list.start()));
-    // what layers compute with is all that their values are
+    // conversion to the layers' form and back keeps all values
     Parameters values = list.start();
     for (std::size_t i = 0; i < list.size(); ++i) {
       values.values[i] = 1.0 + static_cast<double>(i);

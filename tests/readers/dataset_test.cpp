@@ -44,7 +44,7 @@ class Datasets : public testing::Test {
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
 
-  // Runs a shell's command in the work folder; true where it succeeds, with what it said in said().
+  // Runs a shell command in the work folder; true if it succeeds; its output is in said().
   [[nodiscard]] bool runs(const std::string& command) const {
     const std::string call =
         fmt::format("cd '{}' && {} > said 2>&1", work_.path().string(), command);

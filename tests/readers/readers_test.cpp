@@ -25,7 +25,7 @@ class SecondReaders : public testing::TestWithParam<const char*> {
     }
   }
 
-  // Runs check_result.mjs on a result in `out`, and returns what it complains about.
+  // Runs check_result.mjs on a result in `out`, and returns its complaints.
   [[nodiscard]] std::string complaints(const fs::path& character) const {
     const std::string call = "SHIGUSA_BINARY='" SHIGUSA_BINARY "' '" SHIGUSA_NODE
                              "' '" SHIGUSA_READERS_DIR "/check_result.mjs' '" +
@@ -125,7 +125,7 @@ TEST_P(AnimationsBesideThree, AreSampledAlike) {
                             : fs::path(shared) / "characters" / GetParam();
   constexpr double kRate = 25.0;  // no file's own
   const GltfMotion motion = read_gltf_animation(file, {.frame_rate = kRate}).value();
-  // three.js has names of its own for what has none
+  // three.js names nameless nodes itself
   const bool named = motion.animation != "0";
   std::string nodes;
   for (const int node : motion.character.file_node) {

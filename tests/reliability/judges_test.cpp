@@ -14,7 +14,7 @@ struct FlawCase {
   const char* name;
   Flaw flaw;
   const char* kind;
-  const char* found;  // words of what is told
+  const char* found;  // words of the finding
 };
 void PrintTo(const FlawCase& spoilt, std::ostream* out) { *out << spoilt.name; }
 

@@ -406,7 +406,7 @@ HumanoidMap given_map(const StickFigure& figure) {
 }
 
 TEST(HumanoidMap, GivenBonesGoBeforeNames) {
-  // the names of the arms are exchanged, and those of the legs tell nothing
+  // the names of the arms are exchanged, and those of the legs are meaningless
   StickFigure figure = standing_figure();
   const HumanoidMap given = given_map(figure);
   std::swap(figure["LeftArm"].name, figure["RightArm"].name);

@@ -144,7 +144,7 @@ TEST(RobotEnds, TheHandIsTheLastLinkOfAnArm) {
 
 TEST(RobotEnds, AnAnkleBeginsAtTheFirstJointOfItsPlace) {
   Robot robot = small_robot();
-  // the names tell the second one alone
+  // only the names identify the second one
   for (const char* side : kSides) {
     link_of(robot, side + std::string("ankle")).name = side + std::string("link_5");
     link_of(robot, side + std::string("sole")).name = side + std::string("ankle");
@@ -295,7 +295,7 @@ TEST(RobotEnds, ElbowsOfHangingArmsBendAhead) {
       EXPECT_NEAR(start[index(elbow)], kStandingElbow, 1e-9) << side << degrees;
     }
   }
-  // one that bends ahead by itself stays as it is
+  // an elbow that bends ahead by itself stays as it is
   const BodyModel ahead = body_of(with_elbows_aside(radians(10.0)));
   std::vector<Message> doubts;
   EXPECT_EQ(settled_posture(ahead, doubts)[index(*ahead.find_dof("left_elbow.flexion"))], 0.0);

@@ -56,7 +56,7 @@ TEST(LimitGuard, NoMotionPassesALimitWhateverItIsDrawnTo) {
       const RolledOut free = roll_out(problem, parameters);
       pushed += largest_excess(body, free.motion.clip) > radians(1.0) ? 1 : 0;
       const RolledOut rolled = roll_out(held(problem), parameters);
-      // what a hip may do depends on a knee that a correction can still move
+      // a hip's limit depends on a knee that a correction can still move
       EXPECT_LE(largest_excess(body, rolled.motion.clip), 1e-12) << body.name() << ' ' << i;
     }
   }

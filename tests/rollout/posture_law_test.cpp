@@ -180,7 +180,7 @@ TEST(TrunkTurn, IsForWhatIsAtTheSideAndBehind) {
   EXPECT_GT(wanted_turn({0.4, 1.4, -0.3}), 30.0);
   // no more than hips and spine turn
   EXPECT_NEAR(wanted_turn({-0.1, 1.4, -0.5}), -65.0, 1.0);
-  // what is far below is hardly behind
+  // a goal far below is hardly behind
   EXPECT_LT(std::fabs(wanted_turn({-0.2, 0.1, -0.1})), 20.0);
 }
 

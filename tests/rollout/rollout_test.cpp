@@ -81,7 +81,8 @@ TEST(RollOut, OutcomeIsWhatTheMotionDoes) {
     EXPECT_NEAR(rolled.outcome.goal_error, measured.goal_error, 1e-12);
     // 2 sin(θ / 2) instead of the angle: θ³ / 24 less
     EXPECT_NEAR(rolled.outcome.contact_tilt, measured.contact_tilt, 1e-10);
-    // measured at the sole's corners, told for its centre: a tilt lifts corners by half its length
+    // measured at the sole's corners, reported for its centre: a tilt lifts corners by half its
+    // length
     EXPECT_LE(rolled.outcome.contact_slide, measured.contact_slide + 1e-12);
     EXPECT_LE(measured.contact_slide,
               rolled.outcome.contact_slide + 0.15 * measured.contact_tilt + 1e-12);

@@ -192,7 +192,7 @@ TEST(CmaEs, RefusesSettingsOutOfRangeAndNamesThem) {
 }
 
 TEST(CmaConstants, AreThoseOfTheTutorial) {
-  // n = 10, λ = 10: the default of the tutorial, whose table 1 gives these by hand
+  // n = 10, λ = 10: the default of the tutorial, computed by hand from its table 1
   const CmaConstants c(10, 10);
   double w[5];
   double sum = 0.0;

@@ -185,7 +185,7 @@ TEST(ChildrenOf, RateZeroGivesNoneAndRateOneTwoForEachPair) {
 }
 
 TEST(ChildrenOf, EachParentIsInOnePairAndEachPairingEquallyLikely) {
-  // parents are one-hot: the bitwise sum of two children tells their parents
+  // parents are one-hot: the bitwise sum of two children identifies their parents
   const auto parents = individuals({{1}, {2}, {4}, {8}});
   std::map<int, int> partners_of_first;
   Random random(9);

@@ -155,7 +155,7 @@ TEST(GeneticSearch, TheBestCanBeLostAsThereIsNoElitism) {
 
 TEST(GeneticSearch, ThePoolHoldsParentsChildrenAndMutants) {
   // All scores equal: of a pool of 8 parents, 8 children and 8 mutants, a third of the draws each.
-  // Parents are told by their scoring in the first batch.
+  // Parents are recognised by their scores in the first batch.
   constexpr int searches = 1000;
   int parents_kept = 0;
   int offspring = 0;

@@ -19,7 +19,7 @@ using namespace testing_support;
 TEST(Normal, FallsIntoIntervalsAsOftenAsTheDistributionFunctionSays) {
   Random random(1);
   constexpr int draws = 200000;
-  // 32 intervals from -4 to 4, and what lies beyond
+  // 32 intervals from -4 to 4, and the tails
   std::vector<int> counts(34);
   for (int i = 0; i < draws; ++i) {
     const double place = std::floor((normal(random) + 4.0) * 4.0) + 1.0;

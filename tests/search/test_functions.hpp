@@ -125,7 +125,7 @@ struct Record {
     return problem;
   }
 
-  // Evaluations until a score is not above the target; the largest int where none is.
+  // Evaluations until a score is not above the target; the largest int if none is.
   [[nodiscard]] int evaluations_to(double target) const {
     const auto hit =
         std::find_if(scores.begin(), scores.end(), [&](double score) { return score <= target; });

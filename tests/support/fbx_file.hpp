@@ -34,7 +34,7 @@ class FbxFile {
 
   double unit = 0.01;                         // m, of the file's numbers
   std::array<int, 6> axes{1, 1, 2, 1, 0, 1};  // up, its sign, front, its sign, coord, its sign
-  // degrees, of each node: the file has it turned so, and what is below it turned back
+  // degrees, rotation of each node: undone in its children
   Vec3d pre_rotation{};
   Vec3d rotation{};
   Vec3d post_rotation{};

@@ -22,7 +22,7 @@ namespace shigusa::testing_support {
 
 struct RunSettings {
   std::filesystem::path folder = ".";  // where the program is started
-  // what the program keeps between runs; by default a folder that cannot be made
+  // the program's cache; by default a folder that cannot be made
   std::filesystem::path cache = "/dev/null/cache";
   bool terminal = false;  // stderr is a terminal
   // SIGINT comes this long after the start
@@ -30,7 +30,7 @@ struct RunSettings {
 };
 
 struct ProgramRun {
-  int exit_code = -1;  // 128 + the signal where one ended it, as a shell tells
+  int exit_code = -1;  // 128 + the signal if one ended it, as in a shell
   std::string out;
   std::string err;
 };
@@ -69,7 +69,7 @@ struct Channel {
     fcntl(read_end, F_SETFD, FD_CLOEXEC);
   }
 
-  // False at the end of what the program says.
+  // False at the end of the program's output.
   bool read_into(std::string& text) const {
     char block[4096];
     const ssize_t count = read(read_end, block, sizeof block);

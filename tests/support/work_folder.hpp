@@ -45,7 +45,7 @@ class WorkFolder {
   [[nodiscard]] std::string get(const std::string& name) const { return bytes_of(path_ / name); }
 
   // Every file below, with its bytes; folders as "name/". Files over 1 MB count by their size, and
-  // what is no file by its name.
+  // entries that are no files by their names.
   [[nodiscard]] std::map<std::string, std::string> contents() const {
     std::map<std::string, std::string> all;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {
