@@ -25,7 +25,7 @@ export interface Inspection {
   memory(): Promise<{ search: number; quick: number }>;
   /** Where a goal's effector is at the end of the chosen motion, by the engine's own series, m. */
   hand(effector?: string): Vec3 | null;
-  /** What a slider's tip says; "" where nobody has written it down. */
+  /** The text of a slider's tip; "" if there is none. */
   tip(kind: 'parameter' | 'criterion', name: string): string;
   /** Where an effector's node is drawn now, m. */
   drawn(effector: string): Vec3 | null;

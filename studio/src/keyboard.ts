@@ -48,7 +48,7 @@ export class Keyboard {
     this.plain(event, target);
   };
 
-  /** Enter takes what was typed; with Escape the number is as it was. */
+  /** Enter accepts the typed number; Escape restores the former one. */
   private leave(field: HTMLInputElement, key: string): void {
     if (key === 'Escape') field.value = field.defaultValue;
     this.canvas.focus();

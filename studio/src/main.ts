@@ -72,7 +72,7 @@ async function start(): Promise<void> {
   const support = browserSupport();
   // both take their time, so they are asked for first
   const [engine, module] = [support === 'ok' ? connect() : Promise.reject(new Error(support)), import('./page')];
-  for (const each of [engine, module]) each.catch(() => undefined); // it is told below
+  for (const each of [engine, module]) each.catch(() => undefined); // reported below
   void module.then(({ loadMannequin }) => loadMannequin()).catch(() => undefined); // most bodies are drawn as it
   await fetchLanguage(preferredLanguage());
   setLanguage(preferredLanguage());

@@ -14,7 +14,7 @@ export type { Key };
 let language: Language = 'en';
 let japanese: typeof import('./japanese') | null = null;
 
-/** Fetches what a language needs; before it is set. */
+/** Fetches the texts of a language, before it is set. */
 export async function fetchLanguage(next: Language): Promise<void> {
   if (next === 'ja') japanese ??= await fetchPart(() => import('./japanese'));
 }
@@ -34,7 +34,7 @@ export function preferredLanguage(): Language {
   return navigator.languages.some((name) => name.startsWith('ja')) && navigator.language.startsWith('ja') ? 'ja' : 'en';
 }
 
-/** {length} stands for metres, and {unit} for what lengths are in where nothing else is said. */
+/** {length} is a length in metres, and {unit} the default unit of lengths. */
 export function t(key: Key, values: Record<string, string | number> = {}): string {
   const text = (language === 'ja' ? japanese!.ja : en)[key];
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => {
@@ -49,7 +49,7 @@ function words(): BodyWords {
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
-/** "right_shoulder" as a person says it; what is not known stays as it is. */
+/** "right_shoulder" in the language's words; unknown names stay unchanged. */
 export function jointName(name: string): string {
   const table = words();
   const match = /^(left|right)_(.+)$/.exec(name);
@@ -94,7 +94,7 @@ export function groupName(group: string): string {
   return words().groups[group] ?? jointName(group);
 }
 
-/** A word of one of the engine's tables as a person says it; what nobody has translated stays as it is. */
+/** The translation of a word of the engine's tables; untranslated words stay unchanged. */
 export function engineWord(table: TableWords, word: string): string {
   return words()[table][word] ?? word.replaceAll('_', ' ');
 }

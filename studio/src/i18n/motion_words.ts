@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion among others in words: what tells it from them, and how much worse than the best it is.
+// A motion among others in words: its differences, and how much worse than the best it is.
 import type { Candidate, Message } from '../../../bindings/wasm/src/types';
 import { candidateAt, type Document } from '../state/model';
 import { engineText, postureWords, t } from '.';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tone of each sentence that is told over the view: `bad` stands in red.
+// The tone of each message over the view: `bad` is red.
 import type { Key } from './en';
 
 export type Tone = 'plain' | 'bad';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sentences on what sliders do, one for each.
+// Sentences on the effect of sliders, one for each.
 import { freedomName, jointName, spokenLanguage } from './index';
 
 /** {place}: the limb or the joint that the parameter is of. */
@@ -95,7 +95,7 @@ const japanese: Tips = {
 
 const tips = (): Tips => (spokenLanguage() === 'ja' ? japanese : english);
 
-/** What a parameter does; "" where nobody has written it down. */
+/** The effect of a parameter; "" without a description. */
 export function parameterTip(name: string): string {
   const parts = name.replace(/^later\./, '').replace(/(_deg|\.weight)$/, '').split('.');
   if (name.endsWith('.weight')) return tips().weight.replace('{place}', freedomName(parts.slice(-2).join('.')).toLowerCase());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page checks by these rules what others may have written; a SyntaxError names the place, and what is allowed there.
+// Rules for the validation of untrusted data; a SyntaxError names the place and the values allowed.
 
 export const kFarthest = 100; // m
 

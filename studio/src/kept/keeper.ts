@@ -14,7 +14,7 @@ const kCloses = 500; // ms until a tab that was closed has let go of its project
 const kReloads = 1500; // ms until a page that is loaded anew has let go of its project
 
 export class Keeper extends Saver {
-  /** Brings back the work of this tab, else the one last saved; where there is none, or a damaged one, `openFirst`. */
+  /** Restores the work of this tab, else the last saved one; if there is none, or it is damaged, calls `openFirst`. */
   async openLast(openFirst: () => Promise<void>): Promise<void> {
     const own = recall(kRemembered, 'sessionStorage');
     const id = own ?? recall(kRemembered);
@@ -76,7 +76,7 @@ export class Keeper extends Saver {
     this.changed(true);
     const { changes } = this;
     await this.write();
-    return this.saved >= changes; // more may have come meanwhile, as what its search found
+    return this.saved >= changes; // there may be later changes, such as its search's result
   }
 
   // ---- What the list of projects does ------------------------------------------------------------

@@ -6,7 +6,7 @@ import { fieldsOf, kFarthest, need } from './check';
 import { answer, completed, openDatabase } from './database';
 import { freshId } from './projects';
 
-/** Of a character's spec what says how the body is before its motion. */
+/** The part of a character's spec that determines the body before its motion. */
 export type StartPosture = Pick<CharacterSpec, 'source' | 'animation' | 'frame' | 'seat_m' | 'heels'>;
 
 interface Named {
@@ -108,7 +108,7 @@ export class Library {
   private entries: Entry[] | null = null;
   private readonly listeners = new Set<() => void>();
 
-  /** Hears of each change until it calls what it gets. */
+  /** Subscribes to changes; returns the function that unsubscribes. */
   subscribe(listener: () => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

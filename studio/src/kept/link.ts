@@ -20,7 +20,7 @@ export async function linkOf(work: Work, page: string): Promise<string | null> {
   return link.length > kLongest ? null : link;
 }
 
-/** The work of a link; null where there is none. Throws a SyntaxError where it is damaged. */
+/** The work of a link; null if there is none. Throws a SyntaxError if it is damaged. */
 export async function workOfLink(fragment: string): Promise<Work | null> {
   if (!fragment.startsWith(kFragment)) return null;
   const text = await inflated(bytesOf(fragment.slice(kFragment.length)));

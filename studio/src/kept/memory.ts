@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Short texts that the browser remembers. One that is told to keep nothing refuses even to be asked.
+// Short texts stored by the browser. A browser set to store nothing also refuses to read.
 
 export type Memory = 'localStorage' | 'sessionStorage'; // of all tabs, of this one
 

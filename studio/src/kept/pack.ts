@@ -75,7 +75,7 @@ export async function openWork(studio: Studio, work: Work, files: readonly File[
     for (const [index, edit] of Object.entries(work.edits)) edits[Number(index)] = await editOf(studio, character, edit, result, Number(index));
   }
   const { chosen, compared, picture } = work;
-  // a search tells by itself what becomes of it
+  // a search reports its own outcome
   void studio.begin({ ...asked, result, edits, chosen, compared: compared === chosen ? null : compared });
   show(studio, picture);
   studio.store.set({ wanted: own ? null : { work, character } });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of projects: a button in the top bar that says which one is on the table and whether it is saved, and what it opens.
+// The list of projects: a button in the top bar that shows the open project and whether it is saved, and its menu.
 import { spokenLanguage, t } from '../i18n';
 import { button, fill, h, icon, iconButton, type Panel } from '../panels/dom';
 import { keepPlaced } from '../panels/popover';
@@ -64,7 +64,7 @@ export class ProjectMenu implements Panel {
     const turn = ++this.refreshes;
     const { present } = this.keeper;
     const kept = await this.keeper.list();
-    if (turn !== this.refreshes) return; // a later one shows what is there
+    if (turn !== this.refreshes) return; // a later refresh shows the present state
     if (this.renaming !== null && this.list.querySelector(`[data-naming="${this.renaming}"]`)) return; // what is being typed stays
     const isKept = kept.some(({ id }) => id === present.id);
     const focused = this.list.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset['project'] : undefined;

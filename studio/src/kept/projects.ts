@@ -44,7 +44,7 @@ export class ProjectStore {
     return { transaction, of: (name) => transaction.objectStore(name) };
   }
 
-  /** A project and its work, which is to be read with care; null where there is none. */
+  /** A project and its work, which must be validated; null if there is none. */
   async load(id: string): Promise<{ project: Project; work: unknown } | null> {
     const { of } = this.begin('readonly', 'projects', 'works');
     const project = await answer<Project | undefined>(of('projects').get(id));
@@ -116,7 +116,7 @@ export class ProjectStore {
     await end;
   }
 
-  /** Deletes a project, and its character's file where no other one uses it; null where there is none. */
+  /** Deletes a project, and its character's file if no other project uses it; null if there is none. */
   async remove(id: string): Promise<Removed | null> {
     const { transaction, of } = this.begin('readwrite', 'projects', 'works', 'files');
     const end = completed(transaction);

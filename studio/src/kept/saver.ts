@@ -89,7 +89,7 @@ export class Saver {
   /** `atOnce`: noted for the case that the page ends before all is saved. */
   protected changed(atOnce = false): void {
     const { document, canUndo } = this.studio.store.state;
-    // what opens by itself is nobody's work
+    // a document opened automatically is not the user's work
     if (this.opening > 0 || !document) return;
     const isWork = this.opened || canUndo || this.project.revision > 0 || document.character.bytes !== undefined;
     if (!isWork) return;
@@ -107,7 +107,7 @@ export class Saver {
     note(this.project, work);
   }
 
-  /** Saves what is not saved yet, one after the other. */
+  /** Saves all unsaved work, one project after the other. */
   protected write(): Promise<void> {
     window.clearTimeout(this.timer);
     this.timer = 0;

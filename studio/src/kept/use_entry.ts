@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts what the library keeps into the project on the table, as one step.
+// Applies an entry of the library to the open project, as one step.
 import type { Character } from '../../../bindings/wasm/src/types';
 import { openCharacter } from '../state/files';
 import type { Document } from '../state/model';
@@ -26,7 +26,7 @@ async function useGoals(studio: Studio, document: Document, { name, goals, thing
   if (possible.length === 0) return studio.tell({ kind: 'text', key: 'unknownGoals', values: { name } });
   const bare = withThings({ ...document, goals: [] }, structuredClone(things));
   const asked = possible.reduce((all, goal) => withGoal(all, structuredClone(goal)), withoutLostSupport(bare, document));
-  // says what the engine refuses, before anything has changed
+  // reports the engine's refusal before any change
   await studio.engine.preview(document.character, previewTask(studio.facts, asked));
   if (studio.document === document) await studio.settle(asked);
 }

@@ -9,7 +9,7 @@ import { digestOf } from './digest';
 import { openWork, workOf } from './pack';
 import type { Work } from './work';
 
-/** The file that is wanted of what is on the table now. */
+/** The missing file of the open document. */
 export function wantedNow({ wanted, document }: State): Wanted | null {
   return wanted && (wanted.character === null || wanted.character === document?.character) ? wanted : null;
 }

@@ -13,7 +13,7 @@ export interface Look {
   readonly target_m: Vec3;
 }
 
-/** Motions by what they are generated from: the part of a result's JSON that the engine restores. */
+/** Motions as their source data: the part of a result's JSON from which the engine restores them. */
 export interface StoredMotions {
   readonly version: 1;
   readonly task: Task; // with its character as measured
@@ -22,7 +22,7 @@ export interface StoredMotions {
 
 export interface StoredEdit {
   readonly assignments: Readonly<Record<string, string>>;
-  readonly base?: StoredMotions; // of one motion; absent where the edit is of what was found
+  readonly base?: StoredMotions; // of one motion; absent if the edit is of a search's result
 }
 
 export interface StoredPicture {
@@ -42,7 +42,7 @@ export interface StoredPicture {
 
 export interface Work {
   readonly version: 1;
-  /** As it was opened; `sha256`: of its file, "" where the browser could not tell. */
+  /** As it was opened; `sha256`: of its file, "" if the browser could not compute it. */
   readonly character: { readonly spec: CharacterSpec; readonly sha256?: string };
   readonly task: Task; // as it is asked for now
   readonly found?: StoredMotions;
@@ -50,7 +50,7 @@ export interface Work {
   readonly fewer?: Message; // why there are fewer motions than asked for
   readonly notes?: readonly Message[]; // on its goals
   readonly searching?: boolean; // the task was being searched
-  readonly chosen: number; // index of what was found
+  readonly chosen: number; // index of the search's candidate
   readonly compared: number | null;
   readonly edits: Readonly<Record<string, StoredEdit>>; // by index
   readonly picture: StoredPicture;

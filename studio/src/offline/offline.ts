@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Has the browser keep all of the page, and tells when it works without the network, and when a newer one waits.
+// Makes the browser cache the whole page, and reports when it works offline, and when a newer version waits.
 import type { Store } from '../state/store';
 import type { State } from '../state/model';
 

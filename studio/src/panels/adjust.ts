@@ -86,7 +86,7 @@ export class AdjustPanel implements Panel {
     this.kept.title = document.fixed.join('\n');
   }
 
-  /** What a person has set or locked, with what is kept already. */
+  /** The values that the user has set or locked, and those kept already. */
   private assignments(document: Document): string[] {
     const all = new Map<string, string>();
     for (const assignment of document.fixed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The criteria: a weight for each criterion, and what the chosen motion pays for it.
+// The criteria: a weight for each criterion, and the chosen motion's penalty.
 import { engineWord, t } from '../i18n';
 import { ownMixture, sameWeights, unknownCriteria, type Weights } from '../state/criteria';
 import { chosenCandidate } from '../state/model';

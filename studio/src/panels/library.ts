@@ -95,7 +95,7 @@ export class LibrarySection {
   private async refresh(): Promise<void> {
     const turn = ++this.refreshes;
     const entries = await this.library.list().catch(() => []);
-    if (turn !== this.refreshes) return; // a later one shows what is there
+    if (turn !== this.refreshes) return; // a later refresh shows the present state
     this.entries = entries;
     if (this.renaming !== null && this.list.querySelector(`[data-naming="${this.renaming}"]`)) return; // what is being typed stays
     fill(this.list, ...this.entries.map((entry) => this.row(entry)));

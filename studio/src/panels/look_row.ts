@@ -13,7 +13,7 @@ const kAxes = ['left', 'up', 'ahead'] as const;
 const kEyes = 0.93; // statures above the floor
 const kAhead = 1; // m
 
-/** Straight ahead of who stands. */
+/** Straight ahead of a standing person. */
 const ahead = ({ character }: Document): Vec3 => [0, kEyes * character.description.stature_m, kAhead];
 
 export class LookRow {

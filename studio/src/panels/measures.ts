@@ -21,7 +21,7 @@ interface Measure {
   readonly apply: (value: number) => void;
 }
 
-/** A field for a number; one that is out of range is told of and changes nothing. */
+/** A field for a number; one out of range is reported and has no effect. */
 function field(studio: Studio, { label, unit, step, key, value, range: [low, high], apply }: Measure): HTMLElement {
   const words = (number: number): string => String(Number(number.toFixed(1)));
   const name = h('span', { title: t('scrubAbout') }, label);
@@ -44,7 +44,7 @@ export function measures(
     change({ sex: value as NonNullable<CharacterSpec['sex']> }));
   const seated = h('input', {
     type: 'checkbox', checked: spec.seat_m !== undefined, 'data-key': 'seated',
-    // heels lift of who stands
+    // heels can lift only for a standing person
     onChange: () => change(seated.checked ? { seat_m: kChair * description.stature_m, heels: undefined } : { seat_m: undefined }),
   });
   const seat = spec.seat_m === undefined ? null : field(studio, {

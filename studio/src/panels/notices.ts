@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Notices over the view: the sentence that says what to drag, the search's progress, messages.
+// Notices over the view: the first hint about dragging, the search's progress, messages.
 import { failureText, t } from '../i18n';
 import { noticeTones } from '../i18n/notice_tones';
 import type { Notice, State } from '../state/model';

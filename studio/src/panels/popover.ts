@@ -3,7 +3,7 @@
 
 const kGap = 6; // px between the button and the menu, and between the menu and the page's edges
 
-/** Puts a menu beside its button whenever it opens or the page's size changes, always inside the page. Returns what ends that. */
+/** Puts a menu beside its button whenever it opens or the page's size changes, always inside the page. Returns a function that ends this. */
 export function keepPlaced(menu: HTMLElement, opener: HTMLElement, side: 'above' | 'below'): () => void {
   const place = (): void => {
     if (!menu.matches(':popover-open')) return;

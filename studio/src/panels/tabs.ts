@@ -5,7 +5,7 @@ import type { Tab } from '../state/model';
 import type { Studio } from '../state/studio';
 import { button, fill, h, type Panel } from './dom';
 
-/** A panel, or what fetches it when it is first looked at. */
+/** A panel, or a function that loads it when it is first shown. */
 export type TabPanel = Panel | (() => Promise<Panel>);
 
 export class Tabs implements Panel {

@@ -91,7 +91,7 @@ export class ThingList {
   update(document: Document, selected: string): void {
     const things = thingsOf(document);
     const names = things.map((_, index) => thingWords(document, index));
-    // rows stay while values change, so that a click that begins by leaving a field ends on what it began on
+    // rows stay while values change, so that a click that first leaves a field ends where it began
     if (JSON.stringify(names) !== this.names) {
       this.names = JSON.stringify(names);
       this.rows = names.map((name, index) => new ThingRow(this.studio, index, name));

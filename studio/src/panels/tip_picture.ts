@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two small figures beside each other: what a slider comes to at either end.
+// Two small figures side by side: the effect of a slider at either end.
 import type { Character } from '../../../bindings/wasm/src/types';
 import type { Drawing } from '../view/stick_drawing';
 

@@ -23,7 +23,7 @@ function hide(): void {
   box.hidden = true;
 }
 
-/** Below what it is for, or above it where there is no room. */
+/** Below its control, or above it if there is no room. */
 function place(beside: HTMLElement): void {
   const { left, right, top, bottom } = beside.getBoundingClientRect();
   const { offsetWidth: width, offsetHeight: height } = box;
@@ -65,7 +65,7 @@ export function giveTip(row: HTMLElement, name: HTMLElement, control: HTMLElemen
   });
   row.addEventListener('pointerleave', away);
   row.addEventListener('pointerdown', (event) => {
-    if (event.target !== name) hide(); // what is dragged is seen
+    if (event.target !== name) hide(); // the effect of a dragged control is visible in the view
   });
   control.addEventListener('focus', () => control.matches(':focus-visible') && now());
   control.addEventListener('blur', () => owner === control && hide());

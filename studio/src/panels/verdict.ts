@@ -12,7 +12,7 @@ import { button, fill, h, type Panel } from './dom';
 
 const kFirst = 3; // reasons that are seen at once
 
-/** What is said in place of a verdict, where the figure at hand is not what was computed; "" elsewhere. */
+/** The text in place of a verdict if the shown figure is not the computed one; else "". */
 export function undrawnText({ document, undrawn }: State): string {
   if (!undrawn || undrawn.character !== document?.character) return '';
   return undrawn.apart_m === null ? t('undrawnMesh') : t('undrawn', { length: undrawn.apart_m });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The View menu: a button in the corner of the picture, and what it opens.
+// The View menu: a button in the corner of the picture, and its menu.
 import { t } from '../i18n';
 import { lengthUnits } from '../i18n/lengths';
 import type { Studio } from '../state/studio';

@@ -5,7 +5,7 @@ import { candidateAt, type Document } from './model';
 
 export type Weights = Readonly<Record<string, number>>;
 
-/** The mixture that a task ranks by where it says nothing of criteria; what is 0 in it is not computed. */
+/** The mixture of a task without criteria; criteria of weight 0 are not computed. */
 export function mixtureOf(facts: Facts, task: { preset?: string; pareto?: unknown }): Weights {
   const preset = facts.presets.find(({ name }) => name === (task.preset ?? facts.default_preset));
   const name = task.pareto === true ? facts.pareto_mixture : preset?.mixture;
@@ -17,7 +17,7 @@ export function ownMixture(facts: Facts, { settings }: Pick<Document, 'settings'
   return mixtureOf(facts, { preset: settings.preset, pareto: settings.more['pareto'] });
 }
 
-/** The weights of a task: what it says of some, and of the others its own mixture's. */
+/** The weights of a task: its own where given, else its mixture's. */
 export function weightsOf(facts: Facts, task: Task): Record<string, number> {
   const { criteria } = task;
   const named = typeof criteria === 'string' ? facts.mixtures[criteria] : undefined;
@@ -46,7 +46,7 @@ export function unknownCriteria(document: Document): string[] {
   return Object.keys(document.weights).filter((name) => (document.weights[name] ?? 0) > 0 && !(name in known));
 }
 
-/** Indices of the candidates: what is impossible after all others, and of each the lowest score first. */
+/** Indices of the candidates: impossible ones last, each group by ascending score. */
 export function ranking(document: Document): number[] {
   const count = document.result?.candidates.length ?? 0;
   const isImpossible = (index: number): number => Number(candidateAt(document, index)?.summary.verdict === 'impossible');

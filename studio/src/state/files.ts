@@ -57,7 +57,7 @@ async function openCharacters(studio: Studio, files: readonly File[], isShown: b
   for (const refusal of refused) studio.tellToo(refusal);
 }
 
-/** Opens a file, and returns what stands against that. */
+/** Opens a file; returns the reason if it cannot. */
 async function tried(studio: Studio, { name, size }: File, most: number, open: () => Promise<Notice | null>): Promise<Notice | null> {
   if (size > most) return { kind: 'text', key: 'tooLarge', values: { name, most: Math.floor(most / 1e6) } };
   studio.store.set({ opening: name });
@@ -75,7 +75,7 @@ async function show(studio: Studio, spec: CharacterSpec, bytes: Uint8Array): Pro
   return null;
 }
 
-/** Puts a character where it can be chosen, and leaves the one at hand; returns what stands against that. */
+/** Adds a character to the list without changing the present one; returns the reason if it cannot. */
 async function shelve(studio: Studio, spec: CharacterSpec, bytes: Uint8Array): Promise<Notice | null> {
   const character = await studio.open(spec, bytes);
   return studio.shelve(newDocument(studio.facts, character)) ? null : { kind: 'text', key: 'noRoom', values: { name: spec.source } };
@@ -135,7 +135,7 @@ export async function openResult(studio: Studio, summary: Summary, beside: reado
 
 export async function openTask(studio: Studio, task: Task): Promise<void> {
   const character = await characterOf(studio, task.character);
-  // a search tells by itself what becomes of it
+  // a search reports its own outcome
   void studio.begin(await checkedDocumentOf(studio, character, task));
 }
 

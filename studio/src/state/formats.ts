@@ -16,7 +16,7 @@ export function characterFormat(facts: Facts, name: string): FormatFacts | undef
   return facts.formats.find((format) => isCharacters(format) && format.endings.includes(endingOf(name)));
 }
 
-/** Whether a character's own file is what a format needs. */
+/** Whether a character's own file is of a kind that a format needs. */
 export function hasNeeded(facts: Facts, format: FormatFacts, character: Character): boolean {
   if (format.needs.length === 0) return true;
   const own = character.bytes && characterFormat(facts, character.spec.source);

@@ -8,7 +8,7 @@ export class History<T> {
   private past: T[] = [];
   private future: T[] = [];
   private key: string | undefined;
-  private undone: T[] = []; // what could be redone before the last step
+  private undone: T[] = []; // the redo list before the last step
 
   constructor(private present: T) {}
 
@@ -34,7 +34,7 @@ export class History<T> {
     this.future = [];
   }
 
-  /** Changes the present without a step: what a step came to later, such as a search's result. */
+  /** Changes the present state without a step: a step's later outcome, such as a search's result. */
   amend(value: T): void {
     this.present = value;
   }

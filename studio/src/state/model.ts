@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page's state. A document is what undo goes back over; it is never changed, only replaced. A session is
+// The page's state. A document is the unit of undo; it is never changed, only replaced. A session is
 // the rest: what is shown and what is going on.
 import type { Candidate, Character, EngineFailure, Generated, Goal, PresetName, Summary, Task } from '../../../bindings/wasm/src/types';
 import type { LengthUnit } from '../i18n/lengths';
@@ -9,7 +9,7 @@ import { initialView, type ViewSettings } from './view_settings';
 
 /** What a person changed of a candidate, and the motion that came of it. */
 export interface Edit {
-  readonly base: { readonly summary: Summary; readonly candidate: number }; // what the assignments change
+  readonly base: { readonly summary: Summary; readonly candidate: number }; // the result that the assignments change
   readonly assignments: Readonly<Record<string, string>>; // by parameter; "name.locked" for locks
   readonly generated: Generated; // of one candidate
 }
@@ -20,7 +20,7 @@ export interface SearchSettings {
   readonly seed: number;
   readonly evaluations: number | null; // null: the preset's own
   readonly duration_s: number | null; // null: from the distance
-  readonly more: Readonly<Partial<Task>>; // what else a task says, as obstacles; carried along
+  readonly more: Readonly<Partial<Task>>; // the task's other fields, such as obstacles; kept unchanged
 }
 
 export interface Document {
@@ -40,7 +40,7 @@ export type Notice =
   | { kind: 'text'; key: NoticeKey; values?: Record<string, string | number> }
   | { kind: 'several'; of: readonly Notice[] };
 
-/** A character whose figure is not what was computed. */
+/** A character whose shown figure is not the computed one. */
 export interface Undrawn {
   readonly character: Character;
   readonly apart_m: number | null; // how far a hand is drawn from its place; null: another figure stands in for the mesh
@@ -63,9 +63,9 @@ export type CompareMode = 'beside' | 'over';
 
 /** How motions leave in files, beside their frames a second. */
 export interface FileChoices {
-  readonly clip: string; // what animations are called; empty: as the engine does
+  readonly clip: string; // name of the animations; empty: the engine's
   readonly jointNames: string; // of built-in bodies
-  readonly inPlace: boolean; // without what the hips travel along the floor
+  readonly inPlace: boolean; // without the hips' travel along the floor
   readonly together: boolean; // all motions in one GLB
 }
 
@@ -90,11 +90,11 @@ export interface State {
   readonly offline: Offline;
   readonly notice: Notice | null;
   readonly symmetric: boolean; // hands' goals move alike
-  readonly rings: boolean; // rings turn what is selected, in place of arrows that move it
+  readonly rings: boolean; // rings that turn the selected object, instead of arrows that move it
   readonly snap: boolean; // places that are dragged snap to the floor, things, the other hand
   readonly selected: string; // effector, or a thing in the way
   readonly start: boolean; // the cards to begin with
-  readonly hint: boolean; // the sentence that says what to drag
+  readonly hint: boolean; // whether the first hint about dragging is shown
   readonly playing: boolean;
   readonly loop: boolean;
   readonly speed: number;
@@ -147,7 +147,7 @@ export const initialState: State = {
   theme: 'auto',
 };
 
-/** The candidate of an index, with what a person changed of it. */
+/** The candidate of an index, with the user's changes. */
 export function candidateAt(document: Document, index: number): Candidate | null {
   return document.edits[index]?.generated.candidates[0] ?? document.result?.candidates[index] ?? null;
 }

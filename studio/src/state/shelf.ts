@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The characters that were opened, each with what was last done with it, so that a person can go back to one without its file.
+// The opened characters, each with its last state, so that the user can return to one without its file.
 import type { Character } from '../../../bindings/wasm/src/types';
 import type { Document } from './model';
 

@@ -6,12 +6,12 @@ import type { Obstacle } from '../../../bindings/wasm/src/types';
 import { type Document, goalOf } from './model';
 import { leastOf, thingName, thingOf, thingsOf } from './places';
 
-const kReach = 0.05; // m: what is farther does not attract
+const kReach = 0.05; // m, largest distance of attraction
 const kClear = 0.012; // m, between a hand as it is thick and a face
 
 export interface Snap {
   readonly place: Vector3;
-  readonly normal: Vector3; // away from what it snapped to
+  readonly normal: Vector3; // away from the surface that it snapped to
   readonly to: string; // "floor", or the name of a thing or a hand
 }
 
@@ -79,7 +79,7 @@ function thicknessOf({ character }: Document, name: string): number {
   return [name, name.replace('hand', 'forearm')].map((part) => capsules.find((capsule) => capsule.name === part)?.radius_m).find((radius) => radius !== undefined) ?? 0;
 }
 
-/** On the tops of the other things, of what would stand there. */
+/** Positions of a thing on the tops of other things. */
 function tops(document: Document, index: number, place: Vector3): Snap[] {
   const things = thingsOf(document);
   const bottom = leastOf(document, thingName(index));

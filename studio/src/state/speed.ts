@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Speeds along a motion, for the eye alone: what criteria are computed from stays in the engine.
+// Speeds along a motion, for display only: the criteria are computed in the engine.
 import type { Candidate, Series } from '../../../bindings/wasm/src/types';
 
 /** Distance between the neighbouring frames over the time between them, m/s. */

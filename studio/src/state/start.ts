@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first task of a body, before anybody has asked for one.
+// The initial task of a body.
 import type { Character, CharacterDescription, Facts, Goal, Vec3 } from '../../../bindings/wasm/src/types';
 import { mixtureOf } from './criteria';
 import type { Document } from './model';

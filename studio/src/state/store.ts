@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One value of state and those who want to hear of its changes.
+// One value of the state, with subscribers to its changes.
 
 export type Listener<S> = (state: S, previous: S) => void;
 
@@ -23,7 +23,7 @@ export class Store<S extends object> {
     for (const listener of [...this.listeners]) listener(this.value, previous);
   }
 
-  /** Returns what ends the subscription. */
+  /** Returns a function that ends the subscription. */
   subscribe(listener: Listener<S>): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

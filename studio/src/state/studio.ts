@@ -15,7 +15,7 @@ import { Timings } from './timings';
 import { isMet, missOf } from './verdict';
 import { Workbench } from './workbench';
 
-/** By which the browser remembers that a person knows what to drag. */
+/** Key by which the browser remembers that the user has dragged before. */
 export const kHint = 'hint';
 
 export class Studio extends Workbench {
@@ -58,7 +58,7 @@ export class Studio extends Workbench {
     this.store.set({ selected: effector });
   }
 
-  /** The sentence that says what to drag is needed no more, at later visits neither. */
+  /** Hides the first hint about dragging, at later visits too. */
   learnHint(): void {
     if (!this.store.state.hint) return;
     this.store.set({ hint: false });
@@ -189,7 +189,7 @@ export class Studio extends Workbench {
     }
   }
 
-  /** The first quick searches take several times as long as later ones, until the browser has optimised them: these nobody waits for. */
+  /** The first quick searches take several times as long as later ones, until the browser has optimised the code: nobody waits for these. */
   private async warmUp(document: Document): Promise<void> {
     if (this.warm) return;
     this.warm = true;
@@ -197,7 +197,7 @@ export class Studio extends Workbench {
     try {
       for (let k = 0; k < 8 && !this.store.state.dragging; ++k) await this.engine.preview(document.character, previewTask(this.facts, document));
     } catch {
-      // a drag tells what is wrong
+      // the drag reports errors
     }
   }
 
@@ -344,7 +344,7 @@ export class Studio extends Workbench {
     return { ...document, result, edits, settings, goals: task.goals ?? [], fixed: task.fixed ?? [] };
   }
 
-  /** Keeps what is locked or given and searches the rest. */
+  /** Keeps the locked and given values, and searches the rest. */
   searchRest(fixed: readonly string[]): Promise<void> {
     const document = this.document;
     if (document === null) return Promise.resolve();
@@ -385,7 +385,7 @@ export class Studio extends Workbench {
       this.clock.duration = candidate.summary.duration_s;
       this.store.set({ preview: candidate, previewRemaining_mm: found.summary.remaining_mm });
     } catch {
-      // the search tells what is wrong
+      // the search reports errors
     }
   }
 

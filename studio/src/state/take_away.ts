@@ -12,7 +12,7 @@ import { candidateAt, type Document, withEdits } from './model';
 import type { Studio } from './studio';
 import { completeTask } from './task';
 
-/** A format by its name; or what the page itself makes, beside what the engine writes. */
+/** A format of the engine by its name, or one that the page itself makes. */
 export type Taken = string;
 
 /** Of any body: the page draws the GLB of one that has no mesh, and a picture of the strip. */

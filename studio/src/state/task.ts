@@ -50,7 +50,7 @@ export function completeTask(facts: Facts, document: Document): Record<string, u
 
 const kFragment = '#task=';
 
-/** The task of a link; null where there is none. Throws a SyntaxError where it is damaged. */
+/** The task of a link; null if there is none. Throws a SyntaxError if it is damaged. */
 export function taskOfLink(fragment: string): Task | null {
   if (!fragment.startsWith(kFragment)) return null;
   let text: string;

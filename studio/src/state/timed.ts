@@ -10,7 +10,7 @@ function timed(summary: Summary, timing: Timed): Summary {
   return { ...summary, task: { ...(summary['task'] as Task), ...timing } };
 }
 
-/** Shows what the chosen motion would be, where that is wanted still; kept by the next. */
+/** Shows a preview of the chosen motion, if still wanted; keepTiming makes it permanent. */
 export async function tryTiming(studio: Studio, timing: Timed, isWanted: () => boolean): Promise<void> {
   const { document } = studio;
   if (!document?.result) return;

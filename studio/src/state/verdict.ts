@@ -23,7 +23,7 @@ export function unturnedOf({ summary }: Candidate): number {
   return Math.max(0, ...summary.reached.filter((reached) => !isTurned(reached)).map(({ rotation_error_deg = 0 }) => rotation_error_deg));
 }
 
-/** What the best motion leaves of its goals, for a message; null where nobody would see it: the engine is stricter. */
+/** The remaining distance of the best motion, for a message; null if it is invisible, as the engine is stricter. */
 export function missOf({ remaining_mm, remaining_deg = 0 }: Summary): { key: 'unreachable' | 'unturnedBest'; values: Record<string, string | number> } | null {
   if (!isMet(remaining_mm)) return { key: 'unreachable', values: { length: remaining_mm / 1000 } };
   return remaining_deg > kTurned ? { key: 'unturnedBest', values: { deg: remaining_deg.toFixed(0) } } : null;
@@ -31,13 +31,13 @@ export function missOf({ remaining_mm, remaining_deg = 0 }: Summary): { key: 'un
 
 export type Fall = 'fallsForward' | 'fallsBack' | 'fallsLeft' | 'fallsRight' | 'fallsOver';
 
-/** Whether both feet stay where they stand, so that the description's polygon is what the body stands on. */
+/** Whether both feet stay, so that the description's polygon is the support polygon. */
 function standsOnBoth({ goals, settings }: Document): boolean {
   const contacts = settings.more.contacts;
   return !goals.some(({ effector }) => effector.endsWith('_foot')) && (contacts === undefined || contacts.length > 1);
 }
 
-/** To which side the centre of mass leaves what the body stands on; null where it stays above that. */
+/** The side to which the centre of mass leaves the support polygon; null if it stays above it. */
 export function fallOf(document: Document, { summary, series }: Candidate): Fall | null {
   const least = summary.support?.centre_of_mass;
   const mass = series.centre_of_mass;
@@ -56,7 +56,7 @@ export function fallOf(document: Document, { summary, series }: Candidate): Fall
   return beyond.reduce((most, side) => (side[1] > most[1] ? side : most))[0];
 }
 
-/** The reasons of a verdict, the worst first; a fall before all others, as it is what they come from. */
+/** The reasons of a verdict, the worst first; a fall comes before all others, as it causes them. */
 export function reasonsOf(document: Document, candidate: Candidate): Reason[] {
   const { reasons } = candidate.summary;
   const falls = ({ kind, verdict }: Reason): number => Number(kind === 'pressure' && verdict === 'impossible' && fallOf(document, candidate) !== null);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the scene is looked at: what a person chose in the View menu. One plain object, which JSON can carry.
+// The view settings chosen in the View menu, as one plain object for JSON.
 
 export const kMostGhosts = 8;
 /** Focal lengths of lenses for a full frame, 36 mm × 24 mm. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The document on the table: its steps, what is shown of it and when, and what is told about it.
+// The document on the table: its steps, its display over time, and messages about it.
 import type { Candidate, Character, Engine, Facts } from '../../../bindings/wasm/src/types';
 import { failureOf } from '../engine/connect';
 import { PackedError } from '../plain_gltf/packed';
@@ -22,7 +22,7 @@ export interface Eye {
   firstPicture(): Promise<void>;
 }
 
-/** What is told of an error; null where a person has stopped it. */
+/** The message of an error; null if the user cancelled. */
 export function noticeOf(error: unknown, about?: string): Notice | null {
   if (error instanceof PartError) return { kind: 'text', key: 'partFailed' };
   if (error instanceof PackedError) return { kind: 'text', key: 'badPacked', values: { name: about ?? '' } };
@@ -87,7 +87,7 @@ export class Workbench {
     });
   }
 
-  /** Puts a character beside the one at hand, where it is not there yet; false where there is no room. */
+  /** Adds a character to the opened ones, unless it is there; false if there is no room. */
   shelve(document: Document): boolean {
     const { shelf } = this.store.state;
     const isThere = shelf.some(({ character }) => isSameFile(character, document.character));
@@ -117,7 +117,7 @@ export class Workbench {
 
   // ---- Playing -----------------------------------------------------------------------------------
 
-  /** Plays a motion that is new; shows its end to those who want little to move. */
+  /** Plays a new motion, or shows its end to users who prefer reduced motion. */
   present(): void {
     this.clock.time = this.calm ? this.clock.duration : 0;
     this.store.set({ playing: !this.calm });

@@ -49,7 +49,7 @@ export class Lens {
     return opening(kUsualFocal_mm) / opening(this.focal_mm);
   }
 
-  /** What things that keep their size in the picture are to be multiplied by, as parallel light shows all places alike. */
+  /** Scale of objects with a constant size in the picture: parallel projection shows all distances alike. */
   get constantSize(): number {
     return this.orthographic ? this.distance : 1;
   }
@@ -64,7 +64,7 @@ export class Lens {
     orbit.addEventListener('change', () => this.sync());
   }
 
-  /** With another lens the camera goes where what it looks at has the same size. */
+  /** With another lens the camera moves so that its target keeps its size. */
   set({ orthographic, focal_mm }: ViewSettings): void {
     const { camera, orbit } = this;
     const farther = focal_mm / this.focal_mm;

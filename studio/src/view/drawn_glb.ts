@@ -34,7 +34,7 @@ function otherTracks(figure: Figure, candidate: Candidate, series: NodeSeries, t
   return others.map((bone, k) => new QuaternionKeyframeTrack(`${bone.uuid}.quaternion`, [...times], turns[k]!));
 }
 
-/** A motion and what its animation is called. */
+/** A motion and the name of its animation. */
 export interface DrawnClip {
   name: string;
   candidate: Candidate;

@@ -42,7 +42,7 @@ function filmOf(scene: Scene, settings: FilmSettings): Film {
 /** Whether a film of this kind is recorded while it is played, which a page must be seen for. */
 export const isPlayed = async (settings: FilmSettings): Promise<boolean> => (await encodingOf(settings)) === null;
 
-/** The WebM file; rejects with what `signal` was aborted with. */
+/** The WebM file; rejects with the reason of `signal`. */
 export async function film(scene: Scene, settings: FilmSettings, signal: AbortSignal, progress: (share: number) => void): Promise<Uint8Array> {
   const made = filmOf(scene, settings);
   const encoding = await encodingOf(settings);

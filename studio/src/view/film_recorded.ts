@@ -28,7 +28,7 @@ export async function recorded(film: Film, signal: AbortSignal, progress: (share
   });
   try {
     recorder.start();
-    film.draw(pen, 0); // only what is drawn from here on is recorded
+    film.draw(pen, 0); // recording starts here
     await play(film, signal, (picture) => {
       film.draw(pen, picture);
       progress((picture + 1) / pictures);

@@ -7,7 +7,7 @@ import { readContainer } from '../plain_gltf/container';
 import type { Figure } from './mannequin';
 import { worldMatrix } from './pose';
 
-/** Nothing outside the file is fetched: what names another file is refused. */
+/** Fetches nothing outside the file: references to other files are refused. */
 function innerFilesOnly(): LoadingManager {
   const manager = new LoadingManager();
   manager.setURLModifier((url) => (/^(blob:|data:)/.test(url) ? url : 'data:,'));

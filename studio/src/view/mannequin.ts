@@ -86,7 +86,7 @@ class Builder {
   }
 }
 
-/** Bodies with a bone map or with the names of bones; null where neither tells enough. */
+/** Bodies with a bone map or with names of bones; null if neither suffices. */
 export function makeMannequin(description: CharacterDescription, mesh: MannequinMesh, shape: Shape): Figure | null {
   const body = new BodyBones(description);
   if (!body.has('hips') || !body.has('head') || !body.has('right_lower_leg')) return null;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three's renderer has this class in the place of its WebXRManager: nobody looks at this page through a headset.
+// Replaces the WebXRManager of three's renderer: the page supports no headsets.
 const nothing = (): void => undefined;
 
 export class WebXRManager {

@@ -80,7 +80,7 @@ export class Overlays {
     this.missingEnd.material.color = palette.missing;
   }
 
-  /** Red where the motion would leave what the body stands on. */
+  /** Red where the pressure would leave the support polygon. */
   private colourBalance(palette: Palette): void {
     const falls = this.candidate?.summary.reasons.some(({ kind }) => kind === 'pressure') === true;
     for (const material of [this.mass.material, this.plumb.material, this.foot.material]) material.color = falls ? palette.missing : palette.mass;

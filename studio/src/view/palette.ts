@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours of what is drawn in three dimensions; those of the page around it are in styles/theme.css.
+// Colours of the three-dimensional view; those of the page around it are in styles/theme.css.
 import { Color } from 'three';
 
 /** The colours that a choice of theme comes to on this machine. */
@@ -28,7 +28,7 @@ export interface Palette {
   missing: Color;
   ghost: Color;
   ruler: Color;
-  /** From slow to fast, in even steps of lightness: who cannot tell the hues apart goes by that. */
+  /** From slow to fast, in even steps of lightness, for people who cannot distinguish the hues. */
   speed: readonly Color[];
   light: number; // of the key light
   rim: number; // of the light from behind

@@ -26,7 +26,7 @@ function fillBackground(pen: CanvasRenderingContext2D, host: HTMLElement): void 
   pen.restore();
 }
 
-/** A picture of the size of the pen's canvas, in the place of what was there. */
+/** Draws a picture of the size of the pen's canvas in place of its content. */
 export function onBackground(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement, host: HTMLElement, transparent: boolean): void {
   if (transparent) pen.clearRect(0, 0, pen.canvas.width, pen.canvas.height);
   else fillBackground(pen, host);

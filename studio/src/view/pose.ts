@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nodes of a character as objects of three, moved by what the engine computed. Between two of its frames
+// The nodes of a character as objects of three, moved by the engine's results. Between two of its frames
 // nodes are blended; nothing else is worked out here.
 import { Bone, Group, Matrix4, Quaternion, Vector3 } from 'three';
 import type { Candidate, CharacterDescription, Series } from '../../../bindings/wasm/src/types';

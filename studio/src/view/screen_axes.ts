@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The axes of the world as they lie on the screen, by which keys move what is selected.
+// The axes of the world as they lie on the screen, along which keys move the selected object.
 import type { Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
 

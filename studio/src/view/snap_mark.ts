@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ring that lies on what a dragged place has snapped to.
+// A ring on the surface that a dragged place has snapped to.
 import { DoubleSide, Mesh, MeshBasicMaterial, RingGeometry, Vector3 } from 'three';
 import type { Snap } from '../state/snapping';
 import type { Palette } from './palette';

@@ -39,7 +39,7 @@ export class Stage {
   private lost = false; // the graphics card has let go of the page
   private waited = 0; // s for the first picture
   private begun = false;
-  /** Whether the first picture is in the page; what else takes time waits for it. */
+  /** Whether the first picture is on the page; other slow work waits for it. */
   shown = false;
   private bring: () => void = () => undefined;
   readonly firstPicture = new Promise<void>((done) => (this.bring = done));
@@ -186,7 +186,7 @@ export class Stage {
     if (this.rested > kRest && this.drawn !== this.quality.still) this.draw(this.quality.still);
   };
 
-  /** Has the graphics card make ready what the scene is drawn with, while nothing is drawn yet. */
+  /** Makes the graphics card prepare the scene's shaders and buffers before the first picture. */
   prepare(): void {
     if (!this.begun) this.renderer.compile(this.casters, this.lens.shown, this.scene);
   }
@@ -199,7 +199,7 @@ export class Stage {
     }
     this.onDraw();
     this.lens.sync();
-    this.dirty = false; // what moved meanwhile, such as the camera, is in this picture
+    this.dirty = false; // movements meanwhile, such as the camera's, are in this picture
     if (this.shown) this.light.update(); // the first picture comes without shadows, a quarter sooner
     this.renderer.render(this.scene, this.lens.shown);
   }

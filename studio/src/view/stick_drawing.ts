@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body as lines on paper: what a motion comes to, small enough for a tooltip. Places are those of the engine's series.
+// A body as a line drawing of a motion's posture, small enough for a tooltip. Places are those of the engine's series.
 import { type Bone, type Group, Vector3 } from 'three';
 import type { Candidate, Character } from '../../../bindings/wasm/src/types';
 import { makeNodes, poseNodes } from './pose';
@@ -23,12 +23,12 @@ interface Sticks {
 /** As strip figures are seen: from the front right. */
 const kRight = new Vector3(1, 0, 0.62).normalize();
 const kBack = new Vector3(0.62, 0, -1).normalize();
-const kTilt = 0.12; // of what is farther away, upwards
+const kTilt = 0.12; // upward shift of distant points
 const kPathSteps = 24;
 
 const known = new WeakMap<Character, Sticks>();
 
-/** Bones of a person by name; of a body whose bones nobody knows every node. */
+/** Bones of a person by name; every node of a body without known bones. */
 function sticksOf(character: Character): Sticks {
   const made = known.get(character);
   if (made) return made;

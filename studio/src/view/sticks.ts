@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any skeleton as rods between its joints: robots, and people whose bones nobody knows.
+// Any skeleton as rods between its joints: robots, and people without known bones.
 import { Group, Mesh, MeshStandardMaterial, Vector3 } from 'three';
 import type { CharacterDescription } from '../../../bindings/wasm/src/types';
 import type { Figure } from './mannequin';

@@ -12,7 +12,7 @@ import { Portraits } from './portraits';
 
 const kPictures = 16; // of a film
 const kKeptHeight = 96; // px, of a picture in a list
-const kPlayed = 60; // ms between changes of what is shown
+const kPlayed = 60; // ms between changes of the picture
 const kFov = 24; // degrees
 const kRest = 0.7; // s at a motion's end
 
@@ -39,7 +39,7 @@ export class Thumbnails {
   private playedAt = 0;
   private palette: Palette | null = null;
   readonly portraits = new Portraits();
-  /** The last picture alone, for those who want nothing to move. */
+  /** The last picture alone, for users who prefer reduced motion. */
   still = false;
 
   /** `pace`: pictures a second that may be drawn, so that the large view keeps its own; 0 until that has its first one. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The picture in three dimensions: shows what the state holds, and tells what a person drags.
+// The three-dimensional view: shows the state, and reports drags.
 import { Box3, type Object3D, Vector3 } from 'three';
 import type { Candidate, Character, Vec3 } from '../../../bindings/wasm/src/types';
 import type { Look } from '../kept/work';
@@ -31,8 +31,8 @@ import { Stage } from './stage';
 import { StrainedJoints } from './strained';
 import { type Tag, Tags } from './tags';
 
-const kApproach = 0.75; // statures from what is selected
-const kRoom = 2.4; // times what has to be in the picture
+const kApproach = 0.75; // statures, from the selected object
+const kRoom = 2.4; // times the size of the required contents
 const kSmallSide = 112; // px, of a picture in a list
 const kTagApart = 0.16; // statures from the middle to the sign of each of two in one place
 const kBeside = 0.55; // shares of the stature between two that are compared
@@ -381,7 +381,7 @@ export class View {
     return this.tags.texts;
   }
 
-  /** Where a place goes that is dragged there; marks what it snaps to. */
+  /** The position of a place that is dragged there; marks the object that it snaps to. */
   private snapped(name: string, place: Vector3, inverted: boolean, ray?: Ray): Vector3 {
     const { document, store } = this.studio;
     this.snapTo = document && store.state.snap !== inverted ? snapOf(document, name, place, ray) : null;

@@ -13,7 +13,7 @@ function find(bytes: Uint8Array, id: readonly number[], from: number, to: number
   return -1;
 }
 
-/** An element's size and how many bytes tell it; null where it is unknown. */
+/** An element's size and the number of bytes that encode it; null if it is unknown. */
 function sizeAt(bytes: Uint8Array, at: number): { size: number; length: number } | null {
   const first = bytes[at] ?? 0;
   const length = Math.clz32(first) - 23;
