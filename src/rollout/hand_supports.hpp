@@ -14,33 +14,17 @@ namespace shigusa {
 template <class S>
 class HandSupports {
  public:
-  explicit HandSupports(const ReachProblem& problem) {
-    const BodyModel& body = *problem.body;
-    for (const HandSupport& support : problem.supports) {
-      rests_.push_back(
-          {to_scalar<Element<S>>(support.place), to_scalar<Element<S>>(support.normal)});
-    }
-    shares_.resize(rests_.size());
-    for (int frame = 0; frame <= problem.steps; ++frame) {
-      const double tau = static_cast<double>(frame) / problem.steps;
-      for (const HandSupport& support : problem.supports) {
-        const double before = max(tau - 1.0 / problem.steps, 0.0);
-        const double done = support.done(tau);
-        moments_.push_back({static_cast<Element<S>>(done),
-                            static_cast<Element<S>>(share_of_rest(support.done(before), done)),
-                            static_cast<Element<S>>(support.lift(tau) - support.lift(before)),
-                            tau >= support.arrives});
-      }
-    }
-    for (std::size_t k = 0; k < rests_.size(); ++k) {
-      const Effector& hand = body.effector(problem.supports[k].effector);
-      for (const int d : body.chain(hand.link)) {
+  explicit HandSupports(const ReachProblem& problem)
+      : problem_(&problem), shares_(problem.supports.size()) {
+    for (std::size_t k = 0; k < shares_.size(); ++k) {
+      const Effector& hand = problem.body->effector(problem.supports[k].effector);
+      for (const int d : problem.body->chain(hand.link)) {
         if (d >= hand.limb_root) arms_.push_back({index(d), k, S(0)});
       }
     }
   }
 
-  [[nodiscard]] bool empty() const { return rests_.empty(); }
+  [[nodiscard]] bool empty() const { return shares_.empty(); }
 
   // Begins a motion with the given shares (supports) or none; returns the shares that the hands
   // bear.
@@ -57,12 +41,15 @@ class HandSupports {
   [[gnu::noinline]] void place(int frame, const Kinematics<S>& before,
                                std::span<Constraint<S>> hands) const {
     for (std::size_t k = 0; k < hands.size(); ++k) {
-      const Moment& moment = at(frame, k);
-      const Vec3<S> rest = to_scalar<S>(rests_[k].place);
+      const HandSupport& support = problem_->supports[k];
+      const Vec3<S> rest = to_scalar<S>(support.place);
       const Vec3<S> from = seen_from_carrier(hands[k], before);
-      hands[k].place =
-          from + (rest - from) * S(moment.share) + to_scalar<S>(rests_[k].normal) * S(moment.lift);
-      if (moment.there) hands[k].place = rest;
+      const double now = time(frame);
+      const double last = max(now - 1.0 / problem_->steps, 0.0);
+      const S share(share_of_rest(support.done(last), support.done(now)));
+      const S lift(support.lift(now) - support.lift(last));
+      hands[k].place = from + (rest - from) * share + to_scalar<S>(support.normal) * lift;
+      if (hands[k].holds_at(now)) hands[k].place = rest;
     }
   }
 
@@ -71,8 +58,8 @@ class HandSupports {
   [[gnu::noinline]] void keep(int frame, const Kinematics<S>& kinematics,
                               std::span<Constraint<S>> hands) const {
     for (std::size_t k = 0; k < hands.size(); ++k) {
-      hands[k].place = at(frame, k).there ? to_scalar<S>(rests_[k].place)
-                                          : seen_from_carrier(hands[k], kinematics);
+      hands[k].place = hands[k].holds_at(time(frame)) ? to_scalar<S>(problem_->supports[k].place)
+                                                      : seen_from_carrier(hands[k], kinematics);
     }
   }
 
@@ -84,26 +71,14 @@ class HandSupports {
   [[gnu::noinline]] void restore_arms(int frame, std::span<const Constraint<S>> hands,
                                       std::span<S> reference) const {
     for (const ArmFreedom& arm : arms_) {
-      const S share = hands[arm.support].active * S(at(frame, arm.support).done);
+      const double done = problem_->supports[arm.support].done(time(frame));
+      const S share = hands[arm.support].active * S(done);
       S& drawn = reference[arm.dof];
       drawn = drawn + (arm.kept - drawn) * share;
     }
   }
 
  private:
-  using T = Element<S>;
-  // Resting place of a hand (m, and a unit normal), in the frame of its carrier.
-  struct Rest {
-    Vec3<T> place;
-    Vec3<T> normal;
-  };
-  // Progress of a hand in one frame.
-  struct Moment {
-    T done;      // of its way
-    T share;     // of its remaining way
-    T lift;      // m, added along the normal
-    bool there;  // after its arrival
-  };
   struct ArmFreedom {
     std::size_t dof = 0;
     std::size_t support = 0;
@@ -118,13 +93,13 @@ class HandSupports {
                            at - kinematics.link_origin(hand.carrier));
   }
 
-  [[nodiscard]] const Moment& at(int frame, std::size_t support) const {
-    return moments_[index(frame) * rests_.size() + support];
+  // Share of the duration.
+  [[nodiscard]] double time(int frame) const {
+    return static_cast<double>(frame) / problem_->steps;
   }
 
-  std::vector<S> shares_;        // (supports), 0 or more
-  std::vector<Rest> rests_;      // (supports)
-  std::vector<Moment> moments_;  // (frames × supports)
+  const ReachProblem* problem_;
+  std::vector<S> shares_;  // (supports), 0 or more
   std::vector<ArmFreedom> arms_;
 };
 

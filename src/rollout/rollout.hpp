@@ -53,7 +53,7 @@ class Rollout {
     for (const Constraint<double>& constraint : constraints(problem)) {
       constraints_.push_back(in_lanes<S>(constraint));
     }
-    leads_.reserve(constraints_.size());
+    without_leads_.reserve(constraints_.size());
     for (const ReachGoal& goal : problem.goals) {
       turning_ = turning_ || goal.turn.kind != Turning::free;
     }
@@ -235,20 +235,13 @@ class Rollout {
   // One more IK step within the next frame, in the lanes with errors; the remaining error is small,
   // so no lead is added.
   template <class Condition>
-  void correct(std::span<Constraint<S>> held, std::span<const S> inverse_weights,
+  void correct(std::span<const Constraint<S>> held, std::span<const S> inverse_weights,
                const Condition& off) {
-    leads_.clear();
-    for (Constraint<S>& constraint : held) {
-      leads_.push_back({constraint.lead, constraint.tilt_lead});
-      constraint.lead = constraint.tilt_lead = {};
-    }
-    const IkStep<S> wanted{held, within_limits(inverse_weights, angles_[2])};
+    without_leads_.assign(held.begin(), held.end());
+    for (Constraint<S>& constraint : without_leads_) constraint.lead = constraint.tilt_lead = {};
+    const IkStep<S> wanted{without_leads_, within_limits(inverse_weights, angles_[2])};
     const std::span<const S> dq =
         weighted_ik_step<S>(*problem_->body, next(), wanted, problem_->ik, ik_);
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      held[i].lead = leads_[i].position;
-      held[i].tilt_lead = leads_[i].tilt;
-    }
     for (std::size_t d = 0; d < dq.size(); ++d) {
       angles_[2][d] = select(off, angles_[2][d] + dq[d], angles_[2][d]);
     }
@@ -373,19 +366,14 @@ class Rollout {
     return max(outcome.contact_slide, S(kContactLength) * outcome.contact_tilt);
   }
 
-  struct Lead {
-    Vec3<S> position;  // m
-    Vec3<S> tilt;      // rad
-  };
-
   const ReachProblem* problem_;
   LostMotion lost_;
   std::size_t contacts_from_;  // index of the first contact, after the goals
   std::vector<Constraint<S>> constraints_;
-  std::vector<Lead> leads_;              // saved while a frame is corrected
-  std::vector<Vec3<Element<S>>> paths_;  // (frames × goals) m, world
-  bool turning_ = false;                 // whether some goal has an orientation
-  std::vector<Mat3<Element<S>>> turns_;  // (frames × goals) R_WL, or empty
+  std::vector<Constraint<S>> without_leads_;  // those of a correction
+  std::vector<Vec3<Element<S>>> paths_;       // (frames × goals) m, world
+  bool turning_ = false;                      // whether some goal has an orientation
+  std::vector<Mat3<Element<S>>> turns_;       // (frames × goals) R_WL, or empty
   IkWorkspace<S> ik_;
   FrameDynamics<S> dynamics_;
   std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, alternating
