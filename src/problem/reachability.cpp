@@ -89,7 +89,7 @@ class Descent {
 
   ClosestReach run(std::vector<double> angles, int iterations) {
     forward_kinematics<double>(body_, angles, kinematics_);
-    // hands that rest are as far off as goals
+    // damped like goals, as hands too may be out of reach of their places
     for (Constraint<double>& hand : hands()) hand.exact = false;
     IkSettings ik = problem_.ik;
     ik.damping = 1e-3;
