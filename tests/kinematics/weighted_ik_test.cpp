@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/bodies.hpp"
@@ -23,6 +24,7 @@ Vector ik_step(const BodyModel& body, const Vector& q, const Targets& targets,
                const Vector& inverse_weights, const Vector& reference = {},
                const IkSettings& settings = kExact) {
   IkWorkspace<double> workspace(body);
+  std::fill(workspace.columns.begin(), workspace.columns.end(), Vec3d{7, 7, 7});  // of other steps
   const auto dq = weighted_ik_step<double>(
       body, placed(body, q), {targets, inverse_weights, reference}, settings, workspace);
   return {dq.begin(), dq.end()};
@@ -263,6 +265,32 @@ struct RandomStep {
     return ik_step(body, q, targets, inverse_weights, {}, settings);
   }
 };
+
+TEST(WeightedIk, HandStaysOnALinkOfAnotherBranch) {
+  RandomStep step(7);
+  const BodyModel& body = step.body;
+  const Kinematics<double> kinematics = placed(body, step.q);
+  const int thigh = body.dof(body.find_dof("left_knee.flexion").value()).parent;
+  Constraint<double>& hand = step.targets[1];
+  const Vec3d at = kinematics.point(hand.link, hand.point);
+  hand.carrier = thigh;
+  hand.place = transpose_times(kinematics.link_rotation(thigh), at - kinematics.link_origin(thigh));
+  hand.exact = true;
+  const int link = hand.link;
+  for (int order = 0; order < 3; ++order) {
+    const Vector dq = step.taken();
+    Vec3d moved{};
+    Vec3d carried{};
+    for (int d = 0; d < body.dof_count(); ++d) {
+      const Vec3d way = position_column(kinematics, d, at) * dq[static_cast<std::size_t>(d)];
+      if (body.moves(d, link)) moved += way;
+      if (body.moves(d, thigh)) carried += way;
+    }
+    EXPECT_GT(norm(carried), 0.01);
+    EXPECT_LT(norm(moved - carried), 1e-12);
+    std::rotate(step.targets.begin(), step.targets.begin() + 1, step.targets.end());
+  }
+}
 
 double largest_difference(const Vector& a, const Vector& b) {
   double largest = 0.0;
