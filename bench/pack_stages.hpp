@@ -32,19 +32,15 @@ class PackStages final : public Stages {
         rollout_(problem_, LostMotion::left) {
     // offset from the start posture, so that no value is 0
     for (std::size_t d = 0; d < angles_.size(); ++d) angles_[d] = S(body_.start()[d] + 0.05);
-    for (const IkTarget<double>& target : ik_targets(problem_)) {
-      targets_.push_back({.link = target.link,
-                          .point = to_scalar<float>(target.point),
-                          .position = to_scalar<S>(target.position),
-                          .contact = target.contact,
-                          .orientation = to_scalar<S>(target.orientation)});
+    for (const Constraint<double>& constraint : constraints(problem_)) {
+      constraints_.push_back(in_lanes<S>(constraint));
     }
-    rows_ = ik_detail::row_count<S>(targets_);
+    rows_ = ik_detail::row_count<S>(constraints_);
     run(Stage::forward_kinematics);
     run(Stage::ik_rows);
     run(Stage::ik_products);
     for (int i = 0; i < rows_; ++i) residual_[i] = ik_.residual[i];
-    diagonal_ = ik_detail::add_damping<S>(targets_, problem_.ik, ik_);
+    diagonal_ = ik_detail::add_damping<S>(constraints_, problem_.ik, ik_);
   }
 
   [[nodiscard]] int lanes() const override { return kLanes; }
@@ -54,14 +50,14 @@ class PackStages final : public Stages {
       case Stage::forward_kinematics:
         return forward_kinematics<S>(body_, angles_, kinematics_);
       case Stage::ik_rows:
-        return ik_detail::fill_rows<S>(body_, kinematics_, targets_, ik_);
+        return ik_detail::fill_rows<S>(body_, kinematics_, constraints_, ik_);
       case Stage::ik_products:
         return ik_detail::fill_products<S>(rows_ / 3, inverse_weights_, ik_);
       case Stage::ik_solve:
         for (int i = 0; i < rows_; ++i) ik_.residual[i] = residual_[i];
         return ik_detail::solve<S>(rows_, diagonal_ * S(kIkPivotFloor<float>), ik_);
       case Stage::ik:
-        (void)weighted_ik_step<S>(body_, kinematics_, {targets_, inverse_weights_}, problem_.ik,
+        (void)weighted_ik_step<S>(body_, kinematics_, {constraints_, inverse_weights_}, problem_.ik,
                                   ik_);
         return;
       case Stage::dynamics:
@@ -136,7 +132,7 @@ class PackStages final : public Stages {
   std::vector<S> torques_;
   std::vector<S> inverse_weights_;
   std::vector<S> motion_weights_ = inverse_weights_;
-  std::vector<IkTarget<S>> targets_;
+  std::vector<Constraint<S>> constraints_;
   int rows_ = 0;
   S residual_[kMaxIkRows];
   S diagonal_;

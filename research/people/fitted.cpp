@@ -17,10 +17,11 @@ namespace {
 
 constexpr double kMissed = 10.0;  // rad: worse than any that arrives
 
-std::vector<bool> moved_by_targets(const ReachProblem& problem) {
+std::vector<bool> moving_points(const ReachProblem& problem) {
   std::vector<bool> moved(problem.body->dofs().size());
-  for (const auto& target : ik_targets(problem)) {
-    for (const int d : problem.body->chain(target.link)) moved[static_cast<std::size_t>(d)] = true;
+  for (const auto& constraint : constraints(problem)) {
+    for (const int d : problem.body->chain(constraint.link))
+      moved[static_cast<std::size_t>(d)] = true;
   }
   return moved;
 }
@@ -45,7 +46,7 @@ FittedReach fitted_reach(const Recorded& reach, const FitKind& kind, int evaluat
     }
   }
   const ParameterSpace space(problem, list, kind.code, fixed);
-  const std::vector<bool> moved = moved_by_targets(problem);
+  const std::vector<bool> moved = moving_points(problem);
   Rollout<double> rollout(problem);
   Clip clip{task.body.dof_count(), problem.steps + 1, problem.duration / problem.steps, {}};
   const auto play = [&](std::span<const double> point) {

@@ -70,25 +70,19 @@ double frame_distance(const Clip& a, const Clip& b, int frame) {
   return sqrt(squares / a.dofs);
 }
 
-// Largest slide (m) of a planted foot, or of a resting hand on its support, over all frames.
-double slide_of(const BodyModel& body, const Clip& clip, const Foot& foot) {
-  const Vec3d planted = start_kinematics(body).point(foot.link, foot.centre);
-  Kinematics<double> placed(body);
-  double most = 0.0;
-  for (int f = 0; f < clip.frames; ++f) {
-    forward_kinematics<double>(body, clip.frame(f), placed);
-    most = max(most, norm(placed.point(foot.link, foot.centre) - planted));
-  }
-  return most;
-}
-double slide_of(const ReachProblem& problem, const Clip& clip, const HandSupport& support,
-                const IkSupport<double>& at_rest) {
+// Largest slide (m) of a planted foot, or of a resting hand on its support, over the frames in
+// which it is to stay. `link`: of the foot or hand.
+double slide_of(const ReachProblem& problem, const Clip& clip, int link) {
+  const std::vector<Constraint<double>> all = constraints(problem);
+  const auto contact = std::find_if(all.begin(), all.end(), [&](const Constraint<double>& each) {
+    return each.exact && each.link == link;
+  });
   Kinematics<double> placed(*problem.body);
   double most = 0.0;
   for (int f = 0; f < clip.frames; ++f) {
-    if (static_cast<double>(f) / problem.steps < support.arrives) continue;
+    if (!contact->holds_at(static_cast<double>(f) / problem.steps)) continue;
     forward_kinematics<double>(*problem.body, clip.frame(f), placed);
-    most = max(most, norm(support_error(placed, at_rest)));
+    most = max(most, norm(position_error(placed, *contact)));
   }
   return most;
 }
@@ -97,18 +91,16 @@ double slide_of(const ReachProblem& problem, const Clip& clip, const HandSupport
 void add_resting_hands(const Problem& of, const ReachProblem& problem, const Motion& motion,
                        Candidate& candidate) {
   const Task& task = of.task;
-  const std::vector<IkSupport<double>> at_rest = ik_supports(problem);
   const std::vector<double> presses =
       of.parameters->of_kind(ParameterKind::support, candidate.parameters);
   for (std::size_t k = 0; k < problem.supports.size(); ++k) {
     if (presses[k] < 0.0) continue;
-    const HandSupport& support = problem.supports[k];
-    const Effector& hand = task.body.effector(support.effector);
+    const Effector& hand = task.body.effector(problem.supports[k].effector);
     RestResult& rest = candidate.resting.emplace_back();
     rest.effector = hand.name;
     rest.node = hand.node;
     rest.on = task.supports[k].on;
-    rest.max_slide = slide_of(problem, motion.clip, support, at_rest[k]);
+    rest.max_slide = slide_of(problem, motion.clip, hand.link);
     for (const Vec3d& force : motion.resting[k].forces) rest.force = max(rest.force, norm(force));
   }
 }
@@ -162,7 +154,7 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
     const bool alone = approach.supports.empty();  // the rollout's slide includes resting hands
     const double slide = foot.link == kBaseLink ? 0.0
                          : alone                ? rolled.outcome.contact_slide
-                                                : slide_of(body, rolled.motion.clip, foot);
+                                                : slide_of(approach, rolled.motion.clip, foot.link);
     candidate.contacts.push_back({foot.name, foot.node, slide, {}});
     if (!foot.heel) continue;
     const Mat3d stands = start_kinematics(body).link_rotation(foot.link);

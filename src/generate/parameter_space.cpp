@@ -19,16 +19,15 @@ constexpr double kLastLogWeight = -1.0;
 // Share of the body's weight carried by a resting hand in the plain motion.
 constexpr double kSupportStart = 0.05;
 
-// Whether each dof moves a target: the others have no effect in weighted IK.
+// Whether each dof moves a constraint's point or place: the others have no effect in weighted IK.
 std::vector<bool> useful_dofs(const ReachProblem& problem) {
   std::vector<bool> useful(problem.body->dofs().size());
   const auto use = [&](int link) {
     for (const int d : problem.body->chain(link)) useful[static_cast<std::size_t>(d)] = true;
   };
-  for (const IkTarget<double>& target : ik_targets(problem)) use(target.link);
-  for (const IkSupport<double>& support : ik_supports(problem)) {
-    use(support.link);
-    if (support.carrier != kWorldCarrier) use(support.carrier);
+  for (const Constraint<double>& constraint : constraints(problem)) {
+    use(constraint.link);
+    if (constraint.carrier != kWorldCarrier) use(constraint.carrier);
   }
   return useful;
 }

@@ -30,13 +30,13 @@ class Holder {
   void hold(int frame, std::span<double> angles) {
     constexpr int kResampleSteps = 4;
     constexpr double kNear = 1e-7;  // m
-    const std::vector<IkTarget<double>> targets = targets_at(frame);
+    const std::vector<Constraint<double>> targets = targets_at(frame);
     for (int k = 0; k < kResampleSteps; ++k) {
       forward_kinematics<double>(body_, angles, now_);
       double off = 0.0;
-      for (const IkTarget<double>& target : targets) {
+      for (const Constraint<double>& target : targets) {
         off = max(off, norm(position_error(now_, target)));
-        if (target.contact) off = max(off, kContactLength * norm(tilt_error(now_, target)));
+        if (target.exact) off = max(off, kContactLength * norm(tilt_error(now_, target)));
       }
       if (off < kNear) return;
       const auto step =
@@ -68,26 +68,27 @@ class Holder {
     return ways;
   }
 
-  [[nodiscard]] std::vector<IkTarget<double>> targets_at(int frame) const {
-    std::vector<IkTarget<double>> targets;
+  [[nodiscard]] std::vector<Constraint<double>> targets_at(int frame) const {
+    std::vector<Constraint<double>> targets;
     const double* at = ways_.frame(frame).data();
     const auto next = [&at] {
       at += 3;
       return Vec3d{at[-3], at[-2], at[-1]};
     };
     for (std::size_t i = 0; i < held_.feet.size(); ++i) {
-      IkTarget<double>& target = targets.emplace_back();
+      Constraint<double>& target = targets.emplace_back();
       target.link = held_.feet[i].link;
       target.point = held_.feet[i].centre;
-      target.contact = true;
-      target.position = next();
+      target.exact = true;
+      target.turning = Turning::whole;
+      target.place = next();
       target.orientation = rotation_by(next()) * standing_[i];
     }
     for (const Effector& effector : held_.effectors) {
-      IkTarget<double>& target = targets.emplace_back();
+      Constraint<double>& target = targets.emplace_back();
       target.link = effector.link;
       target.point = effector.point;
-      target.position = next();
+      target.place = next();
     }
     return targets;
   }

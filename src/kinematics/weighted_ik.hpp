@@ -7,56 +7,19 @@
 #include "body/body_constants.hpp"
 #include "core/check.hpp"
 #include "core/index.hpp"
-#include "kinematics/forward_kinematics.hpp"
+#include "kinematics/constraint.hpp"
 #include "math/ldlt.hpp"
-#include "motion/effector_turn.hpp"
 
 namespace shigusa {
-
-// Target position of one point of the body, and target orientation of its link. A contact is met
-// exactly and also keeps its orientation; a goal is damped where it cannot be met.
-template <class S>
-struct IkTarget {
-  int link = 0;
-  Vec3<Element<S>> point{};  // m, in the link frame
-  Vec3<S> position{};        // m, world: target position of the point
-  bool contact = false;      // planted foot: position and orientation
-  Mat3<S> orientation{};     // target R_WL of the link; for contacts and Turning::whole
-  S lag{};                   // m, the goal's previous error: raises its damping
-  // Known shortfall of a step, as joints move on arcs: added to the remaining error.
-  Vec3<S> lead{};                   // m
-  Vec3<S> tilt_lead{};              // rad; used if turns() is true
-  Turning turning = Turning::free;  // for goals
-  Vec3<Element<S>> axis{};          // for Turning::axis: unit vector in the link's frame
-  Vec3<S> direction{};              // target direction of the axis, unit vector in the world
-
-  [[nodiscard]] bool turns() const { return contact || turning != Turning::free; }
-};
-
-// The world as the carrier of a fixed place.
-inline constexpr int kWorldCarrier = -2;
-
-// A point of one link held at a place on another, its carrier: a hand on a thigh. Met exactly, like
-// a contact.
-template <class S>
-struct IkSupport {
-  int link = 0;
-  Vec3<Element<S>> point{};     // m, in the link frame
-  int carrier = kWorldCarrier;  // link, or kWorldCarrier
-  Vec3<S> place{};              // m, in the carrier's frame, or the world's
-  S holds{};                    // 1, or 0 if the point is free
-  Vec3<S> lead{};               // m, see IkTarget
-};
 
 // The inputs of one IK step.
 template <class S>
 struct IkStep {
-  std::span<const IkTarget<S>> targets;
+  std::span<const Constraint<S>> constraints;
   // (dofs) 1 / w_i > 0, or 0 for a locked joint, which does not move at all
   std::span<const S> inverse_weights;
-  // (dofs, rad) Δq_ref: the change made within the null space of the targets; or empty
+  // (dofs, rad) Δq_ref: the change made within the null space of the constraints; or empty
   std::span<const S> reference{};
-  std::span<const IkSupport<S>> supports{};
 };
 
 struct IkSettings {
@@ -67,8 +30,7 @@ struct IkSettings {
   double lag_scale = 0.1;  // m
   // The damping of contacts, just enough for redundant rows.
   double contact_damping = 1e-9;
-  double support_damping = 1e-9;  // damping of supports
-  double max_step = 0.25;         // rad, largest change of an angle in one step
+  double max_step = 0.25;  // rad, largest change of an angle in one step
 };
 
 // Size of the largest system: a foot and two hands with orientations × 6 rows, head and hips × 3
@@ -85,19 +47,18 @@ inline constexpr double kContactLength = 0.1;
 // Scratch memory of weighted_ik_step; one per thread.
 template <class S>
 struct IkWorkspace {
-  // Three rows of the Jacobian: each target has a block for its position, and another for its
-  // orientation, if it has one. Only the columns along the chain of dofs that move the target are
-  // not 0.
+  // Three rows of the Jacobian: each constraint has a block for its position, and another for its
+  // orientation, if it has one. Columns beside the chain count as 0.
   struct Block {
     std::span<const int> chain;
     const Vec3<S>* columns = nullptr;  // (dofs), of the chain: m/rad, or a tilt's axis
     Element<S> scale{1};               // m/rad equivalent to a tilt; 1 for a position
   };
-  std::vector<Vec3<S>> columns;  // of positions, and of turns about two axes, (blocks × dofs)
+  std::vector<Vec3<S>> columns;  // (blocks × dofs), but for turns about all axes
   Block blocks[kMaxIkRows / 3];
   std::vector<S> pull;   // (dofs) Jᵀ y: times the inverse weight, the step of the last solve
   std::vector<S> step;   // (dofs, rad) that step as returned
-  std::vector<int> all;  // (dofs) the chain of a support's block
+  std::vector<int> all;  // (dofs) the chain of a point whose place moves with a link
   SmallSymmetric<S, kMaxIkRows> system;
   S residual[kMaxIkRows];
 
@@ -108,63 +69,12 @@ struct IkWorkspace {
   }
 };
 
-// Error of the target's point (m, world).
-template <class S>
-[[nodiscard]] Vec3<S> position_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
-  return target.position - kinematics.point(target.link, target.point);
-}
-
-// Position of a support's place (m, world).
-template <class S>
-[[nodiscard]] Vec3<S> place_in_world(const Kinematics<S>& kinematics, const IkSupport<S>& support) {
-  if (support.carrier == kWorldCarrier) return support.place;
-  return kinematics.link_origin(support.carrier) +
-         kinematics.link_rotation(support.carrier) * support.place;
-}
-
-// Error of the support's point (m, world); 0 if it is free.
-template <class S>
-[[nodiscard]] Vec3<S> support_error(const Kinematics<S>& kinematics, const IkSupport<S>& support) {
-  const Vec3<S> at = kinematics.point(support.link, support.point);
-  return (place_in_world(kinematics, support) - at) * support.holds;
-}
-
-// Rotation of a contact's link back to its orientation (rad for small ones, world).
-template <class S>
-[[nodiscard]] Vec3<S> tilt_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
-  return rotation_sine(kinematics.link_rotation(target.link), target.orientation);
-}
-
-// Angle of a contact's link from its orientation (rad for small turns, see rotation_chord).
-template <class S>
-[[nodiscard]] S tilt(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
-  return rotation_chord(kinematics.link_rotation(target.link), target.orientation);
-}
-
-// Rotation of the link to the target's orientation (rotation vector, rad, world); for contacts as
-// tilt_error.
-template <class S>
-[[nodiscard]] Vec3<S> turn_error(const Kinematics<S>& kinematics, const IkTarget<S>& target) {
-  const Mat3<S>& now = kinematics.link_rotation(target.link);
-  if (target.contact) return tilt_error(kinematics, target);
-  if (target.turning == Turning::axis) {
-    return turn_between(now * to_scalar<S>(target.axis), target.direction);
-  }
-  return rotation_vector(target.orientation * transpose(now));
-}
-
-// Number of rows of a target in the IK.
-template <class S>
-[[nodiscard]] int row_count(const IkTarget<S>& target) {
-  return target.turns() ? 6 : 3;
-}
-
 namespace ik_detail {
 
 template <class S>
-[[nodiscard]] int row_count(std::span<const IkTarget<S>> targets) {
+[[nodiscard]] int row_count(std::span<const Constraint<S>> constraints) {
   int rows = 0;
-  for (const IkTarget<S>& target : targets) rows += shigusa::row_count(target);
+  for (const Constraint<S>& constraint : constraints) rows += constraint.rows();
   return rows;
 }
 
@@ -175,41 +85,81 @@ void put(S* rows, const Vec3<S>& v) {
   rows[2] = v.z;
 }
 
-// Fills the blocks and the residual, target by target.
+// Takes the movement of a constraint's place, which is on a link, off the columns of its point.
+// Kept out of line, as few motions need it.
+template <class S>
+[[gnu::noinline]] void take_off_place(const BodyModel& body, const Kinematics<S>& kinematics,
+                                      const Constraint<S>& constraint, Vec3<S>* columns) {
+  for (int d = 0; d < body.dof_count(); ++d) {
+    if (!body.moves(d, constraint.link)) columns[index(d)] = {};
+  }
+  const Vec3<S> place = place_in_world(kinematics, constraint);
+  for (const int d : body.chain(constraint.carrier)) {
+    columns[index(d)] = columns[index(d)] - position_column(kinematics, d, place);
+  }
+}
+
+// Makes the rows of a block 0 in lanes in which its constraint is not active, so that they drop
+// out. `columns`: for those of the block.
+template <class S>
+[[gnu::noinline]] void switch_rows(const S& active, typename IkWorkspace<S>::Block& block,
+                                   Vec3<S>* columns, S* residual) {
+  for (const int d : block.chain) columns[index(d)] = block.columns[index(d)] * active;
+  block.columns = columns;
+  for (int row = 0; row < 3; ++row) residual[row] = residual[row] * active;
+}
+
+// Fills the columns of the direction of a link's axis: a turn about the axis itself has no effect,
+// so only the perpendicular part of each joint's counts.
+template <class S>
+void fill_direction(const Kinematics<S>& kinematics, const Constraint<S>& constraint,
+                    std::span<const int> chain, Vec3<S>* columns) {
+  const Vec3<S> along = kinematics.link_rotation(constraint.link) * to_scalar<S>(constraint.axis);
+  for (const int d : chain) {
+    const Vec3<S>& axis = kinematics.axis[index(d)];
+    columns[index(d)] = axis - along * dot(along, axis);
+  }
+}
+
+// Fills the blocks and the residual, constraint by constraint.
 template <class S>
 void fill_rows(const BodyModel& body, const Kinematics<S>& kinematics,
-               std::span<const IkTarget<S>> targets, IkWorkspace<S>& workspace) {
+               std::span<const Constraint<S>> constraints, IkWorkspace<S>& workspace) {
   const auto& dofs = body.constants<Element<S>>().dofs;
   Vec3<S>* columns = workspace.columns.data();
-  std::size_t b = 0;
-  for (const IkTarget<S>& target : targets) {
-    const std::span<const int> chain = body.chain(target.link);
-    const Vec3<S> at = kinematics.point(target.link, target.point);
-    put(workspace.residual + 3 * b, target.position - at + target.lead);
-    workspace.blocks[b++] = {chain, columns, Element<S>(1)};
+  auto* block = workspace.blocks;
+  S* residual = workspace.residual;
+  const auto end_block = [&](const S& active) {
+    if (any(active < S(1))) switch_rows(active, *block, columns, residual);
+    columns += dofs.size();
+    ++block;
+    residual += 3;
+  };
+  for (const Constraint<S>& constraint : constraints) {
+    const std::span<const int> chain = body.chain(constraint.link);
+    const Vec3<S> at = kinematics.point(constraint.link, constraint.point);
+    put(residual, place_in_world(kinematics, constraint) - at + constraint.lead);
+    *block = {chain, columns, Element<S>(1)};
     Vec3<S> arm{};  // from the joint
     for (const int d : chain) {
       const std::size_t k = index(d);
       if (dofs[k].starts_joint) arm = at - kinematics.origin[k];
       columns[k] = cross(kinematics.axis[k], arm);
     }
-    columns += dofs.size();
-    if (!target.turns()) continue;
-    const Vec3<S> tilt = turn_error(kinematics, target) + target.tilt_lead;
-    put(workspace.residual + 3 * b, tilt * S(kContactLength));
-    const Vec3<S>* axes = kinematics.axis.data();
-    if (target.turning == Turning::axis) {
-      // a turn about the axis itself has no effect: only the perpendicular part of each joint
-      // counts
-      const Vec3<S> along = kinematics.link_rotation(target.link) * to_scalar<S>(target.axis);
-      for (const int d : chain) {
-        const std::size_t k = index(d);
-        columns[k] = axes[k] - along * dot(along, axes[k]);
-      }
-      axes = columns;
-      columns += dofs.size();
+    if (constraint.carrier != kWorldCarrier) {
+      take_off_place(body, kinematics, constraint, columns);
+      block->chain = workspace.all;
     }
-    workspace.blocks[b++] = {chain, axes, static_cast<Element<S>>(kContactLength)};
+    end_block(constraint.active);
+    if (!constraint.turns()) continue;
+    const Vec3<S> tilt = turn_error(kinematics, constraint) + constraint.tilt_lead;
+    put(residual, tilt * S(kContactLength));
+    *block = {chain, kinematics.axis.data(), static_cast<Element<S>>(kContactLength)};
+    if (constraint.turning == Turning::axis) {
+      fill_direction(kinematics, constraint, chain, columns);
+      block->columns = columns;
+    }
+    end_block(constraint.active);
   }
 }
 
@@ -255,7 +205,20 @@ void scale_block(Mat3<S>& m, S scale) {
   m = {m.cx * scale, m.cy * scale, m.cz * scale};
 }
 
-// Fills J A Jᵀ, block by block: two chains share their dofs up to their branching.
+// The dofs of two blocks in which neither has columns of 0.
+inline std::span<const int> shared_chain(std::span<const int> a, std::span<const int> b,
+                                         std::size_t dofs) {
+  // columns of a point whose place moves with a link are 0 beside their own chains
+  if (a.size() == dofs) return b;
+  if (b.size() == dofs) return a;
+  // two chains share their dofs up to their branching
+  const std::size_t most = a.size() < b.size() ? a.size() : b.size();
+  std::size_t shared = 0;
+  while (shared < most && a[shared] == b[shared]) ++shared;
+  return a.first(shared);
+}
+
+// Fills J A Jᵀ, block by block.
 template <class S>
 void fill_products(int blocks, std::span<const S> inverse_weights, IkWorkspace<S>& workspace) {
   for (int i = 0; i < blocks; ++i) {
@@ -272,10 +235,8 @@ void fill_products(int blocks, std::span<const S> inverse_weights, IkWorkspace<S
         put(&workspace.system(3 * i + 2, 3 * i), {m.cx.z, m.cy.z, m.cz.z});
         continue;
       }
-      const std::size_t most = a.chain.size() < b.chain.size() ? a.chain.size() : b.chain.size();
-      std::size_t shared = 0;
-      while (shared < most && a.chain[shared] == b.chain[shared]) ++shared;
-      Mat3<S> m = block_product(a.columns, b.columns, a.chain.first(shared), inverse_weights);
+      const std::span<const int> shared = shared_chain(a.chain, b.chain, workspace.all.size());
+      Mat3<S> m = block_product(a.columns, b.columns, shared, inverse_weights);
       if (scale != Element<S>(1)) scale_block(m, S(scale));
       put(&workspace.system(3 * i, 3 * j), {m.cx.x, m.cy.x, m.cz.x});
       put(&workspace.system(3 * i + 1, 3 * j), {m.cx.y, m.cy.y, m.cz.y});
@@ -317,103 +278,27 @@ void solve(int rows, S pivot_floor, IkWorkspace<S>& workspace) {
   }
 }
 
-// Adds the damping of each target to its rows; returns the largest mean diagonal of a target.
+// Adds the damping of each constraint to its rows; returns the largest mean diagonal of one.
 template <class S>
-S add_damping(std::span<const IkTarget<S>> targets, const IkSettings& settings,
+S add_damping(std::span<const Constraint<S>> constraints, const IkSettings& settings,
               IkWorkspace<S>& workspace) {
   int row = 0;
   S largest(0);
-  for (const IkTarget<S>& target : targets) {
-    const int count = shigusa::row_count(target);
+  for (const Constraint<S>& constraint : constraints) {
+    const int count = constraint.rows();
     S trace(0);
     for (int i = row; i < row + count; ++i) trace = trace + workspace.system(i, i);
     const S mean = trace * S(1.0 / count);
-    const S ratio = target.lag * S(1.0 / settings.lag_scale);
-    const S share = target.contact ? S(settings.contact_damping)
-                                   : S(settings.damping) + S(settings.lag_damping) * ratio * ratio;
+    const S ratio = constraint.lag * S(1.0 / settings.lag_scale);
+    const S share = constraint.exact
+                        ? S(settings.contact_damping)
+                        : S(settings.damping) + S(settings.lag_damping) * ratio * ratio;
     const S added = share * mean;
     for (int i = row; i < row + count; ++i) workspace.system(i, i) = workspace.system(i, i) + added;
     largest = max(largest, mean);
     row += count;
   }
   return largest;
-}
-
-// Fills the blocks of supports, from block `b` on, and their residual: the columns of a point minus
-// those of its place. They are 0 in free lanes, whose rows so drop out.
-template <class S>
-void fill_support_rows(const BodyModel& body, const Kinematics<S>& kinematics,
-                       std::span<const IkSupport<S>> supports, std::size_t b,
-                       IkWorkspace<S>& workspace) {
-  const auto& dofs = body.constants<Element<S>>().dofs;
-  for (const IkSupport<S>& support : supports) {
-    // every block before this one has at most one array of columns
-    Vec3<S>* columns = workspace.columns.data() + b * dofs.size();
-    for (std::size_t d = 0; d < dofs.size(); ++d) columns[d] = {};
-    const auto add = [&](int link, const Vec3<S>& at, const S& sign) {
-      Vec3<S> arm{};  // from the joint
-      for (const int d : body.chain(link)) {
-        const std::size_t k = index(d);
-        if (dofs[k].starts_joint) arm = at - kinematics.origin[k];
-        columns[k] += cross(kinematics.axis[k], arm) * sign;
-      }
-    };
-    add(support.link, kinematics.point(support.link, support.point), support.holds);
-    if (support.carrier != kWorldCarrier) {
-      add(support.carrier, place_in_world(kinematics, support), -support.holds);
-    }
-    put(workspace.residual + 3 * b,
-        support_error(kinematics, support) + support.lead * support.holds);
-    workspace.blocks[b++] = {workspace.all, columns, Element<S>(1)};
-  }
-}
-
-// Fills the blocks of J A Jᵀ of supports, from block `first` on, with their damping; returns the
-// largest mean diagonal of a block.
-template <class S>
-S fill_support_products(int first, int blocks, std::span<const S> inverse_weights, double damping,
-                        IkWorkspace<S>& workspace) {
-  S largest(0);
-  for (int i = first; i < blocks; ++i) {
-    const auto& a = workspace.blocks[i];
-    for (int j = 0; j <= i; ++j) {
-      const auto& b = workspace.blocks[j];
-      // a support's columns are 0 outside its own chains
-      Mat3<S> m = block_product(a.columns, b.columns, b.chain, inverse_weights);
-      if (b.scale != Element<S>(1)) scale_block(m, S(b.scale));
-      const Vec3<S> rows[] = {
-          {m.cx.x, m.cy.x, m.cz.x}, {m.cx.y, m.cy.y, m.cz.y}, {m.cx.z, m.cy.z, m.cz.z}};
-      for (int row = 0; row < 3; ++row) {
-        const int columns = i == j ? row + 1 : 3;
-        for (int k = 0; k < columns; ++k) {
-          workspace.system(3 * i + row, 3 * j + k) = k == 0   ? rows[row].x
-                                                     : k == 1 ? rows[row].y
-                                                              : rows[row].z;
-        }
-      }
-    }
-    S trace(0);
-    for (int row = 3 * i; row < 3 * i + 3; ++row) trace = trace + workspace.system(row, row);
-    const S mean = trace * S(1.0 / 3.0);
-    for (int row = 3 * i; row < 3 * i + 3; ++row) {
-      workspace.system(row, row) = workspace.system(row, row) + mean * S(damping);
-    }
-    largest = max(largest, mean);
-  }
-  return largest;
-}
-
-// Adds the rows of a step's supports after those of its targets; returns the largest mean diagonal
-// of a block. Kept out of line, as few motions have supports.
-template <class S>
-[[gnu::noinline]] S add_supports(const BodyModel& body, const Kinematics<S>& kinematics,
-                                 const IkStep<S>& step, const IkSettings& settings,
-                                 IkWorkspace<S>& workspace) {
-  const int first = row_count(step.targets) / 3;
-  const int blocks = first + static_cast<int>(step.supports.size());
-  fill_support_rows(body, kinematics, step.supports, index(first), workspace);
-  return fill_support_products(first, blocks, step.inverse_weights, settings.support_damping,
-                               workspace);
 }
 
 // Computes Jᵀ y, with the solution y in the residual.
@@ -439,33 +324,29 @@ template <class S>
 //   min Σ w_i (Δq_i - Δq_ref,i)²   s.t.   J Δq = e,
 //   Δq = Δq_ref + A Jᵀ (J A Jᵀ + D)⁻¹ (e - J Δq_ref),   A = diag(1 / w_i), 0 where locked,
 //
-// where e is the whole remaining error of the points (closed loop with gain 1), plus the targets'
-// leads. D is diagonal and damps each goal separately:
+// where e is the whole remaining error of the points (closed loop with gain 1), plus the
+// constraints' leads, and J has the rows of the points less those of their places, which may move
+// with a link. D is diagonal and damps each goal separately:
 //
 //   D = (ε + λ (lag / ℓ)²) · mean diag(J A Jᵀ),   over the rows of the goal,
 //
 // with ε, λ and ℓ the damping, lag_damping and lag_scale of IkSettings; contacts have
-// contact_damping for the bracket, and supports, with the rows of their points minus those of their
-// places, support_damping. The whole step is scaled down if an angle would change by more than
-// settings.max_step. Scaling all weights has no effect.
+// contact_damping for the bracket. The whole step is scaled down if an angle would change by more
+// than settings.max_step. Scaling all weights has no effect.
 //
 // At most kMaxIkRows rows in all. Returns Δq (dofs, rad), which stays in the workspace.
 template <class S>
 std::span<const S> weighted_ik_step(const BodyModel& body, const Kinematics<S>& kinematics,
                                     const IkStep<S>& step, const IkSettings& settings,
                                     IkWorkspace<S>& workspace) {
-  const int free = ik_detail::row_count(step.targets);
-  const int rows = free + 3 * static_cast<int>(step.supports.size());
+  const int rows = ik_detail::row_count(step.constraints);
   SHG_CHECK(rows <= kMaxIkRows, "too many goals for one motion");
   const int blocks = rows / 3;
   const std::span<const S> inverse_weights = step.inverse_weights;
   const std::span<const S> reference = step.reference;
-  ik_detail::fill_rows(body, kinematics, step.targets, workspace);
-  ik_detail::fill_products(free / 3, inverse_weights, workspace);
-  S diagonal = ik_detail::add_damping(step.targets, settings, workspace);
-  if (!step.supports.empty()) {
-    diagonal = max(diagonal, ik_detail::add_supports(body, kinematics, step, settings, workspace));
-  }
+  ik_detail::fill_rows(body, kinematics, step.constraints, workspace);
+  ik_detail::fill_products(blocks, inverse_weights, workspace);
+  const S diagonal = ik_detail::add_damping(step.constraints, settings, workspace);
   if (!reference.empty()) {
     ik_detail::take_off_reference(blocks, inverse_weights, reference, workspace);
   }

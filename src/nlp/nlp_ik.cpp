@@ -76,14 +76,14 @@ void NlpIk::add_limits() {
   }
 }
 
-void NlpIk::begin(std::span<const IkTarget<double>> targets,
+void NlpIk::begin(std::span<const Constraint<double>> targets,
                   std::span<const double> inverse_weights) {
   std::fill(z_.begin(), z_.end(), 0.0);
   stiffness_ = settings_.contact_stiffness;
   weigh(targets, inverse_weights);
 }
 
-void NlpIk::weigh(std::span<const IkTarget<double>> targets,
+void NlpIk::weigh(std::span<const Constraint<double>> targets,
                   std::span<const double> inverse_weights) {
   SHG_CHECK(inverse_weights.size() == size_.size(), "one inverse weight per dof");
   double largest = 0.0;
@@ -104,12 +104,12 @@ void NlpIk::weigh(std::span<const IkTarget<double>> targets,
 }
 
 // Measures the mean diagonal of J W⁻¹ Jᵀ in the start posture, and sets the values based on it.
-void NlpIk::measure_goals(std::span<const IkTarget<double>> targets) {
+void NlpIk::measure_goals(std::span<const Constraint<double>> targets) {
   forward_kinematics<double>(*body_, body_->start(), kinematics_);
   double sum = 0.0;
   int goals = 0;
-  for (const IkTarget<double>& target : targets) {
-    if (target.contact) continue;
+  for (const Constraint<double>& target : targets) {
+    if (target.exact) continue;
     ++goals;
     const Vec3d at = kinematics_.point(target.link, target.point);
     for (const int d : body_->chain(target.link)) {
@@ -140,16 +140,16 @@ void NlpIk::scale_limits() {
 }
 
 // Weight of the angles' changes, by the lag of the targets.
-double NlpIk::damping(std::span<const IkTarget<double>> targets) const {
+double NlpIk::damping(std::span<const Constraint<double>> targets) const {
   double lag = 0.0;
-  for (const IkTarget<double>& target : targets) {
-    if (!target.contact) lag = max(lag, target.lag);
+  for (const Constraint<double>& target : targets) {
+    if (!target.exact) lag = max(lag, target.lag);
   }
   const double ratio = lag / settings_.lag_scale;
   return mean_diagonal_ * (settings_.damping + settings_.lag_damping * ratio * ratio);
 }
 
-void NlpIk::bind(std::span<const IkTarget<double>> targets, std::span<const double> from,
+void NlpIk::bind(std::span<const Constraint<double>> targets, std::span<const double> from,
                  std::span<const double> reference) {
   targets_ = targets;
   from_ = from;
@@ -169,7 +169,7 @@ void NlpIk::set_bounds() {
   }
 }
 
-NlpIkOutcome NlpIk::solve(std::span<IkTarget<double>> targets, std::span<const double> from,
+NlpIkOutcome NlpIk::solve(std::span<Constraint<double>> targets, std::span<const double> from,
                           std::span<const double> reference, std::span<double> to) {
   bind(targets, from, reference);
   set_bounds();
@@ -211,20 +211,20 @@ void NlpIk::place(std::span<double> to) {
 }
 
 // Keeps the last posture rather than let the feet move.
-void NlpIk::stand_still(std::span<IkTarget<double>> targets, std::span<double> to,
+void NlpIk::stand_still(std::span<Constraint<double>> targets, std::span<double> to,
                         NlpIkOutcome& outcome) {
   outcome.converged = false;
   std::fill(z_.begin(), z_.end(), 0.0);
   place(to);
-  for (IkTarget<double>& target : targets) target.lead = target.tilt_lead = {};
+  for (Constraint<double>& target : targets) target.lead = target.tilt_lead = {};
 }
 
 // Adds the errors of the targets to their leads; returns the largest errors.
-NlpIk::Misses NlpIk::correct_leads(std::span<IkTarget<double>> targets) const {
+NlpIk::Misses NlpIk::correct_leads(std::span<Constraint<double>> targets) const {
   Misses worst;
-  for (IkTarget<double>& target : targets) {
+  for (Constraint<double>& target : targets) {
     const Vec3d miss = position_error(kinematics_, target);
-    if (!target.contact) {
+    if (!target.exact) {
       const double distance = norm(miss);
       target.lead = distance < settings_.lead_limit ? target.lead + miss : Vec3d{};
       worst.goal = max(distance, worst.goal);
@@ -239,11 +239,11 @@ NlpIk::Misses NlpIk::correct_leads(std::span<IkTarget<double>> targets) const {
 }
 
 // Increases the contacts' stiffness, with the forces of their leads unchanged.
-void NlpIk::stiffen(std::span<IkTarget<double>> targets) {
+void NlpIk::stiffen(std::span<Constraint<double>> targets) {
   if (stiffness_ >= kStiffnessMax) return;
   stiffness_ = stiffness_ * kStiffer;
-  for (IkTarget<double>& target : targets) {
-    if (!target.contact) continue;
+  for (Constraint<double>& target : targets) {
+    if (!target.exact) continue;
     target.lead = target.lead * (1.0 / kStiffer);
     target.tilt_lead = target.tilt_lead * (1.0 / kStiffer);
   }
@@ -256,9 +256,9 @@ void NlpIk::set_curvature() {
   forward_kinematics<double>(*body_, angles_, kinematics_);
   rows_.clear();
   rows_.reserve(6 * targets_.size() * size_.size());
-  for (const IkTarget<double>& target : targets_) {
+  for (const Constraint<double>& target : targets_) {
     const Vec3d at = kinematics_.point(target.link, target.point);
-    const double scale = target.contact ? sqrt(stiffness_) : 1.0;
+    const double scale = target.exact ? sqrt(stiffness_) : 1.0;
     add_rows(target.link, scale, [&](int d) { return position_column(kinematics_, d, at); });
     if (!target.turns()) continue;
     const Vec3d along = kinematics_.link_rotation(target.link) * target.axis;
@@ -284,7 +284,7 @@ void NlpIk::add_rows(int link, double scale, Column&& column) {
   }
 }
 
-double NlpIk::objective(std::span<const IkTarget<double>> targets, std::span<const double> from,
+double NlpIk::objective(std::span<const Constraint<double>> targets, std::span<const double> from,
                         std::span<const double> reference, std::span<const double> at,
                         std::span<double> gradient) {
   bind(targets, from, reference);
@@ -317,14 +317,14 @@ double NlpIk::evaluate(std::span<const double> z, std::span<double> gradient) {
 double NlpIk::load_links() {
   std::fill(loads_.begin(), loads_.end(), Load{});
   double value = 0.0;
-  for (const IkTarget<double>& target : targets_) {
+  for (const Constraint<double>& target : targets_) {
     if (target.link == kBaseLink) continue;
     const Vec3d at = kinematics_.point(target.link, target.point);
-    if (target.contact) {
+    if (target.exact) {
       value += pull_contact(target, at);
       continue;
     }
-    const Vec3d miss = at - target.position - target.lead;
+    const Vec3d miss = at - target.place - target.lead;
     Load& load = loads_[index(target.link)];
     load.force += miss;
     load.moment += cross(at, miss);
@@ -337,8 +337,8 @@ double NlpIk::load_links() {
   return value;
 }
 
-double NlpIk::pull_contact(const IkTarget<double>& target, const Vec3d& at) {
-  const Vec3d miss = at - target.position - target.lead;
+double NlpIk::pull_contact(const Constraint<double>& target, const Vec3d& at) {
+  const Vec3d miss = at - target.place - target.lead;
   const Mat3d& now = kinematics_.link_rotation(target.link);
   const Vec3d sine = rotation_sine(now, target.orientation);
   const double chord = rotation_chord(now, target.orientation);

@@ -79,20 +79,20 @@ class NlpIk : private SmoothFunction {
   // Begins a motion. inverse_weights (dofs): as for weighted_ik_step; only their ratios matter.
   // `targets` are the motion's, for the scale of the goals. Limits are widened to the start
   // posture.
-  void begin(std::span<const IkTarget<double>> targets, std::span<const double> inverse_weights);
+  void begin(std::span<const Constraint<double>> targets, std::span<const double> inverse_weights);
 
   // Sets other weights from the next posture on, as begin() takes them; the motion continues.
-  void weigh(std::span<const IkTarget<double>> targets, std::span<const double> inverse_weights);
+  void weigh(std::span<const Constraint<double>> targets, std::span<const double> inverse_weights);
 
   // Solves for the next posture after `from` (dofs, rad; within the limits), and writes it to `to`.
   // The targets' leads, 0 before a motion's first posture, are the multipliers, which are corrected
   // here. reference: (dofs, rad) or empty. Afterwards kinematics() is the placement in `to`.
-  NlpIkOutcome solve(std::span<IkTarget<double>> targets, std::span<const double> from,
+  NlpIkOutcome solve(std::span<Constraint<double>> targets, std::span<const double> from,
                      std::span<const double> reference, std::span<double> to);
 
   // The objective at the angles `at` (dofs, rad), as minimised by solve() with these arguments, and
   // its gradient per radian (dofs).
-  double objective(std::span<const IkTarget<double>> targets, std::span<const double> from,
+  double objective(std::span<const Constraint<double>> targets, std::span<const double> from,
                    std::span<const double> reference, std::span<const double> at,
                    std::span<double> gradient);
 
@@ -122,24 +122,24 @@ class NlpIk : private SmoothFunction {
 
   double evaluate(std::span<const double> z, std::span<double> gradient) override;
   void add_limits();
-  void measure_goals(std::span<const IkTarget<double>> targets);
+  void measure_goals(std::span<const Constraint<double>> targets);
   void scale_limits();
   double load_links();
-  double pull_contact(const IkTarget<double>& target, const Vec3d& at);
+  double pull_contact(const Constraint<double>& target, const Vec3d& at);
   void unload_links(std::span<double> gradient);
-  void bind(std::span<const IkTarget<double>> targets, std::span<const double> from,
+  void bind(std::span<const Constraint<double>> targets, std::span<const double> from,
             std::span<const double> reference);
   void set_bounds();
   void set_curvature();
   void minimise(NlpIkOutcome& outcome);
   void place(std::span<double> to);
-  void stand_still(std::span<IkTarget<double>> targets, std::span<double> to,
+  void stand_still(std::span<Constraint<double>> targets, std::span<double> to,
                    NlpIkOutcome& outcome);
-  void stiffen(std::span<IkTarget<double>> targets);
+  void stiffen(std::span<Constraint<double>> targets);
   template <class Column>
   void add_rows(int link, double scale, Column&& column);
-  [[nodiscard]] double damping(std::span<const IkTarget<double>> targets) const;
-  [[nodiscard]] Misses correct_leads(std::span<IkTarget<double>> targets) const;
+  [[nodiscard]] double damping(std::span<const Constraint<double>> targets) const;
+  [[nodiscard]] Misses correct_leads(std::span<Constraint<double>> targets) const;
 
   const BodyModel* body_;
   NlpIkSettings settings_;
@@ -158,7 +158,7 @@ class NlpIk : private SmoothFunction {
   double mean_diagonal_ = 0.0;         // m², of J W⁻¹ Jᵀ in the start posture
   double stiffness_ = 1.0;             // of the contacts relative to the goals
   double epsilon_ = 0.0;               // m², of the present posture
-  std::span<const IkTarget<double>> targets_;  // arguments of the present posture
+  std::span<const Constraint<double>> targets_;  // arguments of the present posture
   std::span<const double> from_;
 };
 

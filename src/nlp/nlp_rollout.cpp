@@ -10,7 +10,7 @@ namespace shigusa {
 NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& settings)
     : problem_(&problem),
       contacts_from_(problem.goals.size()),
-      targets_(ik_targets(problem)),
+      targets_(constraints(problem)),
       ik_(*problem.body, settings),
       limits_(*problem.body),
       dynamics_(problem),
@@ -20,6 +20,7 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
       reference_(problem.body->dofs().size()),
       posture_draw_(problem) {
   SHG_CHECK(problem.steps >= 1 && problem.duration > 0.0, "steps and duration of a motion");
+  SHG_CHECK(problem.supports.empty(), "NLP-IK knows no hands that rest");
   SHG_CHECK(problem.guide.empty() || problem.guide.size() == reference_.size(),
             "one angle of the guide per dof");
 }
@@ -29,7 +30,7 @@ void NlpRollout::begin(const MotionInput<double>& input) {
             "one change of posture per dof");
   const std::span<const double> start = problem_->body->start();
   for (std::vector<double>& angles : angles_) angles.assign(start.begin(), start.end());
-  for (IkTarget<double>& target : targets_) {
+  for (Constraint<double>& target : targets_) {
     target.lag = 0.0;
     target.lead = target.tilt_lead = {};
   }
@@ -44,7 +45,7 @@ void NlpRollout::follow(int frame, const MotionInput<double>& input, ReachOutcom
   place_goals(frame, input);
   draw_null_space(frame, input);
   const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
-  const auto targets = std::span<IkTarget<double>>(targets_).subspan(skipped);
+  const auto targets = std::span<Constraint<double>>(targets_).subspan(skipped);
   const std::span<const double> reference =
       drawn_ ? std::span<const double>(reference_) : std::span<const double>{};
   (void)ik_.solve(targets, angles_[1], reference, angles_[2]);
@@ -64,11 +65,11 @@ void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
   const double tau = problem_->tau(frame);
   for (std::size_t g = 0; g < contacts_from_; ++g) {
     const ReachGoal& goal = problem_->goals[g];
-    targets_[g].position = goal.path.at(tau);
+    targets_[g].place = goal.path.at(tau);
     const double done = goal.path.done(tau);
     if (!input.posture.empty()) {
-      targets_[g].position += goal.bow * (path_bow(done, input.timing.skew) * input.timing.bow) +
-                              goal.sway * (path_bow(done, 0.0) * input.timing.sway);
+      targets_[g].place += goal.bow * (path_bow(done, input.timing.skew) * input.timing.bow) +
+                           goal.sway * (path_bow(done, 0.0) * input.timing.sway);
     }
     if (!targets_[g].turns()) continue;
     targets_[g].orientation = goal.turn.at(goal.path.own_time(tau));
@@ -90,13 +91,13 @@ void NlpRollout::draw_null_space(int frame, const MotionInput<double>& input) {
   posture_draw_.draw(frame, input.posture, input.inverse_weights, input.timing.delay, reference_);
 }
 
-void NlpRollout::measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome) {
+void NlpRollout::measure(std::span<Constraint<double>> targets, bool last, ReachOutcome& outcome) {
   // the maximum of both; a NaN of the first persists
   const auto worse = [](double before, double now) { return max(now, before) + (before - before); };
   double missed = 0.0;
-  for (IkTarget<double>& target : targets) {
+  for (Constraint<double>& target : targets) {
     double miss = norm(position_error(next_, target));
-    if (!target.contact) {
+    if (!target.exact) {
       if (target.turns()) {
         const double turn = norm(turn_error(next_, target)) * kTurnLength;
         miss = worse(miss, turn * (last ? 1.0 : kTurnOnWay));

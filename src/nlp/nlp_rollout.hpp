@@ -52,11 +52,11 @@ class NlpRollout {
   void advance();
   void place_goals(int frame, const MotionInput<double>& input);
   void draw_null_space(int frame, const MotionInput<double>& input);
-  void measure(std::span<IkTarget<double>> targets, bool last, ReachOutcome& outcome);
+  void measure(std::span<Constraint<double>> targets, bool last, ReachOutcome& outcome);
 
   const ReachProblem* problem_;
-  std::size_t contacts_from_;              // index of the first contact among the targets
-  std::vector<IkTarget<double>> targets_;  // the goals, then the contacts
+  std::size_t contacts_from_;                // index of the first contact among the targets
+  std::vector<Constraint<double>> targets_;  // the goals, then the contacts
   NlpIk ik_;
   LimitGuard<double> limits_;
   FrameDynamics<double> dynamics_;

@@ -39,14 +39,14 @@ class ArmRollout {
   // hand from the path (m).
   S run(std::span<const Vec3<S>> path, std::span<const S> inverse_weights, std::vector<S>& angles) {
     const Effector& hand = arm_->effectors()[0];
-    IkTarget<S> target{.link = hand.link, .point = to_scalar<Element<S>>(hand.point)};
+    Constraint<S> target{.link = hand.link, .point = to_scalar<Element<S>>(hand.point)};
     const IkSettings settings;
     angles.resize(path.size() * q_.size());
     for (std::size_t d = 0; d < q_.size(); ++d) angles[d] = q_[d] = S(arm_->start()[d]);
     forward_kinematics<S>(*arm_, q_, placed_);
     S worst(0);
     for (std::size_t f = 1; f < path.size(); ++f) {
-      target.position = path[f];
+      target.place = path[f];
       S miss(0);
       const int most = f + 1 == path.size() ? kStepsPerFrame + kLastSteps : kStepsPerFrame;
       for (int k = 0; k < most && (k < kStepsPerFrame || any(miss > S(kLastMiss<S>))); ++k) {

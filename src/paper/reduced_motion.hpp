@@ -174,9 +174,10 @@ class ReducedRollout {
         limits_(problem),
         ik_(q_.size()) {
     for (const auto& target : problem.targets) {
-      targets_.push_back(
-          {.contact = target.contact, .orientation = to_scalar<S>(target.orientation)});
-      targets_.back().position = to_scalar<S>(target.position);
+      targets_.push_back({.place = to_scalar<S>(target.position),
+                          .exact = target.contact,
+                          .turning = target.contact ? Turning::whole : Turning::free,
+                          .orientation = to_scalar<S>(target.orientation)});
     }
     given_.resize(q_.size());
     stretched_.resize(q_.size());
@@ -194,7 +195,7 @@ class ReducedRollout {
     keep_frame(0, clip);
     for (int frame = 1; frame <= steps(); ++frame) {
       for (std::size_t g = 0; g < goals(); ++g) {
-        targets_[g].position = to_scalar<S>(problem_->paths[index(frame) * goals() + g]);
+        targets_[g].place = to_scalar<S>(problem_->paths[index(frame) * goals() + g]);
       }
       step(frame, true);
       const S slack(frame == steps() ? kLastMiss<S> : kStepSlack);
@@ -270,7 +271,7 @@ class ReducedRollout {
       const S share = input.contractions[index(number)] * S(1.0 / kContractionMax);
       final_lengths_[index(limb.slide)] = S(limb.longest) - S(limb.longest - limb.shortest) * share;
     }
-    for (IkTarget<S>& target : targets_) {
+    for (Constraint<S>& target : targets_) {
       target.lag = S(0);
       target.lead = target.tilt_lead = {};
     }
@@ -327,14 +328,14 @@ class ReducedRollout {
   S measure(bool learn) {
     hands_missed_ = feet_missed_ = S(0);
     for (std::size_t t = 0; t < targets_.size(); ++t) {
-      IkTarget<S>& target = targets_[t];
+      Constraint<S>& target = targets_[t];
       const std::size_t link = index(problem_->targets[t].link);
-      const Vec3<S> error = target.position - placed_.origin[link];
+      const Vec3<S> error = target.place - placed_.origin[link];
       const S miss = norm(error);
       const auto follows = miss < S(problem_->reach->lead_limit);
       target.lag = miss;
       if (learn) target.lead = select(follows, target.lead + error, Vec3<S>{});
-      if (!target.contact) {
+      if (!target.exact) {
         hands_missed_ = far_off(max(miss, hands_missed_), miss);
         continue;
       }
@@ -420,7 +421,7 @@ class ReducedRollout {
         columns[d] = slides(d) ? placed_.axis[d] : cross(placed_.axis[d], at - placed_.origin[d]);
       }
       const Vec3<S> lead = first ? targets_[t].lead : Vec3<S>{};
-      add_block(b++, chain, columns, targets_[t].position - at + lead, 1.0);
+      add_block(b++, chain, columns, targets_[t].place - at + lead, 1.0);
       columns += q_.size();
       if (!of.contact) continue;
       for (const int dof : chain) {
@@ -469,7 +470,7 @@ class ReducedRollout {
 
   const ReducedProblem* problem_;
   const ReducedBody* body_;
-  std::vector<IkTarget<S>> targets_;  // in the problem's order; links and points are unused
+  std::vector<Constraint<S>> targets_;  // in the problem's order; links and points are unused
   std::vector<Shorter> shorter_;
   std::vector<Given> given_;  // (dofs) for slides: exact length, or a soft target
   std::vector<T> stretched_;  // (dofs) m, for slides: upper bound of a soft target

@@ -45,8 +45,7 @@ class Descent {
   Descent(const ReachProblem& problem)
       : problem_(problem),
         body_(*problem.body),
-        targets_(ik_targets(problem)),
-        supports_(ik_supports(problem)),
+        constraints_(constraints(problem)),
         weights_(body_.dofs().size(), 1.0),
         trial_(weights_),
         kinematics_(body_),
@@ -71,7 +70,7 @@ class Descent {
       const double anywhere = random.uniform(body_.dofs()[d].lower, body_.dofs()[d].upper);
       // limbs without a goal or a foot are irrelevant, and heels stay down
       const bool gives = body_.dofs()[d].give >= 1.0;
-      if (gives && moves_target(static_cast<int>(d))) aim[d] = anywhere;
+      if (gives && moves_point(static_cast<int>(d))) aim[d] = anywhere;
     }
     forward_kinematics<double>(body_, angles, kinematics_);
     std::vector<double> pull(aim);
@@ -90,6 +89,8 @@ class Descent {
 
   ClosestReach run(std::vector<double> angles, int iterations) {
     forward_kinematics<double>(body_, angles, kinematics_);
+    // damped like goals, as hands too may be out of reach of their places
+    for (Constraint<double>& hand : hands()) hand.exact = false;
     IkSettings ik = problem_.ik;
     ik.damping = 1e-3;
     double cost = distance(kinematics_);
@@ -114,7 +115,7 @@ class Descent {
     ClosestReach reach{angles, {}, {}, cost};
     for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
       reach.positions.push_back(place(kinematics_, g));
-      reach.turns.push_back(kinematics_.link_rotation(targets_[g].link));
+      reach.turns.push_back(kinematics_.link_rotation(constraints_[g].link));
     }
     return reach;
   }
@@ -126,8 +127,9 @@ class Descent {
     if (!tiptoe.lifted()) return false;
     forward_kinematics<double>(body_, angles, kinematics_);
     for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
-      targets_[g].position = place(kinematics_, g);
+      constraints_[g].place = place(kinematics_, g);
     }
+    for (Constraint<double>& hand : hands()) hand.exact = true;
     double step = kPoiseStep;
     for (int k = 0; k < kPoiseSteps && step >= kLeastPoiseStep; ++k) {
       Vec3d offset = tiptoe.offset_from(shigusa::centre_of_mass(body_, kinematics_));
@@ -135,7 +137,7 @@ class Descent {
       offset = offset * (step / max(norm(offset), step));
       trial_ = angles;
       trial_kinematics_ = kinematics_;
-      advance(targets_, problem_.ik, change_of_plumb_line(body_, kinematics_, offset), supports_);
+      advance(constraints_, problem_.ik, change_of_plumb_line(body_, kinematics_, offset));
       hold_contacts(problem_.ik);
       if (contact_error(trial_kinematics_) > kContactSlack) {
         step *= 0.5;
@@ -149,17 +151,18 @@ class Descent {
   }
 
  private:
-  [[nodiscard]] bool moves_target(int dof) const {
-    return std::any_of(
-               targets_.begin(), targets_.end(),
-               [&](const IkTarget<double>& target) { return body_.moves(dof, target.link); }) ||
-           std::any_of(supports_.begin(), supports_.end(), [&](const IkSupport<double>& support) {
-             return body_.moves(dof, support.link);
-           });
+  [[nodiscard]] bool moves_point(int dof) const {
+    return std::any_of(constraints_.begin(), constraints_.end(),
+                       [&](const auto& constraint) { return body_.moves(dof, constraint.link); });
   }
 
-  [[nodiscard]] std::span<const IkTarget<double>> contacts() const {
-    return std::span<const IkTarget<double>>(targets_).subspan(problem_.goals.size());
+  [[nodiscard]] std::span<Constraint<double>> hands() {
+    return std::span(constraints_).last(problem_.supports.size());
+  }
+  // The planted feet.
+  [[nodiscard]] std::span<const Constraint<double>> contacts() const {
+    const std::size_t others = problem_.goals.size() + problem_.supports.size();
+    return std::span(constraints_).subspan(problem_.goals.size(), constraints_.size() - others);
   }
 
   // Makes one step towards the goals, then corrects the contacts alone.
@@ -167,11 +170,9 @@ class Descent {
     trial_ = angles;
     trial_kinematics_ = kinematics_;
     for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
-      targets_[g].position = problem_.goals[g].nearest(place(kinematics_, g), kBoxInset);
+      constraints_[g].place = problem_.goals[g].nearest(place(kinematics_, g), kBoxInset);
     }
-    IkSettings with_supports = ik;
-    with_supports.support_damping = ik.damping;
-    advance(targets_, with_supports, {}, supports_);
+    advance(constraints_, ik, {});
     hold_contacts(ik);
   }
 
@@ -183,17 +184,16 @@ class Descent {
     }
   }
 
-  void advance(std::span<const IkTarget<double>> targets, const IkSettings& ik,
-               std::span<const double> reference,
-               std::span<const IkSupport<double>> supports = {}) {
+  void advance(std::span<const Constraint<double>> held, const IkSettings& ik,
+               std::span<const double> reference) {
     std::span<const double> weights = weights_;
     std::span<const double> drawn = reference;
     if (limits_) {
       weights = limits_->soften(weights_, trial_);
       if (!reference.empty()) drawn = limits_->allowed(reference);
     }
-    const auto step = weighted_ik_step<double>(body_, trial_kinematics_,
-                                               {targets, weights, drawn, supports}, ik, workspace_);
+    const auto step =
+        weighted_ik_step<double>(body_, trial_kinematics_, {held, weights, drawn}, ik, workspace_);
     for (std::size_t d = 0; d < step.size(); ++d) trial_[d] += step[d];
     if (limits_) {
       limits_->learn(weights_, workspace_.pull, reference);
@@ -202,18 +202,18 @@ class Descent {
     forward_kinematics<double>(body_, trial_, trial_kinematics_);
   }
 
-  [[nodiscard]] double distance(const Kinematics<double>& kinematics) const {
+  [[nodiscard]] double distance(const Kinematics<double>& kinematics) {
     double squares = 0.0;
     for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
       const Vec3d at = place(kinematics, g);
       const Vec3d miss = problem_.goals[g].nearest(at, kBoxInset) - at;
       squares += dot(miss, miss);
-      if (!targets_[g].turns()) continue;
-      const Vec3d turn = turn_error(kinematics, targets_[g]) * kTurnLength;
+      if (!constraints_[g].turns()) continue;
+      const Vec3d turn = turn_error(kinematics, constraints_[g]) * kTurnLength;
       squares += dot(turn, turn);
     }
-    for (const IkSupport<double>& support : supports_) {
-      const Vec3d miss = support_error(kinematics, support);
+    for (const Constraint<double>& hand : hands()) {
+      const Vec3d miss = position_error(kinematics, hand);
       squares += dot(miss, miss);
     }
     return sqrt(squares);
@@ -221,22 +221,20 @@ class Descent {
 
   [[nodiscard]] double contact_error(const Kinematics<double>& kinematics) const {
     double worst = 0.0;
-    for (std::size_t i = problem_.goals.size(); i < targets_.size(); ++i) {
-      const IkTarget<double>& target = targets_[i];
-      worst = max(worst, norm(position_error(kinematics, target)));
-      worst = max(worst, kContactLength * tilt(kinematics, target));
+    for (const Constraint<double>& foot : contacts()) {
+      worst = max(worst, norm(position_error(kinematics, foot)));
+      worst = max(worst, kContactLength * tilt(kinematics, foot));
     }
     return worst;
   }
 
   [[nodiscard]] Vec3d place(const Kinematics<double>& kinematics, std::size_t goal) const {
-    return kinematics.point(targets_[goal].link, targets_[goal].point);
+    return kinematics.point(constraints_[goal].link, constraints_[goal].point);
   }
 
   const ReachProblem& problem_;
   const BodyModel& body_;
-  std::vector<IkTarget<double>> targets_;  // the goals, then the contacts
-  std::vector<IkSupport<double>> supports_;
+  std::vector<Constraint<double>> constraints_;
   std::vector<double> weights_;
   std::vector<double> trial_;
   Kinematics<double> kinematics_;

@@ -267,8 +267,7 @@ double goal_duration(const BodyModel& body, const Kinematics<double>& start,
 
 Result<void> check_rows(const ReachProblem& problem) {
   int rows = 0;
-  for (const IkTarget<double>& target : ik_targets(problem)) rows += row_count(target);
-  rows += 3 * static_cast<int>(problem.supports.size());
+  for (const Constraint<double>& constraint : constraints(problem)) rows += constraint.rows();
   if (rows <= kMaxIkRows) return {};
   return fail(ErrorCode::invalid_argument, say("too_many_rows", rows, kMaxIkRows), "goals");
 }

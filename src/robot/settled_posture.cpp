@@ -34,13 +34,12 @@ class Settler {
     forward_kinematics<double>(body, zero, kinematics_);
     for (const Foot& foot : body.feet()) {
       if (foot.link == kBaseLink) continue;
-      IkTarget<double> target;
-      target.link = foot.link;
-      target.point = foot.centre;
-      target.position = kinematics_.point(foot.link, foot.centre);
-      target.contact = true;
-      target.orientation = kinematics_.link_rotation(foot.link);
-      feet_.push_back(target);
+      feet_.push_back({.link = foot.link,
+                       .point = foot.centre,
+                       .place = kinematics_.point(foot.link, foot.centre),
+                       .exact = true,
+                       .turning = Turning::whole,
+                       .orientation = kinematics_.link_rotation(foot.link)});
     }
   }
 
@@ -50,14 +49,14 @@ class Settler {
     constexpr double kStep = 0.05;             // m, up or down
     constexpr double kTilted = radians(15.0);  // from level
     forward_kinematics<double>(body_, angles, kinematics_);
-    for (IkTarget<double>& foot : feet_) {
+    for (Constraint<double>& foot : feet_) {
       const Vec3d at = kinematics_.point(foot.link, foot.point);
       const Mat3d& level = foot.orientation;
       const Mat3d& now = kinematics_.link_rotation(foot.link);
       // upward direction in the frame of a standing foot
       const Vec3d up = now * transpose_times(level, Vec3d{0, 1, 0});
-      if (abs(at.y - foot.position.y) > kStep || up.y < sin_cos(kTilted).cos) return false;
-      foot.position = {at.x, foot.position.y, at.z};
+      if (abs(at.y - foot.place.y) > kStep || up.y < sin_cos(kTilted).cos) return false;
+      foot.place = {at.x, foot.place.y, at.z};
       const Vec3d turned = now * transpose_times(level, Vec3d{0, 0, 1});
       const double yaw = atan2(turned.x, turned.z);
       foot.orientation = turn_about({0, 1, 0}, yaw) * level;
@@ -68,9 +67,9 @@ class Settler {
   // Moves from the angles towards the aim with the feet in place; false if the feet or the limits
   // prevent it.
   bool walk(std::vector<double>& angles, const std::vector<double>& aim,
-            const std::vector<IkTarget<double>>& arms = {}) {
+            const std::vector<Constraint<double>>& arms = {}) {
     std::vector<double> now = angles;
-    std::vector<IkTarget<double>> targets = arms;
+    std::vector<Constraint<double>> targets = arms;
     if (arms.empty()) targets = feet_;
     for (std::size_t d = 0; d < weights_.size(); ++d) {
       weights_[d] = arms.empty() || moves_arm(static_cast<int>(d)) ? 1.0 : 0.0;
@@ -89,9 +88,9 @@ class Settler {
 
   // Targets of the hands at the sides, for arms that do not hang yet: those that stick out keep
   // their elbow angles, raised ones stretch them.
-  [[nodiscard]] std::vector<IkTarget<double>> hanging(const std::vector<double>& angles) {
+  [[nodiscard]] std::vector<Constraint<double>> hanging(const std::vector<double>& angles) {
     forward_kinematics<double>(body_, angles, kinematics_);
-    std::vector<IkTarget<double>> targets;
+    std::vector<Constraint<double>> targets;
     for (const Effector& effector : body_.effectors()) {
       const Vec3d shoulder = kinematics_.origin[index(effector.limb_root)];
       const Vec3d hand = kinematics_.point(effector.link, effector.point);
@@ -103,14 +102,13 @@ class Settler {
       const bool sticks_out = aside > kHanging * abs(reach.y) && aside > abs(reach.z);
       if (!raised && !sticks_out) continue;
       const double out = shoulder.x < 0.0 ? -kAside : kAside;
-      IkTarget<double> target;
+      Constraint<double> target;
       target.link = effector.link;
       target.point = effector.point;
-      target.position = shoulder + normalized(Vec3d{out, -1.0, 0.1}) * norm(reach);
+      target.place = shoulder + normalized(Vec3d{out, -1.0, 0.1}) * norm(reach);
       if (raised && !sticks_out) {
         const double stretched = norm(upper) + norm(hand - kinematics_.origin[index(elbow)]);
-        target.position =
-            shoulder + normalized(Vec3d{out, -1.0, 0.1}) * (kAlmostStraight * stretched);
+        target.place = shoulder + normalized(Vec3d{out, -1.0, 0.1}) * (kAlmostStraight * stretched);
         elbows_.push_back(body_.dof(elbow).joint);
       }
       targets.push_back(target);
@@ -144,7 +142,7 @@ class Settler {
   // Whether the feet are where they were planted.
   [[nodiscard]] bool stands(const std::vector<double>& angles) {
     forward_kinematics<double>(body_, angles, kinematics_);
-    return std::all_of(feet_.begin(), feet_.end(), [&](const IkTarget<double>& foot) {
+    return std::all_of(feet_.begin(), feet_.end(), [&](const Constraint<double>& foot) {
       return norm(position_error(kinematics_, foot)) < kFlat && tilt(kinematics_, foot) < kFlat;
     });
   }
@@ -178,7 +176,7 @@ class Settler {
     return kBaseLink;
   }
 
-  void advance(const std::vector<IkTarget<double>>& targets, std::span<const double> pull,
+  void advance(const std::vector<Constraint<double>>& targets, std::span<const double> pull,
                std::vector<double>& angles) {
     if (targets.empty()) {
       for (std::size_t d = 0; d < pull.size(); ++d) angles[d] += pull[d];
@@ -219,7 +217,7 @@ class Settler {
   Kinematics<double> kinematics_;
   IkWorkspace<double> workspace_;
   std::vector<double> weights_;  // (dofs) inverse ones: 0 where locked
-  std::vector<IkTarget<double>> feet_;
+  std::vector<Constraint<double>> feet_;
   std::vector<std::string> elbows_;  // joints that stretch
 };
 
@@ -281,7 +279,7 @@ std::vector<double> settled_posture(const BodyModel& body, std::vector<Message>&
       doubts.push_back(say("straight_knees"));
     }
   }
-  const std::vector<IkTarget<double>> arms = settler.hanging(angles);
+  const std::vector<Constraint<double>> arms = settler.hanging(angles);
   if (!arms.empty()) (void)settler.walk(angles, angles, arms);
   settler.bend_ahead(angles);
   return angles;

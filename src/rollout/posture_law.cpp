@@ -32,13 +32,13 @@ double legs_follow(const ReachProblem& problem, double azimuth) {
 std::vector<double> on_planted_feet(const ReachProblem& problem, const Kinematics<double>& standing,
                                     std::span<const double> change) {
   constexpr double kPart = 0.01;  // share of the change made in one IK step
-  const std::vector<IkTarget<double>> targets = ik_targets(problem);
-  const auto contacts = std::span(targets).subspan(problem.goals.size());
+  std::vector<Constraint<double>> planted = constraints(problem);
+  std::erase_if(planted, [](const auto& each) { return !each.exact || !each.holds_at(0.0); });
   const std::vector<double> weights(change.size(), 1.0);
   std::vector<double> part(change.begin(), change.end());
   for (double& angle : part) angle *= kPart;
   IkWorkspace<double> workspace(*problem.body);
-  const auto step = weighted_ik_step<double>(*problem.body, standing, {contacts, weights, part, {}},
+  const auto step = weighted_ik_step<double>(*problem.body, standing, {planted, weights, part},
                                              problem.ik, workspace);
   for (std::size_t d = 0; d < part.size(); ++d) part[d] = step[d] / kPart;
   return part;

@@ -167,11 +167,8 @@ struct LegFlexions {
 // The flexions of the legs that have all three.
 [[nodiscard]] std::vector<LegFlexions> leg_flexions(const BodyModel& body);
 
-// The supports of weighted IK for a problem, at the resting places of the hands.
-[[nodiscard]] std::vector<IkSupport<double>> ik_supports(const ReachProblem& problem);
-
-// The targets of weighted IK for a problem: its goals, then each planted foot but the base, at its
-// placement in the start posture.
-[[nodiscard]] std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem);
+// The constraints of a problem: its goals, each at the end of its path, then the planted feet but
+// the base, as in the start posture, then the resting hands at their places.
+[[nodiscard]] std::vector<Constraint<double>> constraints(const ReachProblem& problem);
 
 }  // namespace shigusa

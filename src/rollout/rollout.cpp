@@ -56,42 +56,39 @@ std::vector<LegFlexions> leg_flexions(const BodyModel& body) {
   return legs;
 }
 
-std::vector<IkTarget<double>> ik_targets(const ReachProblem& problem) {
+std::vector<Constraint<double>> constraints(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
   const Kinematics<double> kinematics = start_kinematics(body);
-  std::vector<IkTarget<double>> targets;
+  std::vector<Constraint<double>> all;
   for (const ReachGoal& goal : problem.goals) {
     const Effector& effector = body.effector(goal.effector);
-    targets.push_back({.link = effector.link,
-                       .point = effector.point,
-                       .position = goal.path.goal,
-                       .orientation = goal.turn.goal,
-                       .turning = goal.turn.kind,
-                       .axis = goal.turn.axis,
-                       .direction = goal.turn.direction});
+    all.push_back({.link = effector.link,
+                   .point = effector.point,
+                   .place = goal.path.goal,
+                   .turning = goal.turn.kind,
+                   .orientation = goal.turn.goal,
+                   .axis = goal.turn.axis,
+                   .direction = goal.turn.direction});
   }
   for (const Foot& foot : body.feet()) {
     if (foot.link == kBaseLink) continue;
-    targets.push_back({.link = foot.link,
-                       .point = foot.centre,
-                       .position = kinematics.point(foot.link, foot.centre),
-                       .contact = true,
-                       .orientation = kinematics.link_rotation(foot.link)});
+    all.push_back({.link = foot.link,
+                   .point = foot.centre,
+                   .place = kinematics.point(foot.link, foot.centre),
+                   .exact = true,
+                   .turning = Turning::whole,
+                   .orientation = kinematics.link_rotation(foot.link)});
   }
-  return targets;
-}
-
-std::vector<IkSupport<double>> ik_supports(const ReachProblem& problem) {
-  std::vector<IkSupport<double>> supports;
   for (const HandSupport& support : problem.supports) {
-    const Effector& hand = problem.body->effector(support.effector);
-    supports.push_back({.link = hand.link,
-                        .point = hand.point,
-                        .carrier = support.carrier,
-                        .place = support.place,
-                        .holds = 1.0});
+    const Effector& hand = body.effector(support.effector);
+    all.push_back({.link = hand.link,
+                   .point = hand.point,
+                   .carrier = support.carrier,
+                   .place = support.place,
+                   .exact = true,
+                   .from = support.arrives});
   }
-  return supports;
+  return all;
 }
 
 RolledOut roll_out(const ReachProblem& problem, const Parameters& parameters) {

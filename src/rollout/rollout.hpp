@@ -50,18 +50,13 @@ class Rollout {
       if (law_.bends_back(d)) backs_.push_back(d);
     }
     if (problem.hold_limits) limits_.emplace(*problem.body);
-    for (const IkTarget<double>& target : ik_targets(problem)) {
-      targets_.push_back({.link = target.link,
-                          .point = to_scalar<Element<S>>(target.point),
-                          .position = to_scalar<S>(target.position),
-                          .contact = target.contact,
-                          .orientation = to_scalar<S>(target.orientation),
-                          .turning = target.turning,
-                          .axis = to_scalar<Element<S>>(target.axis),
-                          .direction = to_scalar<S>(target.direction)});
-      turning_ = turning_ || target.turning != Turning::free;
+    for (const Constraint<double>& constraint : constraints(problem)) {
+      constraints_.push_back(in_lanes<S>(constraint));
     }
-    leads_.reserve(targets_.size());
+    without_leads_.reserve(constraints_.size());
+    for (const ReachGoal& goal : problem.goals) {
+      turning_ = turning_ || goal.turn.kind != Turning::free;
+    }
     for (int frame = 0; frame <= problem.steps; ++frame) {
       const double tau = problem.tau(frame);
       for (const ReachGoal& goal : problem.goals) {
@@ -78,9 +73,9 @@ class Rollout {
   BasicReachOutcome<S> run(const MotionInput<S>& input, Visitor&& visit) {
     const BodyModel& body = *problem_->body;
     BasicReachOutcome<S> outcome;
-    for (IkTarget<S>& target : targets_) {
-      target.lag = S(0);
-      target.lead = target.tilt_lead = {};
+    for (Constraint<S>& constraint : constraints_) {
+      constraint.lag = S(0);
+      constraint.lead = constraint.tilt_lead = {};
     }
     now_ = 0;
     drawn_ = !problem_->guide.empty() || !input.posture.empty() || !law_.empty();
@@ -90,7 +85,7 @@ class Rollout {
       unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
     }
     forward_kinematics<S>(body, angles_[1], now());
-    if (!supports_.empty()) dynamics_.begin(supports_.begin(input.supports));
+    if (!supports_.empty()) dynamics_.begin(supports_.begin(input.supports, hands()));
     show([&](int frame) { follow(frame, input, outcome); }, visit);
     return outcome;
   }
@@ -107,7 +102,7 @@ class Rollout {
     std::copy_n(angles.begin(), dofs, angles_[0].begin());
     angles_[1] = angles_[0];
     forward_kinematics<S>(*problem_->body, angles_[1], now());
-    if (!supports_.empty()) dynamics_.begin(supports_.begin(input.supports));
+    if (!supports_.empty()) dynamics_.begin(supports_.begin(input.supports, hands()));
     const auto next_frame = [&](int frame) {
       std::copy_n(angles.begin() + static_cast<std::ptrdiff_t>(index(frame) * dofs), dofs,
                   angles_[2].begin());
@@ -124,6 +119,18 @@ class Rollout {
   // Placements in this frame and in the next.
   [[nodiscard]] Kinematics<S>& now() { return kinematics_[now_]; }
   [[nodiscard]] Kinematics<S>& next() { return kinematics_[1 - now_]; }
+
+  // The planted feet, then the resting hands.
+  [[nodiscard]] std::span<Constraint<S>> contacts() {
+    return std::span(constraints_).subspan(contacts_from_);
+  }
+  // The constraints of a frame; `goals`: whether effectors keep to their paths in it.
+  [[nodiscard]] std::span<Constraint<S>> held_by(bool goals) {
+    return goals ? std::span(constraints_) : contacts();
+  }
+  [[nodiscard]] std::span<Constraint<S>> hands() {
+    return std::span(constraints_).last(problem_->supports.size());
+  }
 
   // Visits all frames; `move` computes each next one.
   template <class Move, class Visitor>
@@ -143,22 +150,20 @@ class Rollout {
   void follow(int frame, const MotionInput<S>& input, BasicReachOutcome<S>& outcome) {
     const bool last = frame == problem_->steps;
     place_goals(frame, input);
-    if (!supports_.empty()) supports_.place(frame, now());
-    const std::size_t skipped = problem_->follow_path || last ? 0 : contacts_from_;
-    const auto targets = std::span<IkTarget<S>>(targets_).subspan(skipped);
-    const auto contacts = std::span<IkTarget<S>>(targets_).subspan(contacts_from_);
+    if (!supports_.empty()) supports_.place(frame, now(), hands());
+    const std::span<Constraint<S>> held = held_by(problem_->follow_path || last);
     draw_null_space(frame, input);
-    step(targets, input.inverse_weights);
+    step(held, input.inverse_weights);
     const double turn_share = last ? 1.0 : kTurnOnWay;
-    BasicReachOutcome<S> missed = measure(frame, targets, turn_share, true);
+    BasicReachOutcome<S> missed = measure(frame, held, turn_share, true);
     const int corrections = last ? problem_->goal_corrections : problem_->corrections;
     const S slack(last ? problem_->goal_tolerance : problem_->path_slack);
     for (int k = 0; k < corrections; ++k) {
       const S worst = max(missed.path_error, contact_error(missed));
       const auto off = (worst > slack) & (worst < S(problem_->rescue_limit)) & wanted(outcome);
       if (!any(off)) break;
-      correct(targets, input.inverse_weights, off);
-      missed = measure(frame, targets, turn_share, false);
+      correct(held, input.inverse_weights, off);
+      missed = measure(frame, held, turn_share, false);
     }
     // a goal out of reach, or very unequal weights, must not drag a planted foot along
     for (int k = 0; k < problem_->contact_corrections; ++k) {
@@ -166,8 +171,8 @@ class Rollout {
       const S worst = max(missed.contact_slide, tilt_as_slide);
       const auto off = (worst > S(problem_->contact_slack)) & wanted(outcome);
       if (!any(off)) break;
-      correct(contacts, unlocked_, off);
-      missed = measure(frame, targets, turn_share, false);
+      correct(contacts(), unlocked_, off);
+      missed = measure(frame, held, turn_share, false);
     }
     add(missed, last, outcome);
   }
@@ -178,20 +183,19 @@ class Rollout {
     place_goals(frame, input);
     if (limits_) limits_->hold(angles_[2]);
     forward_kinematics<S>(*problem_->body, angles_[2], next());
-    if (!supports_.empty()) supports_.keep(frame, next());
+    if (!supports_.empty()) supports_.keep(frame, next(), hands());
     const bool follows = problem_->follow_path && is_finite(problem_->tolerance.path);
-    const auto targets =
-        std::span<IkTarget<S>>(targets_).subspan(follows || last ? 0 : contacts_from_);
-    for (IkTarget<S>& target : targets_) target.lead = target.tilt_lead = {};
+    const std::span<Constraint<S>> held = held_by(follows || last);
+    for (Constraint<S>& constraint : constraints_) constraint.lead = constraint.tilt_lead = {};
     const double turn_share = last ? 1.0 : kTurnOnWay;
-    BasicReachOutcome<S> missed = measure(frame, targets, turn_share, false);
+    BasicReachOutcome<S> missed = measure(frame, held, turn_share, false);
     for (int k = 0; k < problem_->goal_corrections; ++k) {
       const auto off = max(missed.path_error, contact_error(missed)) > S(problem_->goal_tolerance);
       if (!any(off)) break;
       // the remaining error is small, so it does not raise the damping
-      for (IkTarget<S>& target : targets_) target.lag = S(0);
-      correct(targets, input.inverse_weights, off);
-      missed = measure(frame, targets, turn_share, false);
+      for (Constraint<S>& constraint : constraints_) constraint.lag = S(0);
+      correct(held, input.inverse_weights, off);
+      missed = measure(frame, held, turn_share, false);
     }
     add(missed, last, outcome);
   }
@@ -211,14 +215,13 @@ class Rollout {
   }
 
   // One IK step from this frame to the next.
-  void step(std::span<const IkTarget<S>> targets, std::span<const S> inverse_weights) {
+  void step(std::span<const Constraint<S>> held, std::span<const S> inverse_weights) {
     const std::span<const S> weights = within_limits(inverse_weights, angles_[1]);
     const std::span<const S> reference =
         drawn_ ? std::span<const S>(reference_) : std::span<const S>{};
     // a guide is within the limits, and so are all postures between
     const bool yields = limits_ && drawn_ && problem_->guide.empty();
-    const IkStep<S> wanted{targets, weights, yields ? limits_->allowed(reference) : reference,
-                           supports_.targets()};
+    const IkStep<S> wanted{held, weights, yields ? limits_->allowed(reference) : reference};
     const std::span<const S> dq =
         weighted_ik_step<S>(*problem_->body, now(), wanted, problem_->ik, ik_);
     for (std::size_t d = 0; d < dq.size(); ++d) angles_[2][d] = angles_[1][d] + dq[d];
@@ -232,23 +235,13 @@ class Rollout {
   // One more IK step within the next frame, in the lanes with errors; the remaining error is small,
   // so no lead is added.
   template <class Condition>
-  void correct(std::span<IkTarget<S>> targets, std::span<const S> inverse_weights,
+  void correct(std::span<const Constraint<S>> held, std::span<const S> inverse_weights,
                const Condition& off) {
-    leads_.clear();
-    for (IkTarget<S>& target : targets) {
-      leads_.push_back({target.lead, target.tilt_lead});
-      target.lead = target.tilt_lead = {};
-    }
-    if (!supports_.empty()) supports_.put_leads_aside();
-    const IkStep<S> wanted{
-        targets, within_limits(inverse_weights, angles_[2]), {}, supports_.targets()};
+    without_leads_.assign(held.begin(), held.end());
+    for (Constraint<S>& constraint : without_leads_) constraint.lead = constraint.tilt_lead = {};
+    const IkStep<S> wanted{without_leads_, within_limits(inverse_weights, angles_[2])};
     const std::span<const S> dq =
         weighted_ik_step<S>(*problem_->body, next(), wanted, problem_->ik, ik_);
-    if (!supports_.empty()) supports_.put_leads_back();
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      targets[i].lead = leads_[i].position;
-      targets[i].tilt_lead = leads_[i].tilt;
-    }
     for (std::size_t d = 0; d < dq.size(); ++d) {
       angles_[2][d] = select(off, angles_[2][d] + dq[d], angles_[2][d]);
     }
@@ -261,20 +254,20 @@ class Rollout {
     return limits_ ? limits_->soften(inverse_weights, angles) : inverse_weights;
   }
 
-  // Sets the effectors' targets in this frame.
+  // Sets the goals' places in this frame.
   void place_goals(int frame, const MotionInput<S>& input) {
     const double tau = problem_->tau(frame);
     for (std::size_t g = 0; g < contacts_from_; ++g) {
       const std::size_t k = index(frame) * contacts_from_ + g;
-      targets_[g].position = to_scalar<S>(paths_[k]);
+      constraints_[g].place = to_scalar<S>(paths_[k]);
       if (turning_) {
-        targets_[g].orientation = to_scalar<S>(turns_[k]);
-        targets_[g].direction = targets_[g].orientation.cx;
+        constraints_[g].orientation = to_scalar<S>(turns_[k]);
+        constraints_[g].direction = constraints_[g].orientation.cx;
       }
       if (input.posture.empty()) continue;
       const ReachGoal& goal = problem_->goals[g];
       const S done(goal.path.done(tau));
-      targets_[g].position +=
+      constraints_[g].place +=
           to_scalar<S>(goal.bow) * (path_bow(done, input.timing.skew) * input.timing.bow) +
           to_scalar<S>(goal.sway) * (path_bow(done, S(0)) * input.timing.sway);
     }
@@ -296,7 +289,7 @@ class Rollout {
     }
     if (!supports_.empty()) supports_.keep_arms(reference_);
     if (!law_.empty()) law_.draw(frame, now(), angles_[1], guided, reference_);
-    if (!supports_.empty()) supports_.restore_arms(frame, reference_);
+    if (!supports_.empty()) supports_.restore_arms(frame, hands(), reference_);
   }
 
   void draw_to_guide(int frame) {
@@ -326,44 +319,43 @@ class Rollout {
     return share_of_rest(done(frame - 1), done(frame));
   }
 
-  // Errors of the targets, with goals' turns weighted by `turn_share`; `learn`: adds the errors to
-  // the leads.
-  BasicReachOutcome<S> measure(int frame, std::span<IkTarget<S>> targets, double turn_share,
+  // Errors of the constraints, with goals' turns weighted by `turn_share`; `learn`: adds the errors
+  // to the leads.
+  BasicReachOutcome<S> measure(int frame, std::span<Constraint<S>> held, double turn_share,
                                bool learn) {
     BasicReachOutcome<S> missed;
     const S limit(problem_->lead_limit);
-    for (IkTarget<S>& target : targets) {
-      const Vec3<S> error = position_error(next(), target);
+    const double time = static_cast<double>(frame) / problem_->steps;
+    for (Constraint<S>& constraint : held) {
+      if (!constraint.holds_at(time)) continue;
+      const Vec3<S> error = position_error(next(), constraint);
       const S miss = norm(error);
-      target.lag = miss;
+      constraint.lag = miss;
       const auto follows = miss < limit;
-      if (learn) target.lead = select(follows, target.lead + error, Vec3<S>{});
-      if (!target.contact) {
-        const S off = target.turns() ? turn_miss(target, miss, turn_share, learn) : miss;
+      if (learn) constraint.lead = select(follows, constraint.lead + error, Vec3<S>{});
+      if (!constraint.exact) {
+        const S off = constraint.turns() ? turn_miss(constraint, miss, turn_share, learn) : miss;
         missed.path_error = worse(missed.path_error, off);
         continue;
       }
-      const Vec3<S> error_tilt = tilt_error(next(), target);
-      if (learn) target.tilt_lead = select(follows, target.tilt_lead + error_tilt, Vec3<S>{});
       missed.contact_slide = worse(missed.contact_slide, miss);
-      missed.contact_tilt = worse(missed.contact_tilt, tilt(next(), target));
-    }
-    if (!supports_.empty()) {
-      const S off = supports_.miss(frame, next(), limit, learn);
-      missed.contact_slide = worse(missed.contact_slide, off);
+      if (!constraint.turns()) continue;
+      const Vec3<S> tilted = tilt_error(next(), constraint);
+      if (learn) constraint.tilt_lead = select(follows, constraint.tilt_lead + tilted, Vec3<S>{});
+      missed.contact_tilt = worse(missed.contact_tilt, tilt(next(), constraint));
     }
     return missed;
   }
 
   // The larger of the distance and the turn of a goal with an orientation.
-  S turn_miss(IkTarget<S>& target, const S& miss, double turn_share, bool learn) {
-    const Vec3<S> error = turn_error(next(), target);
+  S turn_miss(Constraint<S>& goal, const S& miss, double turn_share, bool learn) {
+    const Vec3<S> error = turn_error(next(), goal);
     const S turn = norm(error) * S(kTurnLength);
     if (learn) {
       const auto follows = turn < S(problem_->lead_limit);
-      target.tilt_lead = select(follows, target.tilt_lead + error, Vec3<S>{});
+      goal.tilt_lead = select(follows, goal.tilt_lead + error, Vec3<S>{});
     }
-    target.lag = max(target.lag, turn);
+    goal.lag = max(goal.lag, turn);
     return worse(miss, turn * S(turn_share));
   }
 
@@ -374,19 +366,14 @@ class Rollout {
     return max(outcome.contact_slide, S(kContactLength) * outcome.contact_tilt);
   }
 
-  struct Lead {
-    Vec3<S> position;  // m
-    Vec3<S> tilt;      // rad
-  };
-
   const ReachProblem* problem_;
   LostMotion lost_;
-  std::size_t contacts_from_;            // index of the first contact among the targets
-  std::vector<IkTarget<S>> targets_;     // the goals, then the contacts
-  std::vector<Lead> leads_;              // saved while a frame is corrected
-  std::vector<Vec3<Element<S>>> paths_;  // (frames × goals) m, world
-  bool turning_ = false;                 // whether some goal has an orientation
-  std::vector<Mat3<Element<S>>> turns_;  // (frames × goals) R_WL, or empty
+  std::size_t contacts_from_;  // index of the first contact, after the goals
+  std::vector<Constraint<S>> constraints_;
+  std::vector<Constraint<S>> without_leads_;  // those of a correction
+  std::vector<Vec3<Element<S>>> paths_;       // (frames × goals) m, world
+  bool turning_ = false;                      // whether some goal has an orientation
+  std::vector<Mat3<Element<S>>> turns_;       // (frames × goals) R_WL, or empty
   IkWorkspace<S> ik_;
   FrameDynamics<S> dynamics_;
   std::vector<Kinematics<S>> kinematics_;  // of this frame and of the next, alternating

@@ -15,28 +15,28 @@ using namespace testing_support;
 using Vector = std::vector<double>;
 
 // The right hand keeps its position, and turns.
-IkTarget<double> hand_target(const BodyModel& body, const Vector& q) {
+Constraint<double> hand_target(const BodyModel& body, const Vector& q) {
   const Effector& hand = body.effector(body.find_effector("right_hand").value());
   const Kinematics<double> now = placed(body, q);
-  return {.link = hand.link, .point = hand.point, .position = now.point(hand.link, hand.point)};
+  return {.link = hand.link, .point = hand.point, .place = now.point(hand.link, hand.point)};
 }
 
-IkTarget<double> turned_by(const BodyModel& body, const Vector& q, const Vec3d& vector) {
-  IkTarget<double> target = hand_target(body, q);
+Constraint<double> turned_by(const BodyModel& body, const Vector& q, const Vec3d& vector) {
+  Constraint<double> target = hand_target(body, q);
   target.turning = Turning::whole;
   target.orientation = rotation_by(vector) * placed(body, q).link_rotation(target.link);
   return target;
 }
 
-IkTarget<double> pointing(const BodyModel& body, const Vector& q, const Vec3d& vector) {
-  IkTarget<double> target = hand_target(body, q);
+Constraint<double> pointing(const BodyModel& body, const Vector& q, const Vec3d& vector) {
+  Constraint<double> target = hand_target(body, q);
   target.turning = Turning::axis;
   target.axis = {1, 0, 0};
   target.direction = rotation_by(vector) * placed(body, q).link_rotation(target.link).cx;
   return target;
 }
 
-Vector step_of(const BodyModel& body, const Vector& q, const IkTarget<double>& target,
+Vector step_of(const BodyModel& body, const Vector& q, const Constraint<double>& target,
                const Vector& reference = {}) {
   const Vector weights(q.size(), 1.0);
   IkWorkspace<double> workspace(body);
@@ -63,7 +63,7 @@ TEST(TurningIk, StepMakesASmallTurnToTheSecondOrder) {
   const Vector q = bent(body);
   for (const bool whole : {true, false}) {
     const Vec3d small{0.01, -0.02, 0.015};
-    const IkTarget<double> target = whole ? turned_by(body, q, small) : pointing(body, q, small);
+    const Constraint<double> target = whole ? turned_by(body, q, small) : pointing(body, q, small);
     const Kinematics<double> before = placed(body, q);
     const Kinematics<double> after = placed(body, moved(q, step_of(body, q, target)));
     EXPECT_GT(norm(turn_error(before, target)), 0.01);
@@ -75,7 +75,7 @@ TEST(TurningIk, StepMakesASmallTurnToTheSecondOrder) {
 TEST(TurningIk, StepsConvergeFromFarOff) {
   const BodyModel body = human_body();
   // beyond 90°, where the sine of an angle shrinks again
-  for (const IkTarget<double>& target :
+  for (const Constraint<double>& target :
        {turned_by(body, bent(body), {0, 2.0, 0}), pointing(body, bent(body), {0, 2.4, 0})}) {
     Vector q = bent(body);
     for (int k = 0; k < 60; ++k) q = moved(q, step_of(body, q, target));
@@ -91,7 +91,7 @@ TEST(TurningIk, AxisThatPointsWhereItShouldLetsTheHandTurnAboutIt) {
   reference[static_cast<std::size_t>(body.find_dof("right_elbow.rotation").value())] = 0.02;
   reference[static_cast<std::size_t>(body.find_dof("right_wrist.flexion").value())] = 0.01;
   const auto hand = static_cast<int>(body.effector(0).link);
-  const auto spin = [&](const IkTarget<double>& target) {
+  const auto spin = [&](const Constraint<double>& target) {
     const Vector to = moved(q, step_of(body, q, target, reference));
     const Mat3d turn =
         placed(body, to).link_rotation(hand) * transpose(placed(body, q).link_rotation(hand));
@@ -108,9 +108,9 @@ TEST(TurningIk, AxisThatPointsWhereItShouldLetsTheHandTurnAboutIt) {
 TEST(TurningIk, GradientOfNlpIkIsThatOfItsObjective) {
   const BodyModel body = human_body();
   const Vector q = bent(body);
-  for (const IkTarget<double>& target :
+  for (const Constraint<double>& target :
        {turned_by(body, q, {0.5, -0.3, 0.4}), pointing(body, q, {0.5, -0.3, 0.4})}) {
-    const std::vector<IkTarget<double>> targets{target};
+    const std::vector<Constraint<double>> targets{target};
     NlpIk ik(body);
     ik.begin(targets, Vector(q.size(), 1.0));
     Vector gradient(q.size());

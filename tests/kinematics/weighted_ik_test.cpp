@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/bodies.hpp"
@@ -12,7 +13,7 @@ namespace shigusa {
 namespace {
 
 using namespace testing_support;
-using Targets = std::vector<IkTarget<double>>;
+using Targets = std::vector<Constraint<double>>;
 using Vector = std::vector<double>;
 
 // Goals are to be met exactly and no step is cut short.
@@ -23,6 +24,7 @@ Vector ik_step(const BodyModel& body, const Vector& q, const Targets& targets,
                const Vector& inverse_weights, const Vector& reference = {},
                const IkSettings& settings = kExact) {
   IkWorkspace<double> workspace(body);
+  std::fill(workspace.columns.begin(), workspace.columns.end(), Vec3d{7, 7, 7});  // of other steps
   const auto dq = weighted_ik_step<double>(
       body, placed(body, q), {targets, inverse_weights, reference}, settings, workspace);
   return {dq.begin(), dq.end()};
@@ -33,7 +35,7 @@ Targets tip_moves_by(const BodyModel& body, const Vector& q, const Vec3d& way) {
   const Effector& tip = body.effectors()[0];
   return {{.link = tip.link,
            .point = tip.point,
-           .position = placed(body, q).point(tip.link, tip.point) + way}};
+           .place = placed(body, q).point(tip.link, tip.point) + way}};
 }
 
 TEST(WeightedIk, OneHingeGoesTheArcLength) {
@@ -123,20 +125,51 @@ TEST(WeightedIk, GoalThatLagsIsDampedByTheSquareOfItsLag) {
   EXPECT_NEAR(dq[0], 0.05 / (1.0 + share / 3.0), 1e-15);
 }
 
-TEST(WeightedIk, SupportIsDampedByItsMeanDiagonal) {
+TEST(WeightedIk, ContactIsDampedByItsMeanDiagonal) {
   const BodyModel body = chain({{Axis::x, 2.0}});
-  const Effector& tip = body.effectors()[0];
-  const std::vector<IkSupport<double>> supports{
-      {.link = tip.link, .point = tip.point, .place = tip.point + Vec3d{0, 0, 0.1}, .holds = 1.0}};
+  Targets targets = tip_moves_by(body, {0.0}, {0, 0, 0.1});
+  targets[0].exact = true;
   IkSettings settings = kExact;
-  settings.support_damping = 0.3;
-  IkWorkspace<double> workspace(body);
-  const auto dq = weighted_ik_step<double>(
-      body, placed(body, Vector{0.0}),
-      {.targets = {}, .inverse_weights = Vector{1.0}, .reference = {}, .supports = supports},
-      settings, workspace);
+  settings.contact_damping = 0.3;
+  const Vector dq = ik_step(body, {0.0}, targets, {1.0}, {}, settings);
   // of three rows one moves, by 2 m per radian
   EXPECT_NEAR(dq[0], 0.1 * 2.0 / (4.0 + 0.3 * 4.0 / 3.0), 1e-15);
+}
+
+TEST(WeightedIk, PlaceOnALinkMovesWithIt) {
+  const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}});
+  Targets targets = tip_moves_by(body, {0, 0}, {});
+  targets[0].carrier = 0;
+  targets[0].exact = true;
+  // the first hinge is a goal's, and moves tip and place alike
+  targets.push_back({.link = 0, .point = {0, 1, 0}, .place = {0, 1, 0.2}});
+  for (int order = 0; order < 2; ++order, std::swap(targets[0], targets[1])) {
+    const Vector dq = ik_step(body, {0, 0}, targets, {1.0, 1.0});
+    EXPECT_NEAR(dq[0], 0.2, 1e-15);
+    EXPECT_NEAR(dq[1], 0.0, 1e-15);
+  }
+}
+
+TEST(WeightedIk, ConstraintThatIsNotActiveLeavesTheOthersAlone) {
+  const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::y, 1.0}});
+  const Vector q{0.3, 0.5, 0.2};
+  Targets targets = tip_moves_by(body, q, {0.01, 0.02, 0.1});
+  const Vector alone = ik_step(body, q, targets, {1, 2, 3});
+  for (const Turning turning : {Turning::free, Turning::whole, Turning::axis}) {
+    for (const int carrier : {kWorldCarrier, 0}) {
+      const Constraint<double> off{.link = 1,
+                                   .point = {0, 1, 0},
+                                   .carrier = carrier,
+                                   .place = {5, 5, 5},
+                                   .exact = true,
+                                   .turning = turning,
+                                   .axis = {0, 1, 0},
+                                   .direction = {1, 0, 0},
+                                   .active = 0.0};
+      EXPECT_EQ(ik_step(body, q, {off, targets[0]}, {1, 2, 3}), alone);
+      EXPECT_EQ(ik_step(body, q, {targets[0], off}, {1, 2, 3}), alone);
+    }
+  }
 }
 
 TEST(WeightedIk, ContactIsHeldAgainstAGoalThatPullsAway) {
@@ -145,10 +178,10 @@ TEST(WeightedIk, ContactIsHeldAgainstAGoalThatPullsAway) {
   const Vector q{0.3, 0.5, 0.6, 0.4};
   Targets targets = tip_moves_by(body, q, {0, 0, 0});
   const Kinematics<double> kinematics = placed(body, q);
-  targets[0].contact = true;
+  targets[0].exact = true;
+  targets[0].turning = Turning::whole;
   targets[0].orientation = kinematics.link_rotation(3);
-  targets.insert(targets.begin(),
-                 {.link = 1, .point = {0, 1, 0}, .position = {0, 3, 3}, .lag = 0.1});
+  targets.insert(targets.begin(), {.link = 1, .point = {0, 1, 0}, .place = {0, 3, 3}, .lag = 0.1});
   const Vector dq = ik_step(body, q, targets, {1, 1, 1, 1}, {}, IkSettings{});
   double largest = 0.0;
   Vec3d slide{};
@@ -176,7 +209,8 @@ TEST(WeightedIk, TiltedContactIsTurnedBack) {
                                 {Axis::z, 1.0}});
   const Vector upright{0.3, 0.1, -0.8, 0.2, 0.5, -0.3, 0.1};
   Targets targets = tip_moves_by(body, upright, {});
-  targets[0].contact = true;
+  targets[0].exact = true;
+  targets[0].turning = Turning::whole;
   targets[0].orientation = placed(body, upright).link_rotation(6);
   Vector q = upright;
   for (std::size_t d = 0; d < q.size(); ++d) q[d] += d % 2 == 0 ? 0.02 : -0.03;
@@ -185,14 +219,14 @@ TEST(WeightedIk, TiltedContactIsTurnedBack) {
     for (std::size_t d = 0; d < q.size(); ++d) q[d] += dq[d];
   }
   EXPECT_LT(distance(placed(body, q).link_rotation(6), targets[0].orientation), 1e-12);
-  EXPECT_LT(norm(effector_position(body, q, "tip") - targets[0].position), 1e-12);
+  EXPECT_LT(norm(effector_position(body, q, "tip") - targets[0].place), 1e-12);
 }
 
 TEST(WeightedIk, MoreRowsThanFitAreRefused) {
   const BodyModel body = chain({{Axis::x, 1.0}});
-  const Targets nine(9, IkTarget<double>{.point = {0, 1, 0}});
+  const Targets nine(9, Constraint<double>{.point = {0, 1, 0}});
   EXPECT_THROW(ik_step(body, {0.0}, nine, {1.0}), PreconditionError);
-  const Targets eight(8, IkTarget<double>{.point = {0, 1, 0}, .position = {0, 1, 0}});
+  const Targets eight(8, Constraint<double>{.point = {0, 1, 0}, .place = {0, 1, 0}});
   EXPECT_NO_THROW(ik_step(body, {0.0}, eight, {1.0}));
 }
 
@@ -211,14 +245,15 @@ struct RandomStep {
     const auto here = [&](int link, const Vec3d& point) {
       const Vec3d away{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1),
                        random.uniform(-0.1, 0.1)};
-      return IkTarget<double>{
-          .link = link, .point = point, .position = kinematics.point(link, point) + away};
+      return Constraint<double>{
+          .link = link, .point = point, .place = kinematics.point(link, point) + away};
     };
     for (const Effector& e : body.effectors()) targets.push_back(here(e.link, e.point));
     const Foot& foot = body.feet()[1];
-    IkTarget<double> contact = here(foot.link, foot.centre);
-    contact.position = kinematics.point(foot.link, foot.centre);
-    contact.contact = true;
+    Constraint<double> contact = here(foot.link, foot.centre);
+    contact.place = kinematics.point(foot.link, foot.centre);
+    contact.exact = true;
+    contact.turning = Turning::whole;
     contact.orientation = kinematics.link_rotation(foot.link);
     targets.push_back(contact);
     for (int d = 0; d < body.dof_count(); ++d) {
@@ -230,6 +265,32 @@ struct RandomStep {
     return ik_step(body, q, targets, inverse_weights, {}, settings);
   }
 };
+
+TEST(WeightedIk, HandStaysOnALinkOfAnotherBranch) {
+  RandomStep step(7);
+  const BodyModel& body = step.body;
+  const Kinematics<double> kinematics = placed(body, step.q);
+  const int thigh = body.dof(body.find_dof("left_knee.flexion").value()).parent;
+  Constraint<double>& hand = step.targets[1];
+  const Vec3d at = kinematics.point(hand.link, hand.point);
+  hand.carrier = thigh;
+  hand.place = transpose_times(kinematics.link_rotation(thigh), at - kinematics.link_origin(thigh));
+  hand.exact = true;
+  const int link = hand.link;
+  for (int order = 0; order < 3; ++order) {
+    const Vector dq = step.taken();
+    Vec3d moved{};
+    Vec3d carried{};
+    for (int d = 0; d < body.dof_count(); ++d) {
+      const Vec3d way = position_column(kinematics, d, at) * dq[static_cast<std::size_t>(d)];
+      if (body.moves(d, link)) moved += way;
+      if (body.moves(d, thigh)) carried += way;
+    }
+    EXPECT_GT(norm(carried), 0.01);
+    EXPECT_LT(norm(moved - carried), 1e-12);
+    std::rotate(step.targets.begin(), step.targets.begin() + 1, step.targets.end());
+  }
+}
 
 double largest_difference(const Vector& a, const Vector& b) {
   double largest = 0.0;
@@ -274,7 +335,7 @@ RC_GTEST_PROP(WeightedIkProperty, LockedJointsDoNotMoveAtAll, (std::uint64_t see
 RC_GTEST_PROP(WeightedIkProperty, NoAngleChangesByMoreThanTheLargestStep, (std::uint64_t seed)) {
   RandomStep step(seed);
   const double reach = *rc::gen::inRange(0, 1000) / 10.0;
-  for (std::size_t g = 0; g < 2; ++g) step.targets[g].position.y += reach;
+  for (std::size_t g = 0; g < 2; ++g) step.targets[g].place.y += reach;
   const IkSettings settings;
   for (const double dq : step.taken(settings)) {
     RC_ASSERT(std::fabs(dq) <= settings.max_step * (1.0 + 1e-15));

@@ -15,25 +15,25 @@ namespace shigusa {
 namespace {
 
 using namespace testing_support;
-using Targets = std::vector<IkTarget<double>>;
+using Targets = std::vector<Constraint<double>>;
 using Vector = std::vector<double>;
 
 // An effector moves by `way` from its position in the posture.
-IkTarget<double> moves_by(const BodyModel& body, const Vector& q, const Vec3d& way,
-                          std::size_t effector = 0) {
+Constraint<double> moves_by(const BodyModel& body, const Vector& q, const Vec3d& way,
+                            std::size_t effector = 0) {
   const Effector& e = body.effectors()[effector];
-  return {
-      .link = e.link, .point = e.point, .position = placed(body, q).point(e.link, e.point) + way};
+  return {.link = e.link, .point = e.point, .place = placed(body, q).point(e.link, e.point) + way};
 }
 
 // The second foot stays as in the start posture.
-IkTarget<double> planted(const BodyModel& body) {
+Constraint<double> planted(const BodyModel& body) {
   const Foot& foot = body.feet()[1];
   const Kinematics<double> start = placed(body, body.start());
   return {.link = foot.link,
           .point = foot.centre,
-          .position = start.point(foot.link, foot.centre),
-          .contact = true,
+          .place = start.point(foot.link, foot.centre),
+          .exact = true,
+          .turning = Turning::whole,
           .orientation = start.link_rotation(foot.link)};
 }
 
@@ -74,7 +74,7 @@ TEST(NlpIk, GoalIsMetBeyondTheFirstOrder) {
   // a way of 0.2 m bends much, and one linear step misses it by about 0.2² / 2
   const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}});
   const Vector from{0.2, 0.5};
-  const IkTarget<double> target = moves_by(body, from, {0, -0.1, 0.2});
+  const Constraint<double> target = moves_by(body, from, {0, -0.1, 0.2});
   const Solved found = solve(body, from, {target}, {1.0, 1.0});
   EXPECT_TRUE(found.outcome.converged);
   EXPECT_LT(norm(position_error(placed(body, found.q), target)), NlpIkSettings{}.goal_slack);
@@ -84,7 +84,7 @@ TEST(NlpIk, GoalIsMetBeyondTheFirstOrder) {
 TEST(NlpIk, ChangesCountAlikeInBodiesOfAnySize) {
   for (const double size : {0.01, 2.0}) {
     const BodyModel body = chain({{Axis::x, size}});
-    const IkTarget<double> target = moves_by(body, {0.1}, {});
+    const Constraint<double> target = moves_by(body, {0.1}, {});
     const Targets targets{target, target};
     NlpIk ik(body, {.damping = 0.3});
     ik.begin(targets, Vector{1.0});
@@ -99,7 +99,7 @@ TEST(NlpIk, TakesTheReferenceWhereNoGoalNeedsTheJoints) {
   Targets targets{moves_by(body, {0, 0.5, 0.3}, {})};
   targets[0].link = 0;
   targets[0].point = {0, 1, 0};
-  targets[0].position = {0, 1, 0};
+  targets[0].place = {0, 1, 0};
   const Solved found = solve(body, {0, 0.5, 0.3}, targets, {1.0, 2.0, 0.0}, {}, {0.0, 0.1, 0.1});
   EXPECT_NEAR(found.q[1], 0.6, 1e-7);
   EXPECT_EQ(found.q[2], 0.3) << "locked";
@@ -229,7 +229,7 @@ RC_GTEST_PROP(NlpIkProperty, GradientIsThatOfTheObjective, (std::uint64_t seed))
     q[d] += random.uniform(-0.5, 0.5);
     reference[d] = random.uniform(-0.1, 0.1);
   }
-  IkTarget<double>& foot = task.targets[2];
+  Constraint<double>& foot = task.targets[2];
   foot.lead = random_direction(random) * 0.1;
   foot.tilt_lead = random_direction(random) * 0.5;
   task.targets[0].lead = random_direction(random) * 0.05;
@@ -329,7 +329,7 @@ RC_GTEST_PROP(NlpIkProperty, APlantedFootStandsHoweverTheHandsPull, (std::uint64
   const RandomTask task(seed, 1.5);
   const Solved found = solve(task.body, task.from, task.targets, task.inverse_weights);
   const Kinematics<double> now = placed(task.body, found.q);
-  const IkTarget<double> foot = planted(task.body);
+  const Constraint<double> foot = planted(task.body);
   RC_ASSERT(norm(position_error(now, foot)) <= 1e-4);
   RC_ASSERT(kContactLength * tilt(now, foot) <= 1.01e-4);
 }
@@ -337,8 +337,9 @@ RC_GTEST_PROP(NlpIkProperty, APlantedFootStandsHoweverTheHandsPull, (std::uint64
 TEST(NlpIk, NothingMovesRatherThanAFootByMoreThanFiveSlacks) {
   const BodyModel body = chain({{Axis::x, 1.0}});
   const Vector from{0.5};
-  IkTarget<double> foot = moves_by(body, from, {});
-  foot.contact = true;
+  Constraint<double> foot = moves_by(body, from, {});
+  foot.exact = true;
+  foot.turning = Turning::whole;
   foot.orientation = placed(body, from).link_rotation(foot.link);
   const auto pulled = [&](double slack) {
     return solve(body, from, {moves_by(body, from, {0, -0.1, 0.2}), foot}, {1.0},

@@ -281,6 +281,7 @@ TEST(NlpRollout, RefusesBrokenProblemsAndInputs) {
   refused([](ReachProblem& p) { p.steps = 0; });
   refused([](ReachProblem& p) { p.duration = 0.0; });
   refused([](ReachProblem& p) { p.guide = {0.0}; });
+  refused([](ReachProblem& p) { p.supports.resize(1); });
   EXPECT_THROW(NlpRollout(problem, {.damping = -1.0}), PreconditionError);
   NlpRollout rollout(problem);
   const std::vector<double> weights(9, 1.0);

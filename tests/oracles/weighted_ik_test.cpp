@@ -15,7 +15,7 @@ namespace shigusa {
 namespace {
 
 using namespace testing_support;
-using Targets = std::vector<IkTarget<double>>;
+using Targets = std::vector<Constraint<double>>;
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
@@ -47,12 +47,12 @@ std::vector<double> random_inverse_weights(const BodyModel& body, Random& random
 }
 
 // An effector's goal up to 10 cm from its position.
-IkTarget<double> random_goal(const Kinematics<double>& kinematics, const Effector& effector,
-                             Random& random) {
+Constraint<double> random_goal(const Kinematics<double>& kinematics, const Effector& effector,
+                               Random& random) {
   const Vec3d away{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
   return {.link = effector.link,
           .point = effector.point,
-          .position = kinematics.point(effector.link, effector.point) + away};
+          .place = kinematics.point(effector.link, effector.point) + away};
 }
 
 // The chain from the standing foot to a hand for Orocos KDL.
@@ -105,7 +105,7 @@ TEST(WeightedIkAgainstKdl, OneHandTakesTheSameStep) {
       q(static_cast<unsigned>(d)) = step.q[static_cast<std::size_t>(d)];
     }
     solver.setWeightJS(m);
-    const Vec3d way = step.targets[0].position - kinematics.point(hand.link, hand.point);
+    const Vec3d way = step.targets[0].place - kinematics.point(hand.link, hand.point);
     KDL::JntArray expected(chain.getNrOfJoints());
     solver.CartToJnt(q, KDL::Twist(KDL::Vector(way.x, way.y, way.z), KDL::Vector::Zero()),
                      expected);
@@ -133,7 +133,7 @@ class KktSystem {
       if (!step.reference.empty()) gradient_(i) = hessian_(i, i) * step.reference[d];
     }
     const Kinematics<double> kinematics = placed(body, step.q);
-    for (const IkTarget<double>& target : step.targets) add_target(kinematics, target);
+    for (const Constraint<double>& target : step.targets) add_target(kinematics, target);
   }
 
   // (dofs)
@@ -153,15 +153,15 @@ class KktSystem {
   }
 
  private:
-  void add_target(const Kinematics<double>& kinematics, const IkTarget<double>& target) {
-    const Eigen::Index count = target.contact ? 6 : 3;
+  void add_target(const Kinematics<double>& kinematics, const Constraint<double>& target) {
+    const Eigen::Index count = target.exact ? 6 : 3;
     const auto n = static_cast<Eigen::Index>(free_.size());
     const Vec3d at = kinematics.point(target.link, target.point);
-    const Vec3d error = target.position - at;
+    const Vec3d error = target.place - at;
     Matrix j = Matrix::Zero(count, n);
     Vector e = Vector::Zero(count);
     for (int k = 0; k < 3; ++k) e(k) = error[k];
-    if (target.contact) {
+    if (target.exact) {
       const Vec3d tilt = rotation_sine(kinematics.link_rotation(target.link), target.orientation);
       for (int k = 0; k < 3; ++k) e(3 + k) = kContactLength * tilt[k];
     }
@@ -173,12 +173,12 @@ class KktSystem {
       const Vec3d v = cross(kinematics.axis[index], arm);
       for (int k = 0; k < 3; ++k) {
         j(k, i) = v[k];
-        if (target.contact) j(3 + k, i) = kContactLength * kinematics.axis[index][k];
+        if (target.exact) j(3 + k, i) = kContactLength * kinematics.axis[index][k];
       }
     }
     const double ratio = target.lag / step_.settings.lag_scale;
     const double share = step_.settings.damping + step_.settings.lag_damping * ratio * ratio;
-    if (target.contact || share == 0.0) return add_constraint(j, e);
+    if (target.exact || share == 0.0) return add_constraint(j, e);
     double trace = 0.0;
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto d = static_cast<std::size_t>(free_[static_cast<std::size_t>(i)]);
@@ -218,8 +218,9 @@ Step both_hands_and_foot(const BodyModel& body, Random& random) {
   const Kinematics<double> start = placed(body, body.start());
   step.targets.push_back({.link = foot.link,
                           .point = foot.centre,
-                          .position = start.point(foot.link, foot.centre),
-                          .contact = true,
+                          .place = start.point(foot.link, foot.centre),
+                          .exact = true,
+                          .turning = Turning::whole,
                           .orientation = start.link_rotation(foot.link)});
   step.inverse_weights = random_inverse_weights(body, random);
   return step;
@@ -273,7 +274,7 @@ TEST(WeightedIkAgainstKkt, DampingGrowsWithTheSquareOfTheLag) {
     step.settings.damping = 0.01;
     step.settings.lag_damping = 2.0;
     step.settings.lag_scale = 0.2;
-    for (IkTarget<double>& target : step.targets) target.lag = random.uniform(0.0, 0.5);
+    for (Constraint<double>& target : step.targets) target.lag = random.uniform(0.0, 0.5);
   });
 }
 

@@ -50,6 +50,17 @@ class OnTheThigh : public testing::Test {
   const ReachProblem problem = make_problem(task).value();
 };
 
+TEST_F(OnTheThigh, AHandIsAnExactConstraintFromItsArrivalOn) {
+  const Constraint<double> hand = constraints(problem).back();
+  const HandSupport& support = problem.supports[0];
+  EXPECT_EQ(hand.link, task.body.effector(support.effector).link);
+  EXPECT_EQ(hand.carrier, support.carrier);
+  EXPECT_EQ(hand.place, support.place);
+  EXPECT_TRUE(hand.exact && !hand.turns());
+  EXPECT_FALSE(hand.holds_at(support.arrives - 0.01));
+  EXPECT_TRUE(hand.holds_at(support.arrives) && hand.holds_at(1.0));
+}
+
 TEST_F(OnTheThigh, AHandArrivesAndStays) {
   const RolledOut rolled = roll_out(problem, bent(0.1));
   ASSERT_TRUE(rolled.outcome.met());

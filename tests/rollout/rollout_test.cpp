@@ -29,20 +29,20 @@ TEST(ReachOutcome, IsMetWithinAMillimetreAndATenthOfADegree) {
   EXPECT_FALSE((ReachOutcome{.goal_error = 4e-3, .path_error = 6e-3}.met({5e-3, 5e-3})));
 }
 
-TEST(IkTargets, AreTheGoalsAndThenThePlantedFoot) {
+TEST(Constraints, AreTheGoalsAndThenThePlantedFoot) {
   const ReachProblem problem = reach_with(full(), "left_hand", kLow);
-  const auto targets = ik_targets(problem);
-  ASSERT_EQ(targets.size(), 2u);
-  EXPECT_FALSE(targets[0].contact);
-  EXPECT_EQ(targets[0].position, kLow);
-  EXPECT_TRUE(targets[1].contact);
-  EXPECT_EQ(targets[1].link, full().feet()[1].link);
+  const auto all = constraints(problem);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_FALSE(all[0].exact);
+  EXPECT_EQ(all[0].place, kLow);
+  EXPECT_TRUE(all[1].exact);
+  EXPECT_EQ(all[1].link, full().feet()[1].link);
   const Kinematics<double> start = placed(full(), full().start());
-  EXPECT_EQ(targets[1].position, start.point(targets[1].link, targets[1].point));
+  EXPECT_EQ(all[1].place, start.point(all[1].link, all[1].point));
 }
 
-TEST(IkTargets, LeaveOutTheFootThatIsTheBase) {
-  EXPECT_EQ(ik_targets(reach_with(half(), "right_hand", kLow)).size(), 1u);
+TEST(Constraints, LeaveOutTheFootThatIsTheBase) {
+  EXPECT_EQ(constraints(reach_with(half(), "right_hand", kLow)).size(), 1u);
 }
 
 TEST(RollOut, HasAFrameMoreThanSteps) {

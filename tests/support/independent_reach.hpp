@@ -17,7 +17,7 @@ namespace shigusa::testing_support {
 class IndependentReach {
  public:
   explicit IndependentReach(const ReachProblem& problem)
-      : body_(*problem.body), targets_(ik_targets(problem)) {
+      : body_(*problem.body), targets_(constraints(problem)) {
     goal_rows_ = 3 * static_cast<Eigen::Index>(problem.goals.size());
   }
 
@@ -69,15 +69,15 @@ class IndependentReach {
         placed(body_, {q.data(), static_cast<std::size_t>(q.size())});
     System system;
     Eigen::Index rows = 0;
-    for (const IkTarget<double>& target : targets_) rows += target.contact ? 6 : 3;
+    for (const Constraint<double>& target : targets_) rows += target.exact ? 6 : 3;
     system.residual = Eigen::VectorXd::Zero(rows);
     system.jacobian = Eigen::MatrixXd::Zero(rows, q.size());
     Eigen::Index row = 0;
-    for (const IkTarget<double>& target : targets_) {
-      const double scale = target.contact ? penalty : 1.0;
+    for (const Constraint<double>& target : targets_) {
+      const double scale = target.exact ? penalty : 1.0;
       const Vec3d at = kinematics.point(target.link, target.point);
-      put(system.residual, row, 0, (at - target.position) * scale);
-      if (target.contact) {
+      put(system.residual, row, 0, (at - target.place) * scale);
+      if (target.exact) {
         const Mat3d turned = kinematics.link_rotation(target.link) * transpose(target.orientation);
         put(system.residual, row + 3, 0, rotation_vector(turned) * (0.1 * scale));
       }
@@ -86,9 +86,9 @@ class IndependentReach {
         const auto k = static_cast<std::size_t>(d);
         const Vec3d axis = kinematics.axis[k];
         put(system.jacobian, row, d, cross(axis, at - kinematics.origin[k]) * scale);
-        if (target.contact) put(system.jacobian, row + 3, d, axis * (0.1 * scale));
+        if (target.exact) put(system.jacobian, row + 3, d, axis * (0.1 * scale));
       }
-      row += target.contact ? 6 : 3;
+      row += target.exact ? 6 : 3;
     }
     return system;
   }
@@ -99,7 +99,7 @@ class IndependentReach {
   }
 
   const BodyModel& body_;
-  std::vector<IkTarget<double>> targets_;
+  std::vector<Constraint<double>> targets_;
   Eigen::Index goal_rows_ = 0;
   Eigen::VectorXd q_;
 };
