@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "plan/held_input.hpp"
 #include "problem/make_problem.hpp"
 #include "rollout/reach_problem.hpp"
 

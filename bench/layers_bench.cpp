@@ -31,11 +31,10 @@ std::vector<double> random_points(std::size_t genes) {
 void score_flat(benchmark::State& state, SimdSet simd) {
   const Task task = human_task(Preset::flat);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = parameter_list(plan_of(task).value());
+  const ParameterList list = parameter_list(plan_of(task.body, task.start, task).value());
   ParameterSpace space(problem, list, GeneCode::natural);
   const std::vector<double> points = random_points(static_cast<std::size_t>(space.genes()));
-  const CriteriaSettings criteria = task_criteria(task);
-  BatchRollout batch(problem, criteria, {simd, 1});
+  BatchRollout batch(problem, task.criteria, {simd, 1});
   std::vector<double> scores(kMotions);
   const MotionCounter counter(state);
   for (auto _ : state) {
@@ -47,7 +46,8 @@ void score_flat(benchmark::State& state, SimdSet simd) {
 
 void score_layers(benchmark::State& state, SimdSet simd) {
   const Task task = human_task(Preset::human);
-  const LayeredProblem problem = in_layers(make_problem(task).value(), plan_of(task).value());
+  const LayeredProblem problem =
+      in_layers(make_problem(task).value(), plan_of(task.body, task.start, task).value());
   const std::vector<std::size_t> genes = searched_genes(problem);
   const std::vector<double> points = random_points(genes.size());
   std::vector<LayeredValues> parameters;

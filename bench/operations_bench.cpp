@@ -26,7 +26,7 @@ double difference(const Measured& measured, const CriteriaSettings& criteria,
 
 std::vector<Counted> count_motions(const Measured& measured, const CriteriaSettings& criteria) {
   Rollout<Counted> rollout(measured.problem);
-  BuiltInCriteria<Counted> built_in(measured.task.body, criteria);
+  BuiltInCriteria<Counted> built_in(measured.task.body, measured.problem.context, criteria);
   const std::size_t dofs = measured.task.body.dofs().size();
   std::vector<Counted> scores;
   std::vector<Counted> inverse(dofs);

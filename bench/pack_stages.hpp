@@ -28,10 +28,12 @@ class PackStages final : public Stages {
         kinematics_(body_),
         ik_(body_),
         dynamics_(body_),
-        criteria_(body_, *input.criteria),
+        criteria_(body_, problem_.context, *input.criteria),
         rollout_(problem_, LostMotion::left) {
     // offset from the start posture, so that no value is 0
-    for (std::size_t d = 0; d < angles_.size(); ++d) angles_[d] = S(body_.start()[d] + 0.05);
+    for (std::size_t d = 0; d < angles_.size(); ++d) {
+      angles_[d] = S(problem_.start().angles[d] + 0.05);
+    }
     for (const Constraint<double>& constraint : constraints(problem_)) {
       constraints_.push_back(in_lanes<S>(constraint));
     }

@@ -6,6 +6,7 @@
 
 #include "bench_problem.hpp"
 #include "count_motions.hpp"
+#include "plan/held_input.hpp"
 #include "rollout/batch_rollout.hpp"
 #include "rollout/rollout.hpp"
 #include "search/genetic.hpp"
@@ -21,7 +22,7 @@ void rollout_double(benchmark::State& state, const char* character) {
   const Measured measured(character, kScalarMotions);
   const CriteriaSettings criteria;
   Rollout<double> rollout(measured.problem);
-  BuiltInCriteria<double> built_in(measured.task.body, criteria);
+  BuiltInCriteria<double> built_in(measured.task.body, measured.problem.context, criteria);
   std::vector<std::vector<double>> weights;
   for (const Parameters& p : measured.parameters) {
     weights.push_back(inverse_weights(measured.task.body, p));

@@ -276,7 +276,7 @@ Result<DrawnAgain> drawn_again(const DatasetPlan& plan, const DataMotion& motion
   SHG_TRY_ASSIGN(Task task, make_task(file, {}));
   task.batch.threads = 1;
   task.layers.store = limb_store();
-  SHG_TRY_ASSIGN(const ParameterList list, parameter_list(task.body, task));
+  SHG_TRY_ASSIGN(const ParameterList list, parameter_list(task.body, task.start, task));
   Parameters values = list.start();
   values.posed = list.has_posture();
   DrawnAgain again{std::move(file), std::move(task), std::move(values)};

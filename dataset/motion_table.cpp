@@ -66,8 +66,8 @@ std::string stem_of(const std::string& source) {
 MotionTable::MotionTable(const TaskFile& file, const Task& task,
                          std::span<const DatasetSeries> series)
     : file_(file), task_(task), series_(series), dofs_(data_dofs(file, task.body)) {
-  const Result<ParameterList> list = parameter_list(task.body, task);
-  list_ = list ? *list : parameter_list(task.body, Request{}).value();
+  const Result<ParameterList> list = parameter_list(task.body, task.start, task);
+  list_ = list ? *list : parameter_list(task.body, task.start, Request{}).value();
   parameters_ = list_.names();
   std::sort(parameters_.begin(), parameters_.end());
   for (const std::string& name : parameters_) order_.push_back(list_.find(name).value());

@@ -53,7 +53,7 @@ Result<void> read_motions(const std::filesystem::path& folder,
 
 Result<Parameters> named_parameters(const Task& task, std::span<const std::string> names,
                                     std::span<const double> values) {
-  SHG_TRY_ASSIGN(const ParameterList list, parameter_list(task.body, task));
+  SHG_TRY_ASSIGN(const ParameterList list, parameter_list(task.body, task.start, task));
   Parameters parameters = list.start();
   parameters.posed = list.has_posture();
   for (std::size_t i = 0; i < list.size(); ++i) {

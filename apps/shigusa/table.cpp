@@ -192,8 +192,9 @@ std::string verdict_lines(const Judgement& judgement, const std::string& of) {
 
 // Verdict on the start posture of a run without possible motions, if the start is the cause.
 Judgement fault_of_start(const FinishedRun& run) {
-  const Judgement start =
-      run.generation.status == ReachStatus::unsteady ? judge_start(run.task.body) : Judgement{};
+  const Judgement start = run.generation.status == ReachStatus::unsteady
+                              ? judge_start(run.task.body, run.task.start)
+                              : Judgement{};
   return start.verdict == Verdict::impossible ? start : Judgement{};
 }
 

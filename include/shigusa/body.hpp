@@ -382,6 +382,20 @@ class BodyModel {
   std::shared_ptr<const BodyConstants<float>> constants_float_;
 };
 
+/// The posture and the velocities in which a motion begins or ends.
+struct State {
+  std::vector<double> angles{};      ///< (dofs) rad
+  std::vector<double> velocities{};  ///< (dofs) rad/s; empty: at rest
+
+  /// Whether both are the same.
+  bool operator==(const State&) const = default;
+};
+
+/// The start posture of the body.
+[[nodiscard]] inline State start_state(const BodyModel& body) {
+  return {.angles = {body.start().begin(), body.start().end()}};
+}
+
 /// The upper limit (rad) of a dof at the given angles (dofs, rad), couplings included.
 [[nodiscard]] double upper_limit(const BodyModel& body, int dof, std::span<const double> angles);
 

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <shigusa/body.hpp>
+#include <shigusa/error.hpp>
 #include <shigusa/goal.hpp>
 #include <shigusa/math.hpp>
 #include <shigusa/motion.hpp>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace shigusa {
@@ -19,157 +23,124 @@ inline constexpr double kPaperRangeWeight = 0.5;
 inline constexpr double kPaperBalanceWeight = 0.3;  ///< weight of balance (rule R8)
 inline constexpr double kPaperTorqueWeight = 0.2;   ///< weight of torque (rule R8)
 
-/// Excess beyond a limit, as a share of the joint's range, at which the penalty is 1 (rule R8a).
+/// The built-in criteria, in the order of a score's terms.
+enum class CriterionKind {
+  joint_range,         ///< how far joints exceed their limits
+  balance,             ///< lean: distance of the centre of mass from the feet over its height
+  torque,              ///< joint torques relative to the joints' strength
+  balance_zone,        ///< nearness of the centre of mass to the edge of the support polygon
+  discomfort,          ///< distance of joints from neutral angles, nearness to their limits
+  joint_acceleration,  ///< root-mean-square acceleration of the joints
+  work,                ///< mechanical work of all joints
+  low_back,            ///< moment about the lowest lumbar joint (L5/S1)
+  head,                ///< height of the head, and its view of the gaze target
+  collision,           ///< depth of body parts in one another, in obstacles or in the floor
+  centre_of_pressure,  ///< distance of the centre of pressure outside the support polygon
+  feasibility,         ///< excess of the worst moment over the body's ability
+  coordination,        ///< knees out of people's proportion to the trunk
+  hand_curve,          ///< deviation of hand paths from people's
+  trunk_travel,        ///< travel of the trunk where the arm alone would reach
+  mass_ahead,          ///< a centre of mass that does not follow the hands
+  jolts,               ///< sudden changes of torques and of the centre of pressure
+};
+
+/// Excess beyond a limit, as a share of the joint's range, at which the penalty of joint_range is 1
+/// (rule R8a).
 inline constexpr double kRangeMargin = 0.2;
-/// Settings of the criterion joint_range: how far joints exceed their limits.
-struct JointRangeSettings {
-  double margin = kRangeMargin;  ///< share of the range, > 0
-};
-
-/// Lean at which the penalty is 1 (rule R8b): the toes' edge is 0.13 m ahead of mid-foot and the
-/// centre of mass about 1.0 m high when standing, 0.7 m when stooping.
+/// Lean at which the penalty of balance is 1 (rule R8b): the toes' edge is 0.13 m ahead of mid-foot
+/// and the centre of mass about 1.0 m high when standing, 0.7 m when stooping.
 inline constexpr double kBalanceLean = 0.20;
-/// Settings of the criterion balance: horizontal distance of the centre of mass from the feet,
-/// relative to its height.
-struct BalanceSettings {
-  double lean = kBalanceLean;  ///< horizontal distance over height, > 0
-};
-
-/// Root-mean-square share of the joints' strength at which the penalty is 1 (rule R8c). The penalty
-/// saturates there, as torques are heavy-tailed.
+/// Root-mean-square share of the joints' strength at which the penalty of torque is 1 (rule R8c).
+/// The penalty saturates there, as torques are heavy-tailed.
 inline constexpr double kTorqueShare = 0.6;
-/// Settings of the criterion torque: joint torques relative to the joints' strength.
-struct TorqueSettings {
-  double share = kTorqueShare;  ///< share of the strength, > 0
-};
-
 /// Distance that people keep between the plumb line of their centre of mass and the edge of their
 /// support polygon (m): some 2 to 3 cm.
 inline constexpr double kBalanceReserve = 0.03;
-/// Settings of the criterion balance_zone: how near the plumb line of the centre of mass comes to
-/// the edge of the support polygon.
-struct BalanceZoneSettings {
-  double margin = kBalanceReserve;  ///< m, > 0
-};
-
 /// Mean discomfort of the joints at which the penalty is 1: a quarter of them at the ends of their
 /// range.
 inline constexpr double kDiscomfortShare = 0.25;
-/// Settings of the criterion discomfort: distance of the joints from their neutral angles and
-/// nearness to their limits.
-struct DiscomfortSettings {
-  double share = kDiscomfortShare;  ///< share of the joints at a limit, > 0
-};
-
 /// Root-mean-square joint acceleration at which the penalty is 1 (rad/s²): that of turning all
 /// joints by 90° in 1 s with the minimum-jerk profile, sqrt(120 / 7) · (π / 2) / (1 s)².
 inline constexpr double kJointAcceleration = 6.5;
-/// Settings of the criterion joint_acceleration: root-mean-square acceleration of the joints.
-struct JointAccelerationSettings {
-  double acceleration = kJointAcceleration;  ///< rad/s², > 0
-};
-
 /// Work at which the penalty is 1, as a share of body weight times stature: about the work of
 /// lowering a body into a deep squat and raising it again.
 inline constexpr double kWorkShare = 0.4;
-/// Settings of the criterion work: the mechanical work of all joints.
-struct WorkSettings {
-  double share = kWorkShare;  ///< share of weight times stature, > 0
-};
-
-/// Share of strength at which the penalty is 1. A share of 0.75 is about 180 N·m in a man of 73 kg:
-/// with a muscle lever of 6 cm and the weight of the upper body, the disc then bears the 3400 N of
-/// NIOSH's limit (Waters et al., Ergonomics 36 (1993) 749-776). The penalty grows beyond that
-/// limit, so that it still distinguishes ways of lifting a heavy load.
+/// Share of the back's strength at which the penalty of low_back is 1. A share of 0.75 is about
+/// 180 N·m in a man of 73 kg: with a muscle lever of 6 cm and the weight of the upper body, the
+/// disc then bears the 3400 N of NIOSH's limit (Waters et al., Ergonomics 36 (1993) 749-776). The
+/// penalty grows beyond that limit, so that it still distinguishes ways of lifting a heavy load.
 inline constexpr double kLowBackShare = 1.0;
-/// Settings of the criterion low_back: the moment about the lowest lumbar joint (L5/S1).
-struct LowBackSettings {
-  double share = kLowBackShare;  ///< share of the strength, > 0
-};
-
-/// Height of the head above the pelvis, as a share of their distance, below which the penalty
-/// begins: a trunk that leans by 60°.
+/// Height of the head above the pelvis, as a share of their distance, below which the penalty of
+/// head begins: a trunk that leans by 60°.
 inline constexpr double kHeadHeight = 0.5;
-/// Settings of the criterion head: whether the head stays up and can look at the goal.
-struct HeadSettings {
-  double height = kHeadHeight;  ///< share, > 0
-  /// Gaze target, m, world. Empty: the task's goals; without goals only the head's height counts.
-  std::optional<Vec3d> gaze_target{};
-};
-
 /// Collision depth (m) at which the penalty is 1.
 inline constexpr double kCollisionFull = 0.05;
-/// A contact of a resting hand with a body part or an obstacle, which does not count as a
-/// collision.
-struct RestingPlace {
-  int link = 0;    ///< index of the hand's link
-  std::string on;  ///< name of the capsule or the obstacle
-};
-/// Settings of the criterion collision: how deep body parts are in one another, in obstacles or in
-/// the floor.
-struct CollisionSettings {
-  double full = kCollisionFull;         ///< m, > 0
-  std::vector<Obstacle> obstacles{};    ///< obstacles of the task
-  std::vector<RestingPlace> resting{};  ///< hand contacts of the task
-};
-
-/// Distance outside the support polygon (m) at which the penalty is 1.
+/// Distance outside the support polygon (m) at which the penalty of centre_of_pressure is 1.
 inline constexpr double kPressureOutside = 0.10;
-/// Settings of the criterion centre_of_pressure: how far the centre of pressure lies outside the
-/// support polygon.
-struct PressureSettings {
-  double outside = kPressureOutside;  ///< m, > 0
-};
-
-/// Distance of the centre of pressure outside the support polygon (m) that costs as much as a joint
-/// that needs twice its strength.
+/// Distance of the centre of pressure outside the support polygon (m) that costs as much in
+/// feasibility as a joint that needs twice its strength.
 inline constexpr double kFeasibilityOutside = 0.05;
-/// Settings of the criterion feasibility: whether the body could make the motion at all.
-struct FeasibilitySettings {
-  double outside = kFeasibilityOutside;  ///< m, > 0
-};
-
-/// Half the difference (rad) of the knees from people's proportions at which the penalty is 0.5.
+/// Half the difference (rad) of the knees from people's proportions at which the penalty of
+/// coordination is 0.5.
 inline constexpr double kCoordinationAngle = 0.35;
-/// Settings of the criterion coordination: whether the knees bend in proportion to the trunk, as
-/// people's do.
-struct CoordinationSettings {
-  double angle = kCoordinationAngle;  ///< rad, > 0
-  std::vector<int> effectors{};       ///< indices of the goals' effectors; empty: all hands
-};
-
 /// Deviation of a hand's path from people's, as a share of its length, at which the penalty is 0.5.
 inline constexpr double kPathOffset = 0.2;
-/// Settings of the criterion hand_curve: deviation of hand paths from people's.
-struct HandCurveSettings {
-  double offset = kPathOffset;   ///< share of the path's length, > 0
-  std::vector<int> effectors{};  ///< indices of the goals' effectors; empty: all hands
-};
-
 /// Distance (m) that a shoulder travels beyond the need of its goal at which the penalty is 0.5.
 inline constexpr double kTravelDistance = 0.3;
-/// Settings of the criterion trunk_travel: travel of the trunk where the arm alone would reach.
-struct TrunkTravelSettings {
-  double distance = kTravelDistance;  ///< m, > 0
-  std::vector<int> effectors{};       ///< indices of the goals' effectors; empty: all hands
-};
-
 /// Distance (m) of the centre of mass from its place in people's reaches at which the penalty is
 /// 0.5.
 inline constexpr double kMassDistance = 0.08;
-/// Settings of the criterion mass_ahead: whether the centre of mass moves along with the hands.
-struct MassAheadSettings {
-  double distance = kMassDistance;  ///< m, > 0
-  std::vector<int> effectors{};     ///< indices of the goals' effectors; empty: all hands
-};
-
-/// Change of a torque or of the centre of pressure within 1/60 s at which the penalty is 0.5, as a
-/// share of a visible jolt: 30 % of the strength, or 3 cm.
+/// Change of a torque or of the centre of pressure within 1/60 s at which the penalty of jolts is
+/// 0.5, as a share of a visible jolt: 30 % of the strength, or 3 cm.
 inline constexpr double kJoltLimit = 1.0;
-/// Settings of the criterion jolts: how suddenly torques and the centre of pressure change.
-struct JoltsSettings {
-  double limit = kJoltLimit;  ///< share of a jolt, > 0
+
+/// The facts of a built-in criterion.
+struct CriterionTraits {
+  CriterionKind kind;           ///< the criterion
+  std::string_view word;        ///< name in scores and in files
+  std::string_view counts;      ///< description for users: "quick starts and stops"
+  std::string_view scale_name;  ///< name of the scale in files, with its unit
+  double scale;                 ///< usual reference scale
 };
+/// All built-in criteria, in the order of CriterionKind.
+inline constexpr std::array kCriteria{
+    CriterionTraits{CriterionKind::joint_range, "joint_range", "joints beyond their limits",
+                    "margin", kRangeMargin},
+    CriterionTraits{CriterionKind::balance, "balance", "leaning away from above the feet", "lean",
+                    kBalanceLean},
+    CriterionTraits{CriterionKind::torque, "torque", "effort of the joints beside their strength",
+                    "share", kTorqueShare},
+    CriterionTraits{CriterionKind::balance_zone, "balance_zone", "weight near the edge of the feet",
+                    "margin_m", kBalanceReserve},
+    CriterionTraits{CriterionKind::discomfort, "discomfort", "joints far from their easy middle",
+                    "share", kDiscomfortShare},
+    CriterionTraits{CriterionKind::joint_acceleration, "joint_acceleration",
+                    "quick starts and stops", "acceleration_rad_s2", kJointAcceleration},
+    CriterionTraits{CriterionKind::work, "work", "work of lifting and braking", "share",
+                    kWorkShare},
+    CriterionTraits{CriterionKind::low_back, "low_back", "load on the lower back", "share",
+                    kLowBackShare},
+    CriterionTraits{CriterionKind::head, "head", "head low, or eyes off the goal", "height",
+                    kHeadHeight},
+    CriterionTraits{CriterionKind::collision, "collision", "parts that pass through something",
+                    "depth_m", kCollisionFull},
+    CriterionTraits{CriterionKind::centre_of_pressure, "centre_of_pressure",
+                    "pressure outside the feet", "outside_m", kPressureOutside},
+    CriterionTraits{CriterionKind::feasibility, "feasibility",
+                    "a worst moment beyond strength or footing", "outside_m", kFeasibilityOutside},
+    CriterionTraits{CriterionKind::coordination, "coordination", "knees bent unlike people's",
+                    "angle_rad", kCoordinationAngle},
+    CriterionTraits{CriterionKind::hand_curve, "hand_curve", "a way of the hand unlike people's",
+                    "offset", kPathOffset},
+    CriterionTraits{CriterionKind::trunk_travel, "trunk_travel",
+                    "a trunk that goes too far or too little", "distance_m", kTravelDistance},
+    CriterionTraits{CriterionKind::mass_ahead, "mass_ahead",
+                    "weight that does not go along with the hand", "distance_m", kMassDistance},
+    CriterionTraits{CriterionKind::jolts, "jolts", "sudden changes of effort", "limit", kJoltLimit},
+};
+/// The words of CriterionKind.
+template <>
+inline constexpr auto kEnumWords<CriterionKind> = words_of_table(kCriteria, &CriterionTraits::kind);
 
 /// A user-defined criterion: any scalar function of the motion, smaller is better. Its penalty is
 /// value / scale, clamped to [0, 1] like those of the built-in criteria. A motion with the value
@@ -182,48 +153,55 @@ struct UserCriterion {
   std::function<double(const BodyModel&, const Motion&)> value{};
 };
 
-/// A mixture of criteria: score = Σ weight · penalty, lower is better. Weights are ≥ 0; a criterion
-/// of weight 0 is not computed.
-struct CriteriaSettings {
-  double joint_range_weight = kPaperRangeWeight;  ///< joints beyond their limits
-  double balance_weight = kPaperBalanceWeight;    ///< lean of the centre of mass
-  double torque_weight = kPaperTorqueWeight;      ///< joint torques
-  double balance_zone_weight = 0.0;               ///< distance to the edge of the support polygon
-  double discomfort_weight = 0.0;                 ///< joints far from neutral
-  double joint_acceleration_weight = 0.0;         ///< joint accelerations
-  double work_weight = 0.0;                       ///< mechanical work
-  double low_back_weight = 0.0;                   ///< moment about L5/S1
-  double head_weight = 0.0;                       ///< height of the head and gaze
-  double collision_weight = 0.0;                  ///< collisions
-  double pressure_weight = 0.0;                   ///< centre of pressure outside the feet
-  double feasibility_weight = 0.0;                ///< motions beyond the body's ability
-  double coordination_weight = 0.0;               ///< knees out of proportion to the trunk
-  double hand_curve_weight = 0.0;                 ///< hand paths unlike people's
-  double trunk_travel_weight = 0.0;               ///< needless travel of the trunk
-  double mass_ahead_weight = 0.0;                 ///< centre of mass that does not follow the hands
-  double jolts_weight = 0.0;                      ///< sudden changes of torque and pressure
-  JointRangeSettings joint_range{};               ///< scale of joint_range
-  BalanceSettings balance{};                      ///< scale of balance
-  TorqueSettings torque{};                        ///< scale of torque
-  BalanceZoneSettings balance_zone{};             ///< scale of balance_zone
-  DiscomfortSettings discomfort{};                ///< scale of discomfort
-  JointAccelerationSettings joint_acceleration{};  ///< scale of joint_acceleration
-  WorkSettings work{};                             ///< scale of work
-  LowBackSettings low_back{};                      ///< scale of low_back
-  HeadSettings head{};                             ///< scale of head
-  CollisionSettings collision{};                   ///< scale of collision
-  PressureSettings pressure{};                     ///< scale of centre_of_pressure
-  FeasibilitySettings feasibility{};               ///< scale of feasibility
-  CoordinationSettings coordination{};             ///< scale of coordination
-  HandCurveSettings hand_curve{};                  ///< scale of hand_curve
-  TrunkTravelSettings trunk_travel{};              ///< scale of trunk_travel
-  MassAheadSettings mass_ahead{};                  ///< scale of mass_ahead
-  JoltsSettings jolts{};                           ///< scale of jolts
-  std::vector<UserCriterion> user{};               ///< user-defined criteria
+/// The setting of one built-in criterion.
+struct CriterionSetting {
+  double weight = 0.0;  ///< ≥ 0; a criterion of weight 0 is not computed
+  double scale = 1.0;   ///< reference scale, > 0: see the criterion's constant
 };
 
-/// Sets the effectors of each criterion that measures reaching hands.
-void set_reaching(CriteriaSettings& settings, const std::vector<int>& effectors);
+/// A mixture of criteria: score = Σ weight · penalty, lower is better. The scales are those of
+/// kCriteria unless set.
+struct CriteriaSettings {
+  std::array<CriterionSetting, kCriteria.size()> built_in;  ///< in the order of CriterionKind
+  std::vector<UserCriterion> user{};                        ///< user-defined criteria
+
+  /// The paper's mixture, see paper_criteria.
+  CriteriaSettings()
+      : CriteriaSettings({{CriterionKind::joint_range, kPaperRangeWeight},
+                          {CriterionKind::balance, kPaperBalanceWeight},
+                          {CriterionKind::torque, kPaperTorqueWeight}}) {}
+  /// A mixture of the given weights; the others are 0.
+  CriteriaSettings(std::initializer_list<std::pair<CriterionKind, double>> weights) {
+    for (std::size_t k = 0; k < built_in.size(); ++k) built_in[k] = {0.0, kCriteria[k].scale};
+    for (const auto& [kind, weight] : weights) (*this)[kind].weight = weight;
+  }
+  /// The setting of a criterion.
+  [[nodiscard]] const CriterionSetting& operator[](CriterionKind kind) const {
+    return built_in[static_cast<std::size_t>(kind)];
+  }
+  /// Mutable access.
+  [[nodiscard]] CriterionSetting& operator[](CriterionKind kind) {
+    return built_in[static_cast<std::size_t>(kind)];
+  }
+};
+
+/// A contact of a resting hand with a body part or an obstacle, which does not count as a
+/// collision.
+struct RestingPlace {
+  int link = 0;    ///< index of the hand's link
+  std::string on;  ///< name of the capsule or the obstacle
+};
+
+/// The circumstances in which a motion is scored and measured.
+struct CriteriaContext {
+  /// Posture from which the motion begins: the planted feet and the allowed depths of collisions
+  /// are as in it. Without angles it is the motion's first frame.
+  State start{};
+  std::vector<int> effectors{};         ///< indices of the goals' effectors; empty: all hands
+  std::optional<Vec3d> gaze{};          ///< gaze target, m, world; empty: none
+  std::vector<Obstacle> obstacles{};    ///< obstacles that the body can collide with
+  std::vector<RestingPlace> resting{};  ///< contacts of resting hands
+};
 
 /// The paper's three criteria with the weights of rule R8: the default CriteriaSettings.
 [[nodiscard]] CriteriaSettings paper_criteria();
@@ -269,7 +247,8 @@ struct Score {
 
 /// Scores a whole motion with torques and a centre of mass in each frame.
 [[nodiscard]] Score score_motion(const BodyModel& body, const Motion& motion,
-                                 const CriteriaSettings& settings);
+                                 const CriteriaSettings& settings,
+                                 const CriteriaContext& context = {});
 
 /// The peak load of one joint, relative to its strength.
 struct JointLoad {
@@ -346,7 +325,7 @@ struct CollisionFound {
 /// Finds the deepest collision of a body in a clip: arms with the body, any part with obstacles,
 /// arms that have a wrist with the floor.
 [[nodiscard]] CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
-                                               const CollisionSettings& settings = {});
+                                               const CriteriaContext& context = {});
 
 /// The largest change of a motion within 1/60 s. People see a jolt where the floor's centre of
 /// pressure moves by more than 3 cm, or a torque changes by more than 30 % of its joint's strength
@@ -371,7 +350,7 @@ struct MotionMeasures {
 };
 /// Measures a whole motion that is at rest before and after.
 [[nodiscard]] MotionMeasures measure_motion(const BodyModel& body, const Motion& motion,
-                                            const CollisionSettings& collision);
+                                            const CriteriaContext& context = {});
 /// The joint with the largest load share; null for a body without joints.
 [[nodiscard]] const JointLoad* most_loaded(const MotionMeasures& measures);
 

@@ -161,8 +161,8 @@ struct Judgement {
 /// Judges a motion by its measures, without possible_in.
 [[nodiscard]] Judgement judge(const BodyModel& body, const MotionMeasures& measures);
 
-/// Judges the start posture, held still; its reasons are independent of any goal.
-[[nodiscard]] Judgement judge_start(const BodyModel& body);
+/// Judges the state in which a motion begins, held still; its reasons are independent of any goal.
+[[nodiscard]] Judgement judge_start(const BodyModel& body, const State& start);
 
 /// Largest factor by which a motion is slowed down to find possible_in.
 inline constexpr double kSlowest = 3.0;
@@ -326,36 +326,11 @@ struct GenerateResult {
 /// The task with the duration of the generated motions, for playing them again.
 [[nodiscard]] Task played_task(Task task, const GenerateResult& generation);
 
-/// Distance (rad) up to which two motions are one candidate for the presets paper and layers: root
-/// mean square over the dofs, the largest over the frames.
-inline constexpr double kDistinctPosture = radians(5.0);
-/// Distance of final postures (rad, root mean square) up to which two motions are one candidate for
-/// natural presets (PresetTraits::natural).
-inline constexpr double kDistinctEnd = radians(10.0);
-/// Distance of final postures (rad) used instead of kDistinctEnd if it leaves too few candidates:
-/// another pose of an arm, a higher elbow.
-inline constexpr double kNearEnd = radians(5.0);
-/// Distance (rad) by which a replay in double precision may bring two final postures nearer.
-inline constexpr double kEndSlack = radians(0.1);
-/// Largest score difference of a candidate from the best one; see also kShownLeast.
-inline constexpr double kCandidateSpread = 0.6;
-/// Number of feasible candidates that are delivered whatever their score.
-inline constexpr int kShownLeast = 3;
-/// Largest score difference of the best candidate of another style, if the best one bends down:
-/// people squat although it costs more, and some stoop.
-inline constexpr double kStyleSpread = 1.5;
-/// Score difference between search and replay that is not counted in SearchLog. Searches score in
-/// single precision, replays in double; feasibility and jolts depend on peak accelerations, which
-/// single precision changes by some 2e-3 rad/s².
-inline constexpr double kReplayTolerance = 0.05;
-/// Distance (m) from the closest reachable point within which a candidate must end if its goal is
-/// out of reach.
-inline constexpr double kEdgeTolerance = 5e-3;
-
 /// The internal form of a prepared task; opaque.
 struct Problem;
 
-/// A checked task with its precomputed data, for several searches or players.
+/// A checked task with its precomputed data, for several searches or players. Immutable: threads
+/// may share it.
 class PreparedTask {
  public:
   /// Checks and prepares a task; fails as generate does.
@@ -403,7 +378,7 @@ class PreparedTask {
 
 /// Generates motions of one task from given parameter values, without a search: the parameter
 /// editor (paper, section 4.2 and figure 7). Work that depends only on the task is done once. A
-/// motion does not depend on the motions played before.
+/// motion does not depend on the motions played before. One thread at a time may use a player.
 class MotionPlayer {
  public:
   /// Prepares a task; fails as PreparedTask::of does.

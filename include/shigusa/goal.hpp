@@ -13,10 +13,6 @@ namespace shigusa {
 
 inline constexpr double kLoadMax = 500.0;  ///< largest load, kg
 
-/// A copy of the body with a load (kg, 0..kLoadMax) as a point mass at an effector's point: its
-/// weight and inertia count for torques, balance and the floor.
-[[nodiscard]] BodyModel with_load(const BodyModel& body, int effector, double load);
-
 /// Largest coordinate of goals and obstacles (m).
 inline constexpr double kGoalRange = 100.0;
 

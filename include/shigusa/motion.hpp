@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <shigusa/body.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/math.hpp>
 #include <span>
@@ -118,6 +119,8 @@ struct Clip {
   int frames = 0;                  ///< number of frames
   double frame_time = 1.0 / 60.0;  ///< s
   std::vector<double> angles;      ///< (frames × dofs) rad, dof order of BodyModel
+  /// (dofs) rad, the angles one frame before the first; empty: the motion begins at rest.
+  std::vector<double> before{};
 
   /// Angles of one frame, 0..frames-1: (dofs) rad.
   [[nodiscard]] std::span<const double> frame(int index) const {
@@ -125,6 +128,15 @@ struct Clip {
         static_cast<std::size_t>(index) * static_cast<std::size_t>(dofs),
         static_cast<std::size_t>(dofs));
   }
+  /// Angles of the frame before one: (dofs) rad; before the first, its own if the motion begins at
+  /// rest.
+  [[nodiscard]] std::span<const double> frame_before(int index) const {
+    if (index > 0) return frame(index - 1);
+    return before.empty() ? frame(0) : std::span<const double>(before);
+  }
+  /// The state in one frame, 0..frames-1, with velocities by central differences; at rest in the
+  /// last frame, and in the first without `before`.
+  [[nodiscard]] State state(int index) const;
   /// Duration from the first frame to the last (s).
   [[nodiscard]] double duration() const { return frames > 1 ? (frames - 1) * frame_time : 0.0; }
 };

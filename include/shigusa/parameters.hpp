@@ -232,17 +232,4 @@ struct ParameterList {
 [[nodiscard]] Parameters decode_paper_genes(const BodyModel& body,
                                             std::span<const std::uint16_t> genes);
 
-/// 1 / weight of each of the paper's genes, 0 where locked, in single precision: (motions × dofs),
-/// genome after genome.
-[[nodiscard]] std::vector<float> inverse_weights_of_genes(std::span<const std::uint16_t> genes);
-
-/// 1 / weight of each dof, 0 where locked: (dofs), for values of the whole body.
-[[nodiscard]] std::vector<double> inverse_weights(const BodyModel& body,
-                                                  const Parameters& parameters);
-
-/// The change of posture of the modes' values: (dofs) rad. PreconditionError unless there are as
-/// many values as the body has modes.
-[[nodiscard]] std::vector<double> posture_change(const BodyModel& body,
-                                                 std::span<const double> modes);
-
 }  // namespace shigusa

@@ -201,9 +201,12 @@ inline constexpr double kFootLift = 0.10;
 struct Task : Request {
   /// Combines a body and a request.
   explicit Task(BodyModel of, Request asked = {})
-      : Request(std::move(asked)), body(std::move(of)) {}
+      : Request(std::move(asked)), body(std::move(of)), start(start_state(body)) {}
 
-  BodyModel body;  ///< the body, with its start posture
+  BodyModel body;  ///< the body
+  /// The state in which motions begin, with the feet on the floor that stand: the body's start
+  /// posture, or the end of another motion. Presets with layers take only the former.
+  State start;
   SearchFunction
       own_search{};  ///< user-defined search in place of `search`; not for presets with layers
   GeneticSettings genetic{};  ///< settings of paper_ga and log_ga, whose seed is the task's
@@ -228,13 +231,14 @@ struct Task : Request {
 /// The task with another preset, and the preset's criteria and number of candidates.
 [[nodiscard]] Task with_preset(Task task, Preset preset);
 
-/// The criteria that score the task's motions: its own, with the gaze target set, unless given, to
-/// look_at, else the first goal of a limb, or the middle of two hands' goals.
-[[nodiscard]] CriteriaSettings task_criteria(const Task& task);
+/// The circumstances in which the task's motions are scored. The gaze target is look_at, else the
+/// first goal of a limb, or the middle of two hands' goals.
+[[nodiscard]] CriteriaContext criteria_context(const Task& task);
 
-/// The parameters of a request's motions on a body. Fails if a preset with layers does not support
-/// the body, a goal or supports.
-[[nodiscard]] Result<ParameterList> parameter_list(const BodyModel& body, const Request& request);
+/// The parameters of a request's motions on a body that begins in a state. Fails if a preset with
+/// layers does not support the body, a goal or supports.
+[[nodiscard]] Result<ParameterList> parameter_list(const BodyModel& body, const State& start,
+                                                   const Request& request);
 
 /// Whether some posture of the task's body on its feet meets the goals: a quick test, whose "no"
 /// may be wrong. Fails on an invalid foot or goal.

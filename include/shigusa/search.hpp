@@ -70,11 +70,11 @@ struct SearchResult {
 [[nodiscard]] std::vector<Individual> ranked_population(const SearchResult& result);
 
 /// The paper's constants (section 3.2), each listed in docs/paper_map.md.
-inline constexpr int kPaperBitsPerGene = 4;         ///< 4 ビットの 2 進コード
-inline constexpr int kPaperPopulation = 8;          ///< 8 パターンの個体群
-inline constexpr double kPaperCrossoverRate = 0.5;  ///< 交叉確率は 0.5
-inline constexpr double kPaperMutationRate = 0.1;   ///< 突然変位率は 0.1
-inline constexpr int kPaperMaxGenerations = 20;     ///< 最大 20 世代
+inline constexpr int kPaperBitsPerGene = 4;         ///< bits of a gene
+inline constexpr int kPaperPopulation = 8;          ///< genomes of a population
+inline constexpr double kPaperCrossoverRate = 0.5;  ///< probability of a crossover
+inline constexpr double kPaperMutationRate = 0.1;   ///< probability of a mutation
+inline constexpr int kPaperMaxGenerations = 20;     ///< generations at most
 inline constexpr int kPaperUnchangedGenerations =
     3;  ///< unchanged generations until convergence (rule R7)
 inline constexpr double kPaperFitnessOffset = 0.05;  ///< F = 1 / (offset + score) (rule R7)

@@ -27,8 +27,8 @@ Task goal_task(const BodyModel& body, const Vec3d& goal, Preset preset,
 GoalSearch::GoalSearch(const BodyModel& body, const Vec3d& goal, const GoalSearchSettings& settings)
     : task_(goal_task(body, goal, Preset::flat, settings.criteria)),
       reach_(make_problem(task_).value()),
-      criteria_(task_criteria(task_)),
-      list_(parameter_list(task_.body, task_).value()) {
+      criteria_(task_.criteria),
+      list_(parameter_list(task_.body, task_.start, task_).value()) {
   const ClosestReach closest = closest_reach(reach_);
   add_detours(reach_);
   reach_.steps = settings.steps;
@@ -65,7 +65,7 @@ SearchProblem GoalSearch::problem() {
 double GoalSearch::replayed(std::span<const double> point) const {
   const RolledOut rolled = roll_out(reach_, space_->decode(point));
   return rolled.outcome.met(reach_.tolerance)
-             ? score_motion(task_.body, rolled.motion, criteria_).total
+             ? score_motion(task_.body, rolled.motion, criteria_, reach_.context).total
              : worst_score(criteria_);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/index.hpp"
 #include "generate/candidate.hpp"
+#include "generate/distinct.hpp"
 #include "generate/island.hpp"
 #include "generate/start_table.hpp"
 #include "goal_search.hpp"

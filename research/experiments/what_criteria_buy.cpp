@@ -43,10 +43,10 @@ struct Variant {
 
 std::vector<std::string> default_names() {
   std::vector<std::string> names;
-  CriteriaSettings settings = default_criteria();
-  for_each_criterion([&](const auto& entry) {
-    if (entry.weight(settings) > 0.0) names.push_back(entry.name);
-  });
+  const CriteriaSettings settings = default_criteria();
+  for (const CriterionTraits& criterion : kCriteria) {
+    if (settings[criterion.kind].weight > 0.0) names.emplace_back(criterion.word);
+  }
   return names;
 }
 
@@ -80,14 +80,14 @@ void apply(const Variant& variant, Task& task) {
   task = with_preset(std::move(task), variant.preset);
   if (variant.mixture) task.criteria = variant.mixture->settings();
   if (variant.by_default) task.criteria = default_criteria();
-  for_each_criterion([&](const auto& entry) {
+  for (const CriterionTraits& criterion : kCriteria) {
     const auto& out = variant.left_out;
-    if (std::find(out.begin(), out.end(), entry.name) != out.end()) {
-      entry.weight(task.criteria) = 0.0;
+    if (std::find(out.begin(), out.end(), criterion.word) != out.end()) {
+      task.criteria[criterion.kind].weight = 0.0;
     }
-  });
+  }
   if (variant.fixed.empty()) return;
-  const ParameterList list = parameter_list(whole_body_plan(task.body));
+  const ParameterList list = parameter_list(whole_body_plan(task.body, task.start));
   task.fixed = no_fixed_parameters(list);
   for (const std::string& assignment : variant.fixed) {
     SHG_CHECK(fix_parameter(list, assignment, *task.fixed), "cannot fix " + assignment);

@@ -175,10 +175,8 @@ void read_back(const BodyModel& body, const Clip& clip, Figures& figures) {
 
 // Greatest change of a torque or of the floor's pressure between frames, in jolts.
 double jolt_of(const BodyModel& body, const Motion& motion) {
-  CriteriaSettings settings;
-  settings.joint_range_weight = settings.balance_weight = settings.torque_weight = 0.0;
-  settings.jolts_weight = 1.0;
-  settings.jolts.limit = kJoltsSeen;
+  CriteriaSettings settings{{CriterionKind::jolts, 1.0}};
+  settings[CriterionKind::jolts].scale = kJoltsSeen;
   return kJoltsSeen * sqrt(sqrt(score_motion(body, motion, settings).total));
 }
 

@@ -20,29 +20,29 @@ constexpr std::array kWeights{
 constexpr std::array kScales{"hand_curve", "coordination", "mass_ahead", "trunk_travel"};
 constexpr double kScaleChange = 4.0;
 
+CriterionSetting* setting_of(CriteriaSettings& mixture, const std::string& name) {
+  for (const CriterionTraits& criterion : kCriteria) {
+    if (name == criterion.word) return &mixture[criterion.kind];
+  }
+  return nullptr;
+}
 double* weight_of(CriteriaSettings& mixture, const std::string& name) {
-  double* found = nullptr;
-  for_each_criterion([&](const auto& entry) {
-    if (name == entry.name) found = &entry.weight(mixture);
-  });
-  return found;
+  CriterionSetting* found = setting_of(mixture, name);
+  return found == nullptr ? nullptr : &found->weight;
 }
 double* scale_of(CriteriaSettings& mixture, const std::string& name) {
-  double* found = nullptr;
-  for_each_criterion([&](const auto& entry) {
-    if (name == entry.name) found = &entry.scale(mixture);
-  });
-  return found;
+  CriterionSetting* found = setting_of(mixture, name);
+  return found == nullptr ? nullptr : &found->scale;
 }
 
 // Calls visit(name, weight, scale name, scale, usual scale) for each criterion.
 template <class Visitor>
 void for_each_member(const CriteriaSettings& mixture, Visitor&& visit) {
-  const CriteriaSettings usual;
-  for_each_criterion([&](const auto& entry) {
-    visit(std::string(entry.name), entry.weight(mixture), std::string(entry.scale_name),
-          entry.scale(mixture), entry.scale(usual));
-  });
+  for (const CriterionTraits& criterion : kCriteria) {
+    const CriterionSetting& setting = mixture[criterion.kind];
+    visit(std::string(criterion.word), setting.weight, std::string(criterion.scale_name),
+          setting.scale, criterion.scale);
+  }
 }
 
 }  // namespace

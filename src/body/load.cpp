@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "load.hpp"
+
 #include <shigusa/goal.hpp>
 
 #include "core/check.hpp"

@@ -31,19 +31,19 @@ constexpr std::string_view kElbowSentence = "The elbow bends: the arm's contract
 constexpr std::string_view kSwivelSentence = "The upper arm turns outwards about its axis.";
 constexpr std::string_view kWristSentence = "The hand bends to the palm's side, or back.";
 
-// Squat and lean of a body's start posture (rad), by which it can straighten; zero for a usual
+// Squat and lean of a start posture (rad), by which the body can straighten; zero for a usual
 // standing posture, and for a seated person, whose knees are fixed.
 struct Bent {
   double squat = 0.0;
   double lean = 0.0;
 };
 
-Bent bent_at_start(const BodyModel& body) {
+Bent bent_at_start(const BodyModel& body, const State& start) {
   constexpr double kStands = radians(20.0);
   const auto at_start = [&](JointKind joint) {
     std::vector<double> angles;
     for (const int d : body.dofs_of(joint, FreedomKind::flexion)) {
-      angles.push_back(body.start()[static_cast<std::size_t>(d)]);
+      angles.push_back(start.angles[static_cast<std::size_t>(d)]);
     }
     return angles.empty() ? 0.0 : *std::min_element(angles.begin(), angles.end());
   };
@@ -140,19 +140,28 @@ void add_arm_modes(ModeBuilder& modes) {
 
 std::vector<PostureMode> posture_modes(const BodyModel& body) {
   ModeBuilder modes(body);
-  const Bent bent = bent_at_start(body);
   if (body.find_dof(JointKind::knee, FreedomKind::flexion, Side::right)) {
-    modes.add({"squat", kSquatSentence, {}, 0.0 - bent.squat, radians(130.0)},
+    modes.add({"squat", kSquatSentence, {}, 0.0, radians(130.0)},
               {{JointKind::knee, FreedomKind::flexion},
                {JointKind::hip, FreedomKind::flexion, kOfKnee},
                {JointKind::ankle, FreedomKind::flexion, kOfKnee}});
   }
-  modes.add({"lean", kLeanSentence, {}, radians(-20.0) - bent.lean, radians(110.0)},
+  modes.add({"lean", kLeanSentence, {}, radians(-20.0), radians(110.0)},
             {{JointKind::hip, FreedomKind::flexion},
              {JointKind::ankle, FreedomKind::flexion, -kHipsBack}});
   add_trunk_modes(body, modes);
   add_arm_modes(modes);
   return modes.take();
+}
+
+std::vector<PostureMode> posture_modes(const BodyModel& body, const State& start) {
+  std::vector<PostureMode> modes = posture_modes(body);
+  const Bent bent = bent_at_start(body, start);
+  for (PostureMode& mode : modes) {
+    if (mode.name == "squat") mode.lower -= bent.squat;
+    if (mode.name == "lean") mode.lower -= bent.lean;
+  }
+  return modes;
 }
 
 }  // namespace shigusa

@@ -26,5 +26,7 @@ inline constexpr double kOfKnee = 0.5;
 // a nearly straight knee lowering the hand begins with extending it; targets for knee, trunk and
 // swivel improved the fit to a recorded man most (docs/architecture.md, decision 13).
 [[nodiscard]] std::vector<PostureMode> posture_modes(const BodyModel& body);
+// The modes with ranges by which a body that starts with bent knees or hips can straighten.
+[[nodiscard]] std::vector<PostureMode> posture_modes(const BodyModel& body, const State& start);
 
 }  // namespace shigusa

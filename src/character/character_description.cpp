@@ -178,7 +178,7 @@ std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
   json["nodes"] = nodes_to_json(spec, body);
   json["node_unit_m"] = node_unit(spec);
   json["support_polygon"] = Json::array();
-  for (const Vec3d& corner : support_polygon(body)) {
+  for (const Vec3d& corner : support_polygon(body, start_state(body))) {
     json["support_polygon"].push_back({corner.x, corner.z});
   }
   json["capsules"] = capsules_to_json(body);

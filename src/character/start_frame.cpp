@@ -28,7 +28,7 @@ bool could_hold(CharacterSpec spec, const Landmarks& start, double stature, cons
   spec.heels = false;
   const Result<BodyModel> body = build_character(spec);
   if (!body) return true;  // reported where the body is built
-  const Motion held = held_start(*body);
+  const Motion held = held_still(*body, start_state(*body));
   for (const JointLoad& load : joint_loads(*body, held)) {
     if (load.share > hold.share) return false;
   }

@@ -5,8 +5,8 @@
 
 namespace shigusa {
 
-Vec3d support_centre(const BodyModel& body) {
-  const Kinematics<double> kinematics = start_kinematics(body);
+Vec3d support_centre(const BodyModel& body, const State& start) {
+  const Kinematics<double> kinematics = placed(body, start);
   Vec3d sum{};
   for (const Foot& foot : body.feet()) sum += kinematics.point(foot.link, foot.centre);
   return body.feet().empty() ? body.base().translation

@@ -9,8 +9,8 @@
 
 namespace shigusa {
 
-// Midpoint of the standing feet's soles (m, world) in the start posture; feet stay planted.
-[[nodiscard]] Vec3d support_centre(const BodyModel& body);
+// Midpoint of the standing feet's soles (m, world) at the start of the motion; feet stay planted.
+[[nodiscard]] Vec3d support_centre(const BodyModel& body, const State& start);
 
 // Penalty of the lean of the centre of mass c from above the support centre f, in [0, 1] (paper,
 // section 3.3; rule R8b):
@@ -18,10 +18,10 @@ namespace shigusa {
 template <class S>
 class Balance {
  public:
-  using Settings = BalanceSettings;
+  static constexpr CriterionKind kKind = CriterionKind::balance;
 
-  explicit Balance(const BodyModel& body, const BalanceSettings& settings = {})
-      : support_(to_scalar<S>(support_centre(body))), lean_(settings.lean) {}
+  Balance(const BodyModel& body, const CriteriaContext& context, double lean)
+      : support_(to_scalar<S>(support_centre(body, context.start))), lean_(lean) {}
 
   void reset() { seen_.reset(); }
 

@@ -20,12 +20,12 @@ namespace shigusa {
 template <class S>
 class BalanceZone {
  public:
-  using Settings = BalanceZoneSettings;
+  static constexpr CriterionKind kKind = CriterionKind::balance_zone;
 
-  explicit BalanceZone(const BodyModel& body, const BalanceZoneSettings& settings = {})
-      : zone_(body),
-        margin_(static_cast<T>(settings.margin)),
-        per_width_(static_cast<T>(0.5 / settings.margin)) {}
+  BalanceZone(const BodyModel& body, const CriteriaContext& context, double margin)
+      : zone_(body, context.start),
+        margin_(static_cast<T>(margin)),
+        per_width_(static_cast<T>(0.5 / margin)) {}
 
   void reset() { seen_.reset(); }
 

@@ -21,11 +21,11 @@ namespace shigusa {
 template <class S>
 class CentreOfPressure {
  public:
-  using Settings = PressureSettings;
+  static constexpr CriterionKind kKind = CriterionKind::centre_of_pressure;
 
-  explicit CentreOfPressure(const BodyModel& body, const PressureSettings& settings = {})
-      : zone_(body),
-        per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {}
+  CentreOfPressure(const BodyModel& body, const CriteriaContext& context, double outside)
+      : zone_(body, context.start),
+        per_outside_(static_cast<T>(1.0 / (outside * body.mass() * kGravity))) {}
 
   void reset() {
     squares_ = S(0);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "criteria/with_start.hpp"
+
 namespace shigusa {
 
 namespace {
@@ -15,10 +17,10 @@ double reach_of(const BodyModel& body, int number) {
 
 // Whether a capsule belongs to a hand that rests on the named part or obstacle.
 bool rests_on(const BodyModel& body, int capsule, const std::string& name,
-              const CollisionSettings& settings) {
+              const CriteriaContext& context) {
   const int link = body.capsules()[index(capsule)].link;
   return std::any_of(
-      settings.resting.begin(), settings.resting.end(),
+      context.resting.begin(), context.resting.end(),
       [&](const RestingPlace& place) { return place.link == link && place.on == name; });
 }
 
@@ -42,29 +44,29 @@ CollisionPairs& CollisionPairs::operator=(const CollisionPairs&) = default;
 CollisionPairs& CollisionPairs::operator=(CollisionPairs&&) noexcept = default;
 CollisionPairs::~CollisionPairs() = default;
 
-CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& settings) {
+CollisionPairs collision_pairs(const BodyModel& body, const CriteriaContext& context) {
   CollisionPairs pairs;
   const auto& capsules = body.capsules();
   for (const CapsulePair& pair : all_limb_pairs(body)) {
-    if (rests_on(body, pair.limb, capsules[index(pair.part)].name, settings)) continue;
+    if (rests_on(body, pair.limb, capsules[index(pair.part)].name, context)) continue;
     const double together = reach_of(body, pair.limb) + reach_of(body, pair.part);
     const auto near = static_cast<float>(kApartSlack * together * together);
     pairs.parts.push_back({pair.limb, pair.part, 0.0, give_of(body, pair), near});
   }
   for (const Effector& effector : body.effectors()) add_floor(body, effector, pairs);
   for (int c = 0; c < static_cast<int>(body.capsules().size()); ++c) {
-    for (int o = 0; o < static_cast<int>(settings.obstacles.size()); ++o) {
-      if (rests_on(body, c, settings.obstacles[index(o)].name, settings)) continue;
+    for (int o = 0; o < static_cast<int>(context.obstacles.size()); ++o) {
+      if (rests_on(body, c, context.obstacles[index(o)].name, context)) continue;
       pairs.obstacles.push_back({c, o});
     }
   }
-  pairs.shapes = settings.obstacles;
-  for (const Obstacle& obstacle : settings.obstacles) {
+  pairs.shapes = context.obstacles;
+  for (const Obstacle& obstacle : context.obstacles) {
     pairs.axes.push_back(to_matrix(obstacle.rotation));
   }
-  const Kinematics<double> start = start_kinematics(body);
-  std::vector<PlacedCapsule<double>> placed(body.capsules().size());
-  visit_collisions<double>(body, pairs, start, placed,
+  const Kinematics<double> start = placed(body, context.start);
+  std::vector<PlacedCapsule<double>> at_start(body.capsules().size());
+  visit_collisions<double>(body, pairs, start, at_start,
                            [](CollisionPairs::Pair& pair, CollisionKind, double depth) {
                              pair.allowed = max(depth, 0.0);
                            });
@@ -72,9 +74,9 @@ CollisionPairs collision_pairs(const BodyModel& body, const CollisionSettings& s
 }
 
 CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
-                                 const CollisionSettings& settings) {
-  const CollisionPairs pairs = collision_pairs(body, settings);
-  std::vector<PlacedCapsule<double>> placed(body.capsules().size());
+                                 const CriteriaContext& context) {
+  const CollisionPairs pairs = collision_pairs(body, with_start(context, clip));
+  std::vector<PlacedCapsule<double>> capsules(body.capsules().size());
   Kinematics<double> kinematics(body);
   CollisionFound found;
   double worst = 0.0;  // depth relative to the impossible one
@@ -82,11 +84,11 @@ CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
     const std::size_t other = index(pair.other);
     if (kind == CollisionKind::floor) return "floor";
     return kind == CollisionKind::part ? body.capsules()[other].name
-                                       : settings.obstacles[other].name;
+                                       : context.obstacles[other].name;
   };
   for (int f = 0; f < clip.frames; ++f) {
     forward_kinematics<double>(body, clip.frame(f), kinematics);
-    visit_collisions<double>(body, pairs, kinematics, placed,
+    visit_collisions<double>(body, pairs, kinematics, capsules,
                              [&](const CollisionPairs::Pair& pair, CollisionKind kind, double in) {
                                const double depth = in - pair.give;
                                const bool hard = kind == CollisionKind::obstacle;

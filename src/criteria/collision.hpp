@@ -38,8 +38,7 @@ struct CollisionPairs {
   std::vector<Obstacle> shapes;
   std::vector<Mat3d> axes;  // (shapes) R_WO
 };
-[[nodiscard]] CollisionPairs collision_pairs(const BodyModel& body,
-                                             const CollisionSettings& settings);
+[[nodiscard]] CollisionPairs collision_pairs(const BodyModel& body, const CriteriaContext& context);
 
 enum class CollisionKind { part, obstacle, floor };
 
@@ -96,12 +95,12 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& 
 template <class S>
 class Collision {
  public:
-  using Settings = CollisionSettings;
+  static constexpr CriterionKind kKind = CriterionKind::collision;
 
-  explicit Collision(const BodyModel& body, const CollisionSettings& settings = {})
+  Collision(const BodyModel& body, const CriteriaContext& context, double full)
       : body_(&body),
-        pairs_(collision_pairs(body, settings)),
-        per_full_(1.0 / settings.full),
+        pairs_(collision_pairs(body, context)),
+        per_full_(1.0 / full),
         placed_(body.capsules().size()) {}
 
   void reset() { seen_.reset(); }

@@ -32,12 +32,12 @@ inline constexpr double kKneesOfLoad = 0.01;
 template <class S>
 class Coordination {
  public:
-  using Settings = CoordinationSettings;
+  static constexpr CriterionKind kKind = CriterionKind::coordination;
 
-  explicit Coordination(const BodyModel& body, const CoordinationSettings& settings = {})
-      : points_(posture_points(body)),
-        hands_(goal_hands(body, settings.effectors)),
-        per_angle_(1.0 / settings.angle),
+  Coordination(const BodyModel& body, const CriteriaContext& context, double angle)
+      : points_(posture_points(body, context.start)),
+        hands_(goal_hands(body, context)),
+        per_angle_(1.0 / angle),
         of_trunk_(kKneeOfTrunk * (1.0 + kKneesOfLoad * body.load())),
         per_ahead_(body.stature() > 0.0 ? 1.0 / (kHandAhead * body.stature()) : 0.0) {
     for (const int d : body.dofs_of(JointKind::knee, FreedomKind::flexion)) {

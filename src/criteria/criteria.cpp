@@ -4,40 +4,32 @@
 #include "core/check.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "replay.hpp"
+#include "with_start.hpp"
 
 namespace shigusa {
-
-void set_reaching(CriteriaSettings& settings, const std::vector<int>& effectors) {
-  settings.coordination.effectors = settings.hand_curve.effectors = effectors;
-  settings.trunk_travel.effectors = settings.mass_ahead.effectors = effectors;
-}
 
 CriteriaSettings paper_criteria() { return {}; }
 
 CriteriaSettings default_criteria() {
-  CriteriaSettings settings;
-  for_each_criterion([&](const auto& entry) { entry.weight(settings) = 0.0; });
-  settings.joint_range_weight = 0.25;
-  settings.balance_zone_weight = 0.20;
-  settings.discomfort_weight = 0.2;
-  settings.joint_acceleration_weight = 0.10;
-  settings.low_back_weight = 0.20;
-  settings.collision_weight = 2.0;
-  settings.pressure_weight = 1.0;
-  settings.feasibility_weight = 2.0;
-  settings.coordination_weight = 1.0;
-  settings.hand_curve_weight = 1.5;
-  settings.trunk_travel_weight = 0.4;
-  settings.mass_ahead_weight = 1.0;
-  settings.jolts_weight = 1.0;
-  return settings;
+  return {{CriterionKind::joint_range, 0.25},
+          {CriterionKind::balance_zone, 0.20},
+          {CriterionKind::discomfort, 0.2},
+          {CriterionKind::joint_acceleration, 0.10},
+          {CriterionKind::low_back, 0.20},
+          {CriterionKind::collision, 2.0},
+          {CriterionKind::centre_of_pressure, 1.0},
+          {CriterionKind::feasibility, 2.0},
+          {CriterionKind::coordination, 1.0},
+          {CriterionKind::hand_curve, 1.5},
+          {CriterionKind::trunk_travel, 0.4},
+          {CriterionKind::mass_ahead, 1.0},
+          {CriterionKind::jolts, 1.0}};
 }
 
 CriteriaSettings pareto_criteria() {
-  CriteriaSettings settings;
-  for_each_criterion([&](const auto& entry) { entry.weight(settings) = 0.0; });
-  settings.discomfort_weight = settings.balance_weight = settings.torque_weight = 1.0 / 3.0;
-  return settings;
+  return {{CriterionKind::discomfort, 1.0 / 3.0},
+          {CriterionKind::balance, 1.0 / 3.0},
+          {CriterionKind::torque, 1.0 / 3.0}};
 }
 
 std::span<const CriteriaPreset> criteria_presets() {
@@ -48,12 +40,18 @@ std::span<const CriteriaPreset> criteria_presets() {
 
 double worst_score(const CriteriaSettings& settings) {
   double sum = 0.0;
-  for_each_criterion([&](const auto& entry) { sum += entry.weight(settings); });
+  for (const CriterionSetting& setting : settings.built_in) sum += setting.weight;
   for (const UserCriterion& user : settings.user) sum += user.weight;
   return sum;
 }
 
-Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings) {
+CriteriaContext with_start(CriteriaContext context, const Clip& clip) {
+  if (context.start.angles.empty() && clip.frames > 0) context.start = clip.state(0);
+  return context;
+}
+
+Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings,
+                   const CriteriaContext& context) {
   const Clip& clip = motion.clip;
   SHG_CHECK(clip.dofs == body.dof_count(), "a clip has the body's freedoms");
   const auto frames = static_cast<std::size_t>(clip.frames);
@@ -61,10 +59,10 @@ Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSe
                 motion.centre_of_mass.size() == frames,
             "a motion has torques and a centre of mass for each frame");
   Score score;
-  BuiltInCriteria<double> built_in(body, settings);
+  BuiltInCriteria<double> built_in(body, with_start(context, clip), settings);
   show_motion(body, motion, built_in);
-  built_in.visit_penalties([&score](const char* name, double weight, double penalty) {
-    score.terms.push_back({name, weight, penalty});
+  built_in.visit_penalties([&score](std::string_view name, double weight, double penalty) {
+    score.terms.push_back({std::string(name), weight, penalty});
   });
   for (const UserCriterion& user : settings.user) {
     const double value = user.value(body, motion) / user.scale;
@@ -78,7 +76,7 @@ Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSe
 
 std::vector<std::string> criterion_names() {
   std::vector<std::string> names;
-  for_each_criterion([&](const auto& criterion) { names.emplace_back(criterion.name); });
+  for (const CriterionTraits& criterion : kCriteria) names.emplace_back(criterion.word);
   return names;
 }
 

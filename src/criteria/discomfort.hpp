@@ -29,10 +29,10 @@ inline constexpr double kRestingShare = 0.10;
 template <class S>
 class Discomfort {
  public:
-  using Settings = DiscomfortSettings;
+  static constexpr CriterionKind kKind = CriterionKind::discomfort;
 
-  explicit Discomfort(const BodyModel& body, const DiscomfortSettings& settings = {})
-      : per_share_(1.0 / settings.share), coupled_(body) {
+  Discomfort(const BodyModel& body, const CriteriaContext&, double share)
+      : per_share_(1.0 / share), coupled_(body) {
     for (const Dof& dof : body.dofs()) {
       const double neutral = clamp_to(0.0, dof.lower, dof.upper);
       const double resting = kRestingShare * (dof.upper - dof.lower);

@@ -21,11 +21,11 @@ namespace shigusa {
 template <class S>
 class Feasibility {
  public:
-  using Settings = FeasibilitySettings;
+  static constexpr CriterionKind kKind = CriterionKind::feasibility;
 
-  explicit Feasibility(const BodyModel& body, const FeasibilitySettings& settings = {})
-      : zone_(body),
-        per_outside_(static_cast<T>(1.0 / (settings.outside * body.mass() * kGravity))) {
+  Feasibility(const BodyModel& body, const CriteriaContext& context, double outside)
+      : zone_(body, context.start),
+        per_outside_(static_cast<T>(1.0 / (outside * body.mass() * kGravity))) {
     for (const Dof& dof : body.dofs()) {
       strengths_.push_back(
           {static_cast<T>(1.0 / dof.torque_positive), static_cast<T>(-1.0 / dof.torque_negative)});

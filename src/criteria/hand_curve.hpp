@@ -28,14 +28,14 @@ inline constexpr double kMeanBow = 0.4329;
 template <class S>
 class HandCurve {
  public:
-  using Settings = HandCurveSettings;
+  static constexpr CriterionKind kKind = CriterionKind::hand_curve;
 
-  explicit HandCurve(const BodyModel& body, const HandCurveSettings& settings = {})
-      : hands_(goal_hands(body, settings.effectors)),
+  HandCurve(const BodyModel& body, const CriteriaContext& context, double offset)
+      : hands_(goal_hands(body, context)),
         sums_(hands_.size()),
         starts_(sums_),
         ends_(sums_),
-        per_square_(1.0 / (settings.offset * settings.offset)) {}
+        per_square_(1.0 / (offset * offset)) {}
 
   void reset() { frames_ = 0; }
 

@@ -5,11 +5,11 @@
 
 namespace shigusa {
 
-HeadPoints head_points(const BodyModel& body) {
+HeadPoints head_points(const BodyModel& body, const State& start) {
   const BodyNode* head = body.find_node(humanoid_bone_name(HumanoidBone::head));
   const BodyNode* hips = body.find_node(humanoid_bone_name(HumanoidBone::hips));
   if (head == nullptr || hips == nullptr) return {};
-  const Kinematics<double> kinematics = start_kinematics(body);
+  const Kinematics<double> kinematics = placed(body, start);
   const double distance =
       norm(kinematics.point(head->link, head->point) - kinematics.point(hips->link, hips->point));
   return {.head_link = head->link,

@@ -33,7 +33,7 @@ struct HeadPoints {
   bool neck = false;      // whether the head turns on the trunk
 };
 // Finds head and pelvis by the names of the body's nodes, "head" and "hips".
-[[nodiscard]] HeadPoints head_points(const BodyModel& body);
+[[nodiscard]] HeadPoints head_points(const BodyModel& body, const State& start);
 
 // Penalty of a head near or below the pelvis, or unable to look at the goal, in [0, 1]: people who
 // reach to the floor keep their head up and their eyes on the goal, where gaze arrives before the
@@ -48,13 +48,13 @@ struct HeadPoints {
 template <class S>
 class Head {
  public:
-  using Settings = HeadSettings;
+  static constexpr CriterionKind kKind = CriterionKind::head;
 
-  explicit Head(const BodyModel& body, const HeadSettings& settings = {})
-      : points_(head_points(body)),
-        per_height_(points_.distance > 0.0 ? 1.0 / (settings.height * points_.distance) : 0.0),
-        looks_(settings.gaze_target.has_value()),
-        target_(to_scalar<S>(settings.gaze_target.value_or(Vec3d{}))),
+  Head(const BodyModel& body, const CriteriaContext& context, double height)
+      : points_(head_points(body, context.start)),
+        per_height_(points_.distance > 0.0 ? 1.0 / (height * points_.distance) : 0.0),
+        looks_(context.gaze.has_value()),
+        target_(to_scalar<S>(context.gaze.value_or(Vec3d{}))),
         free_(points_.neck ? kCosEyesFree : kCosFree),
         per_cosine_(1.0 / (free_ - (points_.neck ? kCosEyesLimit : kCosLimit))) {}
 

@@ -15,10 +15,10 @@ namespace shigusa {
 template <class S>
 class JointAcceleration {
  public:
-  using Settings = JointAccelerationSettings;
+  static constexpr CriterionKind kKind = CriterionKind::joint_acceleration;
 
-  explicit JointAcceleration(const BodyModel&, const JointAccelerationSettings& settings = {})
-      : per_acceleration_(1.0 / settings.acceleration) {}
+  JointAcceleration(const BodyModel&, const CriteriaContext&, double acceleration)
+      : per_acceleration_(1.0 / acceleration) {}
 
   void reset() {
     sum_ = S(0);

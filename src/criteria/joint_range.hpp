@@ -15,13 +15,12 @@ namespace shigusa {
 template <class S>
 class JointRange {
  public:
-  using Settings = JointRangeSettings;
+  static constexpr CriterionKind kKind = CriterionKind::joint_range;
 
-  explicit JointRange(const BodyModel& body, const JointRangeSettings& settings = {})
-      : coupled_(body) {
+  JointRange(const BodyModel& body, const CriteriaContext&, double margin) : coupled_(body) {
     for (const Dof& dof : body.dofs()) {
       limits_.push_back({static_cast<T>(dof.lower), static_cast<T>(dof.upper),
-                         static_cast<T>(1.0 / (settings.margin * (dof.upper - dof.lower)))});
+                         static_cast<T>(1.0 / (margin * (dof.upper - dof.lower)))});
     }
     lowest_.resize(limits_.size());
     highest_.resize(limits_.size());

@@ -23,12 +23,10 @@ inline constexpr double kJoltTime = 1.0 / 60.0;  // s
 template <class S>
 class Jolts {
  public:
-  using Settings = JoltsSettings;
+  static constexpr CriterionKind kKind = CriterionKind::jolts;
 
-  explicit Jolts(const BodyModel& body, const JoltsSettings& settings = {})
-      : before_(body.dofs().size()),
-        per_limit_(1.0 / settings.limit),
-        stands_(!body.feet().empty()) {
+  Jolts(const BodyModel& body, const CriteriaContext&, double limit)
+      : before_(body.dofs().size()), per_limit_(1.0 / limit), stands_(!body.feet().empty()) {
     for (const Dof& dof : body.dofs()) {
       per_strength_.push_back(
           static_cast<T>(1.0 / (kTorqueJolt * (dof.torque_positive + dof.torque_negative))));

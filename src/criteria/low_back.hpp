@@ -40,10 +40,10 @@ struct BackConstants {
 template <class S>
 class LowBack {
  public:
-  using Settings = LowBackSettings;
+  static constexpr CriterionKind kKind = CriterionKind::low_back;
 
-  explicit LowBack(const BodyModel& body, const LowBackSettings& settings = {})
-      : back_(back_constants(body)), per_square_(1.0 / (settings.share * settings.share)) {}
+  LowBack(const BodyModel& body, const CriteriaContext&, double share)
+      : back_(back_constants(body)), per_square_(1.0 / (share * share)) {}
 
   void reset() { seen_.reset(); }
 

@@ -27,13 +27,13 @@ inline constexpr double kLowReach = 0.3;
 template <class S>
 class MassAhead {
  public:
-  using Settings = MassAheadSettings;
+  static constexpr CriterionKind kKind = CriterionKind::mass_ahead;
 
-  explicit MassAhead(const BodyModel& body, const MassAheadSettings& settings = {})
-      : points_(posture_points(body)),
-        hands_(goal_hands(body, settings.effectors)),
+  MassAhead(const BodyModel& body, const CriteriaContext& context, double distance)
+      : points_(posture_points(body, context.start)),
+        hands_(goal_hands(body, context)),
         per_drop_(body.stature() > 0.0 ? 1.0 / (kLowReach * body.stature()) : 0.0),
-        per_square_(1.0 / (settings.distance * settings.distance)) {}
+        per_square_(1.0 / (distance * distance)) {}
 
   void reset() { off_ = S(0); }
 

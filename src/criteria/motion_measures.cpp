@@ -6,6 +6,8 @@
 #include "criteria/collision.hpp"
 #include "criteria/limit_excess.hpp"
 #include "criteria/replay.hpp"
+#include "criteria/support_margin.hpp"
+#include "criteria/with_start.hpp"
 
 namespace shigusa {
 namespace {
@@ -65,9 +67,10 @@ std::vector<LimitExcess> limit_excess(const BodyModel& body, const Clip& clip) {
 }
 
 MotionMeasures measure_motion(const BodyModel& body, const Motion& motion,
-                              const CollisionSettings& collision) {
-  return {joint_loads(body, motion), limit_excess(body, motion.clip), support_margins(body, motion),
-          deepest_collision(body, motion.clip, collision), suddenness(body, motion)};
+                              const CriteriaContext& context) {
+  return {joint_loads(body, motion), limit_excess(body, motion.clip),
+          measure_support(body, with_start(context, motion.clip).start, motion).margins(),
+          deepest_collision(body, motion.clip, context), suddenness(body, motion)};
 }
 
 const JointLoad* most_loaded(const MotionMeasures& measures) {

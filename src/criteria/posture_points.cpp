@@ -28,9 +28,9 @@ void find_home(const BodyModel& body, const Kinematics<double>& start, double le
 
 }  // namespace
 
-PosturePoints posture_points(const BodyModel& body) {
+PosturePoints posture_points(const BodyModel& body, const State& state) {
   PosturePoints points;
-  const Kinematics<double> start = start_kinematics(body);
+  const Kinematics<double> start = placed(body, state);
   double leg = 0.0;
   for (std::size_t side = 0; side < 2; ++side) {
     const auto node = [&](HumanoidBone left, HumanoidBone right) {
@@ -54,9 +54,10 @@ PosturePoints posture_points(const BodyModel& body) {
   return points;
 }
 
-std::vector<GoalHand> goal_hands(const BodyModel& body, const std::vector<int>& effectors) {
-  const PosturePoints points = posture_points(body);
-  const Kinematics<double> start = start_kinematics(body);
+std::vector<GoalHand> goal_hands(const BodyModel& body, const CriteriaContext& context) {
+  const PosturePoints points = posture_points(body, context.start);
+  const Kinematics<double> start = placed(body, context.start);
+  const std::vector<int>& effectors = context.effectors;
   std::vector<GoalHand> hands;
   for (int e = 0; e < static_cast<int>(body.effectors().size()); ++e) {
     const Effector& hand = body.effector(e);

@@ -45,7 +45,7 @@ struct PosturePoints {
   }
 };
 // Finds the points by the names of the body's nodes.
-[[nodiscard]] PosturePoints posture_points(const BodyModel& body);
+[[nodiscard]] PosturePoints posture_points(const BodyModel& body, const State& state);
 
 // One hand that has a goal; any hand if no goals are known.
 struct GoalHand {
@@ -55,6 +55,6 @@ struct GoalHand {
   double arm = 0.0;  // m, from the shoulder to the hand of a straight arm
 };
 [[nodiscard]] std::vector<GoalHand> goal_hands(const BodyModel& body,
-                                               const std::vector<int>& effectors);
+                                               const CriteriaContext& context);
 
 }  // namespace shigusa

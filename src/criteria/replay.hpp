@@ -34,8 +34,8 @@ void show_motion(const BodyModel& body, const Motion& motion, Criteria& criteria
   std::vector<double> accelerations(dofs);
   for (int f = 0; f < clip.frames; ++f) {
     const auto k = static_cast<std::size_t>(f);
-    // at rest before the motion and after it
-    const std::span<const double> before = clip.frame(f > 0 ? f - 1 : 0);
+    // at rest after the motion
+    const std::span<const double> before = clip.frame_before(f);
     const std::span<const double> now = clip.frame(f);
     const std::span<const double> after = clip.frame(f + 1 < clip.frames ? f + 1 : f);
     for (std::size_t d = 0; d < dofs; ++d) {

@@ -2,13 +2,14 @@
 #include "criteria/support_margin.hpp"
 
 #include "replay.hpp"
+#include "with_start.hpp"
 
 namespace shigusa {
 
-SupportMeter::SupportMeter(const BodyModel& body)
-    : stands_(!support_edges(body).empty()),
+SupportMeter::SupportMeter(const BodyModel& body, const State& start)
+    : stands_(!support_edges(body, start).empty()),
       per_weight_(1.0 / (body.mass() * kGravity)),
-      zone_(body) {}
+      zone_(body, start) {}
 
 void SupportMeter::add(const PlacedFrame<double>& frame) {
   if (!stands_) return;
@@ -32,18 +33,18 @@ std::optional<SupportMargins> SupportMeter::margins() const {
   return least;
 }
 
-SupportMeter measure_support(const BodyModel& body, const Motion& motion) {
-  SupportMeter meter(body);
+SupportMeter measure_support(const BodyModel& body, const State& start, const Motion& motion) {
+  SupportMeter meter(body, start);
   show_motion(body, motion, meter);
   return meter;
 }
 
 std::vector<SupportFrame> support_frames(const BodyModel& body, const Motion& motion) {
-  return measure_support(body, motion).frames();
+  return measure_support(body, with_start({}, motion.clip).start, motion).frames();
 }
 
 std::optional<SupportMargins> support_margins(const BodyModel& body, const Motion& motion) {
-  return measure_support(body, motion).margins();
+  return measure_support(body, with_start({}, motion.clip).start, motion).margins();
 }
 
 }  // namespace shigusa

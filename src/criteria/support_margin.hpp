@@ -13,7 +13,7 @@ namespace shigusa {
 // Measures the support margins of a motion frame by frame.
 class SupportMeter {
  public:
-  explicit SupportMeter(const BodyModel& body);
+  SupportMeter(const BodyModel& body, const State& start);
 
   void add(const PlacedFrame<double>& frame);
 
@@ -30,7 +30,8 @@ class SupportMeter {
   double frame_time_ = 0.0;  // s
 };
 
-// Measures a whole motion that is at rest before and after.
-[[nodiscard]] SupportMeter measure_support(const BodyModel& body, const Motion& motion);
+// Measures a whole motion from its start, at rest before and after.
+[[nodiscard]] SupportMeter measure_support(const BodyModel& body, const State& start,
+                                           const Motion& motion);
 
 }  // namespace shigusa

@@ -21,8 +21,8 @@ void add_corner(const Vec3d& corner, std::size_t kept, std::vector<Vec3d>& chain
 
 }  // namespace
 
-std::vector<Vec3d> support_polygon(const BodyModel& body, LiftedHeels lifted) {
-  const Kinematics<double> kinematics = start_kinematics(body);
+std::vector<Vec3d> support_polygon(const BodyModel& body, const State& start, LiftedHeels lifted) {
+  const Kinematics<double> kinematics = placed(body, start);
   std::vector<Vec3d> points;
   for (std::size_t f = 0; f < body.feet().size(); ++f) {
     const Foot& foot = body.feet()[f];
@@ -45,8 +45,9 @@ std::vector<Vec3d> support_polygon(const BodyModel& body, LiftedHeels lifted) {
   return hull;
 }
 
-std::vector<SupportEdge> support_edges(const BodyModel& body, LiftedHeels lifted) {
-  const std::vector<Vec3d> corners = support_polygon(body, lifted);
+std::vector<SupportEdge> support_edges(const BodyModel& body, const State& start,
+                                       LiftedHeels lifted) {
+  const std::vector<Vec3d> corners = support_polygon(body, start, lifted);
   std::vector<SupportEdge> edges;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3d& from = corners[i];

@@ -12,10 +12,11 @@ namespace shigusa {
 // The feet with lifted heels: bit f for foot f.
 using LiftedHeels = unsigned;
 
-// Corners (m, world) of the support polygon of the planted feet: the convex hull of their soles in
-// the start posture, or of the forefoot alone where the heel is lifted, counter-clockwise from
-// above. Empty for a body without feet.
-[[nodiscard]] std::vector<Vec3d> support_polygon(const BodyModel& body, LiftedHeels lifted = 0);
+// Corners (m, world) of the support polygon of the planted feet: the convex hull of their soles at
+// the start of the motion, or of the forefoot alone where the heel is lifted, counter-clockwise
+// from above. Empty for a body without feet.
+[[nodiscard]] std::vector<Vec3d> support_polygon(const BodyModel& body, const State& start,
+                                                 LiftedHeels lifted = 0);
 
 // One edge of the support polygon: `offset + x · p.x + z · p.z` is the distance (m) of a point p
 // inside, negative outside.
@@ -24,7 +25,8 @@ struct SupportEdge {
   double z = 0.0;
   double offset = 0.0;  // m
 };
-[[nodiscard]] std::vector<SupportEdge> support_edges(const BodyModel& body, LiftedHeels lifted = 0);
+[[nodiscard]] std::vector<SupportEdge> support_edges(const BodyModel& body, const State& start,
+                                                     LiftedHeels lifted = 0);
 
 // Support polygon of the planted feet in each frame: of whole soles, and of forefeet once their
 // heels are lifted. While a heel begins to lift (heel_lifted) the distance to the edge is
@@ -32,7 +34,7 @@ struct SupportEdge {
 template <class S>
 class SupportZone {
  public:
-  explicit SupportZone(const BodyModel& body) {
+  SupportZone(const BodyModel& body, const State& start) {
     for (std::size_t f = 0; f < body.feet().size(); ++f) {
       if (!body.feet()[f].heel) continue;
       const LiftedHeels bit = 1U << f;
@@ -43,7 +45,7 @@ class SupportZone {
       for (const Lifts& heel : heels_) can |= heel.bit;
       if ((lifted & ~can) != 0) continue;
       zones_.push_back({lifted, {}});
-      for (const SupportEdge& edge : support_edges(body, lifted)) {
+      for (const SupportEdge& edge : support_edges(body, start, lifted)) {
         zones_.back().edges.push_back(
             {static_cast<T>(edge.x), static_cast<T>(edge.z), static_cast<T>(edge.offset)});
       }

@@ -15,10 +15,10 @@ namespace shigusa {
 template <class S>
 class Torque {
  public:
-  using Settings = TorqueSettings;
+  static constexpr CriterionKind kKind = CriterionKind::torque;
 
-  explicit Torque(const BodyModel& body, const TorqueSettings& settings = {})
-      : per_share_(static_cast<T>(1.0 / settings.share)) {
+  Torque(const BodyModel& body, const CriteriaContext&, double share)
+      : per_share_(static_cast<T>(1.0 / share)) {
     for (const Dof& dof : body.dofs()) {
       strengths_.push_back(
           {static_cast<T>(1.0 / dof.torque_positive), static_cast<T>(1.0 / dof.torque_negative)});

@@ -23,10 +23,10 @@ inline constexpr double kArmAlone = 0.92;
 template <class S>
 class TrunkTravel {
  public:
-  using Settings = TrunkTravelSettings;
+  static constexpr CriterionKind kKind = CriterionKind::trunk_travel;
 
-  explicit TrunkTravel(const BodyModel& body, const TrunkTravelSettings& settings = {})
-      : hands_(goal_hands(body, settings.effectors)), per_distance_(1.0 / settings.distance) {}
+  TrunkTravel(const BodyModel& body, const CriteriaContext& context, double distance)
+      : hands_(goal_hands(body, context)), per_distance_(1.0 / distance) {}
 
   void reset() { off_ = S(0); }
 

@@ -5,8 +5,8 @@
 
 namespace shigusa {
 
-double full_work(const BodyModel& body, const WorkSettings& settings) {
-  return settings.share * body.mass() * kGravity * body.stature();
+double full_work(const BodyModel& body, double share) {
+  return share * body.mass() * kGravity * body.stature();
 }
 
 }  // namespace shigusa

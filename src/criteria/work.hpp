@@ -9,7 +9,7 @@
 namespace shigusa {
 
 // Work (J) with the full penalty.
-[[nodiscard]] double full_work(const BodyModel& body, const WorkSettings& settings);
+[[nodiscard]] double full_work(const BodyModel& body, double share);
 
 // Penalty of the mechanical work of all joints, lifting and braking alike, in [0, 1]:
 //   P = min(1, Σ_t Σ_i |τ_i q̇_i| Δt / (share · m g · stature)).
@@ -18,10 +18,10 @@ namespace shigusa {
 template <class S>
 class Work {
  public:
-  using Settings = WorkSettings;
+  static constexpr CriterionKind kKind = CriterionKind::work;
 
-  explicit Work(const BodyModel& body, const WorkSettings& settings = {})
-      : per_full_(1.0 / full_work(body, settings)) {}
+  Work(const BodyModel& body, const CriteriaContext&, double share)
+      : per_full_(1.0 / full_work(body, share)) {}
 
   void reset() { work_ = S(0); }
 

@@ -91,8 +91,13 @@ Landmarks start_of(const CharacterSpec& character, const BodyModel& body) {
 // a rollout shows its own.
 class ClipPlayer {
  public:
-  ClipPlayer(const BodyModel& body, const CriteriaSettings& criteria)
-      : body_(body), placed_(body), work_(body), criteria_(body, criteria), support_(body) {}
+  ClipPlayer(const BodyModel& body, const CriteriaContext& context,
+             const CriteriaSettings& criteria)
+      : body_(body),
+        placed_(body),
+        work_(body),
+        criteria_(body, context, criteria),
+        support_(body, context.start) {}
 
   Motion play(const Clip& clip, int first, int last) {
     const auto dofs = static_cast<std::size_t>(clip.dofs);
@@ -142,8 +147,8 @@ class ClipPlayer {
 Score summed(const BuiltInCriteria<double>& criteria, const BodyModel& body, const Motion& motion,
              const CriteriaSettings& settings) {
   Score score;
-  criteria.visit_penalties([&score](const char* name, double weight, double penalty) {
-    score.terms.push_back({name, weight, penalty});
+  criteria.visit_penalties([&score](std::string_view name, double weight, double penalty) {
+    score.terms.push_back({std::string(name), weight, penalty});
   });
   for (const UserCriterion& user : settings.user) {
     score.terms.push_back(
@@ -289,13 +294,13 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   Clip smooth = result.fit.clip;
   if (settings.cutoff > 0.0) low_pass(smooth, settings.cutoff);
   const int first = result.fit.before;
-  CriteriaSettings criteria = settings.criteria;
-  set_reaching(criteria,
-               reaching_hands(recorded.body, smooth, first, first + last - settings.first));
-  ClipPlayer player(recorded.body, criteria);
+  const CriteriaContext context{
+      .start = start_state(recorded.body),
+      .effectors = reaching_hands(recorded.body, smooth, first, first + last - settings.first)};
+  ClipPlayer player(recorded.body, context, settings.criteria);
   result.motion = player.play(smooth, first, first + last - settings.first);
-  result.score = summed(player.criteria(), recorded.body, result.motion, criteria);
-  result.measures = measure_motion(recorded.body, result.motion, settings.criteria.collision);
+  result.score = summed(player.criteria(), recorded.body, result.motion, settings.criteria);
+  result.measures = measure_motion(recorded.body, result.motion, context);
   // the player's meter saw the surrounding frames too
   result.measures.support = player.support().margins();
   PostureMeter meter(recorded.body);

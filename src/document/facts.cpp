@@ -18,10 +18,11 @@ namespace {
 
 constexpr int kFactsVersion = 1;
 
-Json weights_to_json(CriteriaSettings criteria) {
+Json weights_to_json(const CriteriaSettings& criteria) {
   Json json;
-  for_each_criterion(
-      [&](const auto& criterion) { json[criterion.name] = criterion.weight(criteria); });
+  for (const CriterionTraits& criterion : kCriteria) {
+    json[std::string(criterion.word)] = criteria[criterion.kind].weight;
+  }
   return json;
 }
 
@@ -34,9 +35,9 @@ std::string_view mixture_of(CriteriaSettings (*settings)()) {
 }
 
 void add_criteria(Json& json) {
-  for_each_criterion([&](const auto& criterion) {
-    json["criteria"].push_back({{"name", criterion.name}, {"scale", criterion.scale_name}});
-  });
+  for (const CriterionTraits& criterion : kCriteria) {
+    json["criteria"].push_back({{"name", criterion.word}, {"scale", criterion.scale_name}});
+  }
   for (const CriteriaPreset& mixture : criteria_presets()) {
     json["mixtures"][std::string(mixture.name)] = weights_to_json(mixture.settings());
   }

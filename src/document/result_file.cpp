@@ -309,7 +309,7 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   const Json& candidates = json["candidates"];
   SHG_TRY(check_count(candidates, place));
   SHG_TRY_ASSIGN(const BodyModel body, build_body(result.task));
-  const Result<ParameterList> list = parameter_list(body, result.task);
+  const Result<ParameterList> list = parameter_list(body, start_state(body), result.task);
   if (!list) return fail(ErrorCode::parse, list.error().to_message(), place + ": task");
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);

@@ -33,10 +33,10 @@ Json words_schema(std::span<const std::string> words) { return {{"enum", words}}
 // Schema of each criterion's weight and reference scale.
 Json criteria_schema() {
   Json properties;
-  for_each_criterion([&](const auto& criterion) {
-    properties[criterion.name] = object_schema(
-        {{"weight", reference("weight")}, {criterion.scale_name, reference("scale")}});
-  });
+  for (const CriterionTraits& criterion : kCriteria) {
+    properties[std::string(criterion.word)] = object_schema(
+        {{"weight", reference("weight")}, {std::string(criterion.scale_name), reference("scale")}});
+  }
   Json schema = object_schema(properties);
   schema["description"] =
       "Weights of the score, not all 0, and the scale at which each penalty is full "

@@ -53,16 +53,18 @@ void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteri
   if (task.value(key).is_string()) return read_mixture(task, key, criteria);
   JsonReader reader = task.object(key);
   double sum = 0.0;
-  for_each_criterion([&](const auto& criterion) {
-    if (reader.has(criterion.name)) {
-      JsonReader members = reader.object(criterion.name);
-      members.number("weight", criterion.weight(criteria), 0.0, kCriteriaRange);
-      members.number(criterion.scale_name, criterion.scale(criteria), kCriteriaTiny,
+  for (const CriterionTraits& criterion : kCriteria) {
+    CriterionSetting& setting = criteria[criterion.kind];
+    const std::string name(criterion.word);
+    if (reader.has(name.c_str())) {
+      JsonReader members = reader.object(name.c_str());
+      members.number("weight", setting.weight, 0.0, kCriteriaRange);
+      members.number(std::string(criterion.scale_name).c_str(), setting.scale, kCriteriaTiny,
                      kCriteriaRange);
       reader.absorb(members.finish());
     }
-    sum += criterion.weight(criteria);
-  });
+    sum += setting.weight;
+  }
   if (sum <= 0.0) {
     reader.wrong("", say("all_weights_zero"));
   }
@@ -88,10 +90,11 @@ void read_composite(JsonReader& character, const char* key, Places& places) {
 
 Json composite_to_json(ToJson, const CriteriaSettings& criteria) {
   Json json;
-  for_each_criterion([&](const auto& criterion) {
-    json[criterion.name] = {{"weight", criterion.weight(criteria)},
-                            {criterion.scale_name, criterion.scale(criteria)}};
-  });
+  for (const CriterionTraits& criterion : kCriteria) {
+    const CriterionSetting& setting = criteria[criterion.kind];
+    json[std::string(criterion.word)] = {{"weight", setting.weight},
+                                         {std::string(criterion.scale_name), setting.scale}};
+  }
   return json;
 }
 

@@ -136,11 +136,10 @@ std::string goals_title(std::span<const Goal> goals, double stature) {
 }
 
 std::string criterion_words(std::string_view name) {
-  std::string words(name);
-  for_each_criterion([&](const auto& criterion) {
-    if (criterion.name == name) words = criterion.counts;
-  });
-  return words;
+  for (const CriterionTraits& criterion : kCriteria) {
+    if (criterion.word == name) return std::string(criterion.counts);
+  }
+  return std::string(name);
 }
 
 std::string verdict_sentence(const Judgement& judgement) {

@@ -21,8 +21,8 @@ Motion ClipDynamics::completed(Clip clip, std::vector<RestingHand> resting) {
   Motion motion;
   motion.torques.resize(clip.angles.size());
   for (int f = 0; f < clip.frames; ++f) {
-    // central differences; at rest before the motion and after it
-    const std::span<const double> before = clip.frame(f > 0 ? f - 1 : 0);
+    // central differences; at rest after the motion
+    const std::span<const double> before = clip.frame_before(f);
     const std::span<const double> now = clip.frame(f);
     const std::span<const double> after = clip.frame(f + 1 < clip.frames ? f + 1 : f);
     for (std::size_t d = 0; d < dofs; ++d) {
@@ -43,11 +43,11 @@ Motion ClipDynamics::completed(Clip clip, std::vector<RestingHand> resting) {
   return motion;
 }
 
-Motion held_start(const BodyModel& body) {
+Motion held_still(const BodyModel& body, const State& state) {
   Clip clip;
   clip.dofs = body.dof_count();
   clip.frames = 1;
-  clip.angles.assign(body.start().begin(), body.start().end());
+  clip.angles = state.angles;
   return ClipDynamics(body).completed(std::move(clip));
 }
 

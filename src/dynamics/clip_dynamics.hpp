@@ -24,7 +24,7 @@ class ClipDynamics {
   std::vector<double> accelerations_;
 };
 
-// The body's start posture, held still: one frame.
-[[nodiscard]] Motion held_start(const BodyModel& body);
+// A state held still: one frame.
+[[nodiscard]] Motion held_still(const BodyModel& body, const State& state);
 
 }  // namespace shigusa

@@ -65,8 +65,8 @@ Result<void> mirror_result(StoredResult& stored) {
   SHG_TRY_ASSIGN(const BodyModel body, build_body(stored.task));
   SHG_TRY_ASSIGN(TaskFile image, mirrored(stored.task));
   SHG_TRY_ASSIGN(const Task task, make_task(image, {}));
-  SHG_TRY_ASSIGN(const ParameterList own, parameter_list(body, stored.task));
-  SHG_TRY_ASSIGN(const ParameterList other, parameter_list(task.body, task));
+  SHG_TRY_ASSIGN(const ParameterList own, parameter_list(body, start_state(body), stored.task));
+  SHG_TRY_ASSIGN(const ParameterList other, parameter_list(task.body, task.start, task));
   stored.task = std::move(image);
   for (Parameters& values : stored.candidates) {
     const bool reflected = !values.reflected;

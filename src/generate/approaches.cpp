@@ -5,6 +5,7 @@
 #include <shigusa/generate.hpp>
 #include <utility>
 
+#include "distinct.hpp"
 #include "motion/jolt.hpp"
 #include "nlp/nlp_rollout.hpp"
 #include "problem/tiptoe.hpp"
@@ -48,7 +49,7 @@ std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const Closest
   ReachProblem posture = guided;
   posture.follow_path = false;
   // weights alone can lift the heels without regard to balance
-  const bool tiptoe = reach.reached() && Tiptoe(*problem.body, reach.angles).lifted();
+  const bool tiptoe = reach.reached() && Tiptoe(problem, reach.angles).lifted();
   if (tiptoe) return {guided, posture};
   if (reach.reached()) return {problem, guided, posture};
   // Edge of reach: the path ends at the closest point, and a hand on a stretched limb may lag

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "distinct.hpp"
 #include "generate/posture_meter.hpp"
 #include "problem/task_goals.hpp"
 
@@ -105,18 +106,18 @@ void add_resting_hands(const Problem& of, const ReachProblem& problem, const Mot
   }
 }
 
-// The task's collision settings, without the resting places of hands that stay free.
-CollisionSettings collision_of(const Problem& problem, const Candidate& candidate) {
+// The problem's circumstances, without the resting places of hands that stay free.
+CriteriaContext context_of(const Problem& problem, const Candidate& candidate) {
   const Task& task = problem.task;
-  CollisionSettings settings = problem.criteria.collision;
-  std::erase_if(settings.resting, [&](const RestingPlace& place) {
+  CriteriaContext context = problem.reach.context;
+  std::erase_if(context.resting, [&](const RestingPlace& place) {
     return std::none_of(candidate.resting.begin(), candidate.resting.end(),
                         [&](const RestResult& rest) {
                           const int hand = task.body.find_effector(rest.effector).value();
                           return task.body.effector(hand).link == place.link;
                         });
   });
-  return settings;
+  return context;
 }
 
 // a NaN ranks below any score
@@ -146,7 +147,7 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
   const BodyModel& body = task.body;
   Candidate candidate;
   candidate.parameters = parameters;
-  candidate.score = score_motion(body, rolled.motion, problem.criteria);
+  candidate.score = score_motion(body, rolled.motion, task.criteria, problem.reach.context);
   add_goal_results(problem, approach, rolled.motion, candidate);
   candidate.path_error = rolled.outcome.path_error;
   for (const Foot& foot : body.feet()) {
@@ -157,11 +158,11 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
                                                 : slide_of(approach, rolled.motion.clip, foot.link);
     candidate.contacts.push_back({foot.name, foot.node, slide, {}});
     if (!foot.heel) continue;
-    const Mat3d stands = start_kinematics(body).link_rotation(foot.link);
+    const Mat3d stands = placed(body, task.start).link_rotation(foot.link);
     candidate.contacts.back().heel = heel_lift(*foot.heel, rolled.motion.clip, stands);
   }
   add_resting_hands(problem, approach, rolled.motion, candidate);
-  candidate.measures = measure_motion(body, rolled.motion, collision_of(problem, candidate));
+  candidate.measures = measure_motion(body, rolled.motion, context_of(problem, candidate));
   candidate.judgement = judge(body, rolled.motion, candidate.measures);
   const Clip& clip = rolled.motion.clip;
   candidate.final_posture =

@@ -9,6 +9,7 @@
 
 #include "candidate.hpp"
 #include "core/index.hpp"
+#include "distinct.hpp"
 
 namespace shigusa {
 namespace {
@@ -301,7 +302,7 @@ void keep_most(std::size_t most, std::vector<Candidate>& all) {
 
 bool minds_jolts(const Task& task) {
   const PresetTraits& traits = traits_of(task.preset);
-  return traits.natural && !traits.layers && task.criteria.jolts_weight > 0.0;
+  return traits.natural && !traits.layers && task.criteria[CriterionKind::jolts].weight > 0.0;
 }
 
 void drop_jolts(GenerateResult& generation) {

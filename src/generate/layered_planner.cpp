@@ -160,7 +160,8 @@ class UpperSearch {
       const auto arrival = body_arrival(problem_, whole(parameters[k]));
       scores[k] = worst_score(criteria);
       if (!arrival) return;
-      scores[k] = score_motion(task_.body, arrival->rolled.motion, criteria).total;
+      scores[k] =
+          score_motion(task_.body, arrival->rolled.motion, criteria, problem_.reach.context).total;
       copy_end(arrival->rolled.motion.clip, std::span(postures_).subspan(k * dofs, dofs));
     };
     // user criteria are called from one thread

@@ -160,7 +160,7 @@ double LayeredScorer::judged(const RolledOut& played) const {
     return worst + min(played.outcome.path_error, 1.0);
   }
   const BodyModel& body = *problem_->reach.body;
-  const double score = score_motion(body, played.motion, *criteria_).total;
+  const double score = score_motion(body, played.motion, *criteria_, problem_->reach.context).total;
   if (!problem_->reach.hold_limits) return score;
   double excess = 0.0;
   for (const LimitExcess& over : limit_excess(body, played.motion.clip)) excess += over.excess;

@@ -10,6 +10,7 @@
 
 #include "candidate.hpp"
 #include "core/say.hpp"
+#include "distinct.hpp"
 #include "joint_progress.hpp"
 
 namespace shigusa {
@@ -22,11 +23,10 @@ constexpr std::size_t kPairedAxes = 3;  // with more criteria, pairs are too man
 CriteriaSettings weighted(const CriteriaSettings& criteria, std::span<const std::size_t> axes) {
   CriteriaSettings settings = criteria;
   settings.user.clear();
-  std::size_t number = 0;
-  for_each_criterion([&](const auto& entry) {
-    const bool axis = std::find(axes.begin(), axes.end(), number++) != axes.end();
-    entry.weight(settings) = axis ? 1.0 / static_cast<double>(axes.size()) : 0.0;
-  });
+  for (CriterionSetting& setting : settings.built_in) setting.weight = 0.0;
+  for (const std::size_t axis : axes) {
+    settings.built_in[axis].weight = 1.0 / static_cast<double>(axes.size());
+  }
   return settings;
 }
 
@@ -114,11 +114,9 @@ std::size_t farthest_from(std::span<const std::size_t> taken,
 
 std::vector<CriteriaSettings> pareto_mixtures(const CriteriaSettings& criteria) {
   std::vector<std::size_t> axes;
-  std::size_t number = 0;
-  for_each_criterion([&](const auto& entry) {
-    if (entry.weight(criteria) > 0.0) axes.push_back(number);
-    ++number;
-  });
+  for (std::size_t k = 0; k < criteria.built_in.size(); ++k) {
+    if (criteria.built_in[k].weight > 0.0) axes.push_back(k);
+  }
   std::vector<CriteriaSettings> mixtures{criteria};
   if (axes.size() < 2) return mixtures;
   for (const std::size_t axis : axes) mixtures.push_back(weighted(criteria, {&axis, 1}));

@@ -34,7 +34,7 @@ std::optional<SquatTarget> SquatTarget::of(const Problem& problem) {
     const auto knee = body.find_dof(JointKind::knee, FreedomKind::flexion, side);
     if (!knee) continue;
     target.knees_.push_back(static_cast<std::size_t>(*knee));
-    target.wanted_ += *squat + body.start()[target.knees_.back()];
+    target.wanted_ += *squat + problem.task.start.angles[target.knees_.back()];
   }
   if (target.knees_.empty()) return std::nullopt;
   return target;
@@ -88,7 +88,7 @@ void PointScorer::score_one_by_one(std::span<const double> points, std::span<dou
     const RolledOut rolled =
         play(approach_, space_.decode(points.subspan(i * genes, genes)), task_.generator);
     scores[i] = rolled.outcome.met(approach_.tolerance)
-                    ? score_motion(task_.body, rolled.motion, criteria_).total
+                    ? score_motion(task_.body, rolled.motion, criteria_, approach_.context).total
                     : worst_score(criteria_);
     copy_end(rolled.motion.clip, std::span(angles_).subspan(i * dofs, dofs));
   };

@@ -7,6 +7,7 @@
 #include "candidate.hpp"
 #include "core/say.hpp"
 #include "delivery.hpp"
+#include "distinct.hpp"
 #include "joint_progress.hpp"
 #include "pareto.hpp"
 

@@ -66,12 +66,13 @@ bool is_image(const BodyModel& body, std::span<const double> angles,
   return true;
 }
 
-bool stands_alike(const BodyModel& body, const std::vector<Fellow>& fellows) {
+bool stands_alike(const BodyModel& body, std::span<const double> start,
+                  const std::vector<Fellow>& fellows) {
   for (std::size_t d = 0; d < fellows.size(); ++d) {
-    const double own = body.start()[index(fellows[d].dof)];
-    if (!(abs(own - fellows[d].sign * body.start()[d]) < kAlike)) return false;
+    const double own = start[index(fellows[d].dof)];
+    if (!(abs(own - fellows[d].sign * start[d]) < kAlike)) return false;
   }
-  return is_image(body, body.start(), body.start());
+  return is_image(body, start, start);
 }
 
 std::vector<std::vector<Vec3d>> paths_of_goals(const ReachProblem& problem, const Clip& clip) {
@@ -113,7 +114,9 @@ Task mirrored_task(Task task) {
 std::optional<Motion> reflection(const ReachProblem& problem, const Motion& of) {
   const BodyModel& body = *problem.body;
   const auto fellows = fellows_of(body);
-  if (!fellows || !stands_alike(body, *fellows)) return std::nullopt;
+  if (!fellows || !problem.start().velocities.empty() ||
+      !stands_alike(body, problem.start().angles, *fellows))
+    return std::nullopt;
   Clip image = reflected(*fellows, of.clip);
   const int last = image.frames - 1;
   if (!is_image(body, image.frame(last), of.clip.frame(last))) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/say.hpp"
+#include "distinct.hpp"
 
 namespace shigusa {
 

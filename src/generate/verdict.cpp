@@ -110,8 +110,8 @@ Judgement judge(const BodyModel& body, const MotionMeasures& measures) {
   return std::move(reasons).judgement();
 }
 
-Judgement judge_start(const BodyModel& body) {
-  const Motion held = held_start(body);
+Judgement judge_start(const BodyModel& body, const State& start) {
+  const Motion held = held_still(body, start);
   MotionMeasures measures;
   measures.loads = joint_loads(body, held);
   measures.support = support_margins(body, held);

@@ -58,8 +58,9 @@ double best_start(const Problem& problem, const ReachProblem& approach) {
   const std::vector<double> bent = bent_starts(space);
   points.insert(points.end(), bent.begin(), bent.end());
   std::vector<double> scores(points.size() / index(std::max(space.genes(), 1)));
-  PointScorer(problem, approach, problem.criteria, space, task.batch.threads).score(points, scores);
-  double best = worst_score(problem.criteria);
+  PointScorer(problem, approach, problem.task.criteria, space, task.batch.threads)
+      .score(points, scores);
+  double best = worst_score(problem.task.criteria);
   for (const double score : scores) best = score < best ? score : best;
   return best;
 }
@@ -74,7 +75,7 @@ std::vector<ReachProblem> usual_approaches(const Problem& problem, const ReachPr
   const Task& task = problem.task;
   std::vector<ReachProblem> around = approaches_to_goal(there, reach);
   const bool natural = traits_of(task.preset).natural && !task.own_search &&
-                       !scores_whole_motions(task, problem.criteria);
+                       !scores_whole_motions(task, problem.task.criteria);
   if (!natural || !goes_around(around.front()) || !check_values(problem)) return around;
   std::vector<ReachProblem> straight = approaches_to_goal(there, reach, true);
   const bool does_without =
@@ -157,8 +158,8 @@ class WholeBodyPlanner : public Planner {
                                       const Parameters& values) const {
     const RolledOut rolled = play(approach, values, task_.generator);
     return rolled.outcome.met(approach.tolerance)
-               ? score_motion(task_.body, rolled.motion, problem_.criteria).total
-               : worst_score(problem_.criteria);
+               ? score_motion(task_.body, rolled.motion, task_.criteria, approach.context).total
+               : worst_score(problem_.task.criteria);
   }
 
   const Problem& problem_;

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "kinematics/forward_kinematics.hpp"
 
+#include "core/check.hpp"
+
 namespace shigusa {
 
+Kinematics<double> placed(const BodyModel& body, const State& state) {
+  SHG_CHECK(state.angles.size() == body.dofs().size(), "a state has one angle per dof");
+  Kinematics<double> kinematics(body);
+  forward_kinematics<double>(body, state.angles, kinematics);
+  return kinematics;
+}
+
 Kinematics<double> start_kinematics(const BodyModel& body) {
-  Kinematics<double> start(body);
-  forward_kinematics<double>(body, body.start(), start);
-  return start;
+  return placed(body, start_state(body));
 }
 
 }  // namespace shigusa

@@ -122,6 +122,8 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
   }
 }
 
+// Placement of the body in a state.
+[[nodiscard]] Kinematics<double> placed(const BodyModel& body, const State& state);
 // Placement of the body in its start posture.
 [[nodiscard]] Kinematics<double> start_kinematics(const BodyModel& body);
 

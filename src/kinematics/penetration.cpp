@@ -45,9 +45,8 @@ std::vector<CapsulePair> all_limb_pairs(const BodyModel& body) {
   return all;
 }
 
-std::vector<CapsulePair> allowed_as_at_start(const BodyModel& body,
-                                             std::vector<CapsulePair> pairs) {
-  const Kinematics<double> start = start_kinematics(body);
+std::vector<CapsulePair> allowed_as_at(const Kinematics<double>& start, const BodyModel& body,
+                                       std::vector<CapsulePair> pairs) {
   for (CapsulePair& pair : pairs) {
     pair.allowed = max(deepest_of(body, start, {&pair, 1}).depth, 0.0);
   }

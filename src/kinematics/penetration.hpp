@@ -27,9 +27,10 @@ struct CapsulePair {
 
 // Compliance (m) of the softer of both.
 [[nodiscard]] double give_of(const BodyModel& body, const CapsulePair& pair);
-// The pairs with their depths in the start posture as the tolerated ones.
-[[nodiscard]] std::vector<CapsulePair> allowed_as_at_start(const BodyModel& body,
-                                                           std::vector<CapsulePair> pairs);
+// The pairs with their depths at the start as the tolerated ones.
+[[nodiscard]] std::vector<CapsulePair> allowed_as_at(const Kinematics<double>& start,
+                                                     const BodyModel& body,
+                                                     std::vector<CapsulePair> pairs);
 
 // Depth of a limb inside the rest of the body.
 struct Penetration {

@@ -23,6 +23,13 @@ template <class S>
   return tau + S(4) * haste * bump * bump;
 }
 
+// Displacement at τ in [0, 1] of the smoothest movement that begins with a velocity and ends where
+// it began, as a share of that velocity times the duration: τ - 6τ³ + 8τ⁴ - 3τ⁵. Added to a
+// minimum-jerk line it gives the path of least jerk from a moving start (Flash and Hogan 1985).
+[[nodiscard]] constexpr double carried_on(double tau) {
+  return tau * (1.0 - tau * tau * (6.0 - tau * (8.0 - 3.0 * tau)));
+}
+
 // A profile from 0 to 1 for τ in [0, 1] (clamped) with zero jerk at both ends, for motions that
 // would jolt the body: 35τ⁴ - 84τ⁵ + 70τ⁶ - 20τ⁷.
 template <class S>
@@ -73,6 +80,7 @@ struct EffectorPath {
   double detour_peak = 0.5;  // in (0, 1): time of the peak, as a share of the path's own time
   double begin = 0.0;        // share of the duration before the effector leaves
   double haste = 0.0;        // see hastened()
+  Vec3d momentum{};          // m, world: velocity at the start times the duration
 
   // Share of the path's own time elapsed at tau = time / duration in [0, 1].
   [[nodiscard]] double own_time(double tau) const {
@@ -80,8 +88,9 @@ struct EffectorPath {
   }
   // Position (m, world) at tau.
   [[nodiscard]] Vec3d at(double tau) const {
-    return start + (goal - start) * done(tau) +
-           detour * minimum_jerk_detour(own_time(tau), detour_peak);
+    const Vec3d line = start + (goal - start) * done(tau) +
+                       detour * minimum_jerk_detour(own_time(tau), detour_peak);
+    return momentum == Vec3d{} ? line : line + momentum * carried_on(tau);
   }
   // Share of the line covered at tau.
   [[nodiscard]] double done(double tau) const { return minimum_jerk(own_time(tau)); }

@@ -14,8 +14,8 @@ constexpr double kWhole = 1e-6;
 
 // The slope of dof d in a frame of the clip (rad per frame).
 double slope(const Clip& clip, int frame, std::size_t d) {
-  if (frame == 0 || frame == clip.frames - 1) return 0.0;
-  return 0.5 * (clip.frame(frame + 1)[d] - clip.frame(frame - 1)[d]);
+  if (frame == clip.frames - 1 || (frame == 0 && clip.before.empty())) return 0.0;
+  return 0.5 * (clip.frame(frame + 1)[d] - clip.frame_before(frame)[d]);
 }
 
 // Appends the posture between a frame and the next: at the frame for a share of 0, at the next for
@@ -32,6 +32,16 @@ void append_between(const Clip& clip, int frame, double share, std::vector<doubl
 
 }  // namespace
 
+State Clip::state(int index) const {
+  const std::span<const double> at = frame(index);
+  State state{.angles = {at.begin(), at.end()}};
+  if (index == frames - 1 || (index == 0 && before.empty())) return state;
+  for (std::size_t d = 0; d < at.size(); ++d) {
+    state.velocities.push_back(slope(*this, index, d) / frame_time);
+  }
+  return state;
+}
+
 int frames_at(double duration, double rate) {
   const double steps = duration * rate - kWhole;
   const int whole = static_cast<int>(steps);
@@ -44,8 +54,13 @@ Clip resampled(const Clip& clip, double rate) {
   Clip result{.dofs = clip.dofs,
               .frames = frames_at(clip.duration(), rate),
               .frame_time = 1.0 / rate,
-              .angles = {}};
+              .angles = {},
+              .before = {}};
   result.angles.reserve(index(result.frames) * index(clip.dofs));
+  for (std::size_t d = 0; d < clip.before.size(); ++d) {
+    result.before.push_back(clip.frame(0)[d] -
+                            slope(clip, 0, d) * result.frame_time / clip.frame_time);
+  }
   for (int k = 0; k < result.frames; ++k) {
     const double at = k / rate / clip.frame_time;
     const int frame = std::min(static_cast<int>(at + kWhole), clip.frames - 1);

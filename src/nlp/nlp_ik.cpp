@@ -2,6 +2,7 @@
 #include "nlp/nlp_ik.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace shigusa {
 namespace {
@@ -39,8 +40,9 @@ Vec3d lead_moment(const Mat3d& r, const Mat3d& wanted, const Vec3d& lead) {
 
 }  // namespace
 
-NlpIk::NlpIk(const BodyModel& body, const NlpIkSettings& settings)
+NlpIk::NlpIk(const BodyModel& body, State start, const NlpIkSettings& settings)
     : body_(&body),
+      start_(std::move(start)),
       settings_(settings),
       metric_(body.dof_count()),
       kinematics_(body),
@@ -57,7 +59,7 @@ NlpIk::NlpIk(const BodyModel& body, const NlpIkSettings& settings)
 }
 
 void NlpIk::add_limits() {
-  const std::span<const double> start = body_->start();
+  const std::span<const double> start = start_.angles;
   for (int d = 0; d < body_->dof_count(); ++d) {
     const std::size_t k = index(d);
     double upper = max(body_->dof(d).upper, start[k]);
@@ -105,7 +107,7 @@ void NlpIk::weigh(std::span<const Constraint<double>> targets,
 
 // Measures the mean diagonal of J W⁻¹ Jᵀ in the start posture, and sets the values based on it.
 void NlpIk::measure_goals(std::span<const Constraint<double>> targets) {
-  forward_kinematics<double>(*body_, body_->start(), kinematics_);
+  forward_kinematics<double>(*body_, start_.angles, kinematics_);
   double sum = 0.0;
   int goals = 0;
   for (const Constraint<double>& target : targets) {

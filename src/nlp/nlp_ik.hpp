@@ -74,7 +74,7 @@ class NlpIk : private SmoothFunction {
  public:
   // Settings outside their ranges throw PreconditionError, as does a body of more than
   // kMaxMetricVariables dofs or with a coupling that lowers a limit. The body outlives the object.
-  explicit NlpIk(const BodyModel& body, const NlpIkSettings& settings = {});
+  NlpIk(const BodyModel& body, State start, const NlpIkSettings& settings = {});
 
   // Begins a motion. inverse_weights (dofs): as for weighted_ik_step; only their ratios matter.
   // `targets` are the motion's, for the scale of the goals. Limits are widened to the start
@@ -142,6 +142,7 @@ class NlpIk : private SmoothFunction {
   [[nodiscard]] Misses correct_leads(std::span<Constraint<double>> targets) const;
 
   const BodyModel* body_;
+  State start_;
   NlpIkSettings settings_;
   VariableMetric metric_;
   Kinematics<double> kinematics_;

@@ -11,8 +11,8 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
     : problem_(&problem),
       contacts_from_(problem.goals.size()),
       targets_(constraints(problem)),
-      ik_(*problem.body, settings),
-      limits_(*problem.body),
+      ik_(*problem.body, problem.start(), settings),
+      limits_(*problem.body, problem.start()),
       dynamics_(problem),
       now_(*problem.body),
       next_(*problem.body),
@@ -28,7 +28,7 @@ NlpRollout::NlpRollout(const ReachProblem& problem, const NlpIkSettings& setting
 void NlpRollout::begin(const MotionInput<double>& input) {
   SHG_CHECK(input.posture.empty() || input.posture.size() == reference_.size(),
             "one change of posture per dof");
-  const std::span<const double> start = problem_->body->start();
+  const std::span<const double> start = problem_->start().angles;
   for (std::vector<double>& angles : angles_) angles.assign(start.begin(), start.end());
   for (Constraint<double>& target : targets_) {
     target.lag = 0.0;
@@ -72,7 +72,7 @@ void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
                            goal.sway * (path_bow(done, 0.0) * input.timing.sway);
     }
     if (!targets_[g].turns()) continue;
-    targets_[g].orientation = goal.turn.at(goal.path.own_time(tau));
+    targets_[g].orientation = goal.turn_at(tau);
     targets_[g].direction = targets_[g].orientation.cx;
   }
 }

@@ -28,25 +28,18 @@ constexpr std::array<FinalRange, 3> kFinalRanges{{
 // Criteria for swivels, which differ by the arm's posture and the smoothness of its motion, and
 // little by torque.
 CriteriaSettings swivel_criteria() {
-  CriteriaSettings criteria = default_criteria();
-  criteria.balance_zone_weight = 0.0;                          // no balance with a fixed trunk
-  criteria.low_back_weight = 0.0;                              // no back
-  criteria.collision_weight = criteria.pressure_weight = 0.0;  // no feet on an arm alone
-  criteria.coordination_weight = criteria.mass_ahead_weight = 0.0;
-  criteria.jolts_weight = 0.0;
-  // the hand's path and the shoulder do not depend on the swivel
-  criteria.hand_curve_weight = criteria.trunk_travel_weight = 0.0;
-  criteria.torque_weight = 0.1;
+  // an arm alone has neither trunk nor feet, and its swivel moves neither hand nor shoulder
+  CriteriaSettings criteria{{CriterionKind::torque, 0.1}};
+  const CriteriaSettings usual = default_criteria();
+  for (const CriterionKind kind : {CriterionKind::joint_range, CriterionKind::discomfort,
+                                   CriterionKind::joint_acceleration, CriterionKind::feasibility}) {
+    criteria[kind] = usual[kind];
+  }
   return criteria;
 }
 
 // Criteria of a free limb's own motion, beside the whole body's.
-CriteriaSettings rest_criteria() {
-  CriteriaSettings criteria;
-  for_each_criterion([&](const auto& entry) { entry.weight(criteria) = 0.0; });
-  criteria.torque_weight = 0.5;
-  return criteria;
-}
+CriteriaSettings rest_criteria() { return {{CriterionKind::torque, 0.5}}; }
 
 // Replaces the parameters of the paper's layer of an arm by its swivel.
 void search_swivel(Layer& layer) {

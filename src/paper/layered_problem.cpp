@@ -16,13 +16,14 @@ static_assert(kMotionSteps % kCoarseFrames == 0);
 LayeredSetup::LayeredSetup(const LayeredProblem& of_problem)
     : problem(&of_problem),
       upper(of_problem.layers[0].body, of_problem.reach),
-      start(start_kinematics(*of_problem.reach.body)) {
+      start(placed(*of_problem.reach.body, of_problem.reach.start())) {
   std::size_t by_weights = 0;
   std::size_t by_swivel = 0;
   for (std::size_t g = 0; g < problem->arms.size(); ++g) {
     const BodyModel& alone_body = problem->arm_bodies[g];
     ReachProblem& own = alone.emplace_back();
     own.body = &alone_body;
+    own.context.start = start_state(alone_body);
     own.duration = problem->reach.duration;
     own.steps = problem->reach.steps;
     alone_coarsely.push_back(own);
@@ -42,7 +43,8 @@ LayeredSetup::LayeredSetup(const LayeredProblem& of_problem)
 
 void LayeredSetup::find_idle() {
   for (const Layer& layer : problem->layers) {
-    IdleLoads loads{layer.criteria.torque_weight, layer.criteria.torque.share, {}};
+    const CriterionSetting& torque = layer.criteria[CriterionKind::torque];
+    IdleLoads loads{torque.weight, torque.scale, {}};
     for (const ParameterInfo& info : layer.parameters) {
       if (info.kind != ParameterKind::final_angle) continue;
       const ReducedDof& dof = layer.body.dofs[index(info.applies_to[0])];

@@ -58,7 +58,7 @@ struct LayeredSetup {
   };
 
   // The dofs of one layer with final angles of their own, and the settings for their torques in its
-  // criteria (TorqueSettings).
+  // criteria (the scale of torque).
   struct IdleLoads {
     double weight = 0.0;
     double share = 1.0;

@@ -31,10 +31,10 @@ std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings)
   };
   hash.add(std::uint64_t{kVersion});
   hash.add(static_cast<std::uint64_t>(settings.search));
-  for_each_criterion([&](const auto& entry) {
-    hash.add(entry.weight(settings.criteria));
-    hash.add(entry.scale(settings.criteria));
-  });
+  for (const CriterionSetting& setting : settings.criteria.built_in) {
+    hash.add(setting.weight);
+    hash.add(setting.scale);
+  }
   for (int d = 0; d < arm.dof_count(); ++d) {
     const Dof& dof = arm.dof(d);
     add(dof.offset);
@@ -177,6 +177,7 @@ void LimbLibrary::build(int cell) {
   if (entry.built) return;
   ReachProblem problem;
   problem.body = &arm_;
+  problem.context.start = start_state(arm_);
   problem.goals = {{0, path_to(cell)}};
   problem.duration = reach_duration(norm(goal_of(cell) - hanging_), false);
   BatchRollout batch(problem, settings_.criteria, settings_.batch);

@@ -25,11 +25,8 @@ inline constexpr double kLimbRadiusMin = 0.35;
 struct LimbLibrarySettings {
   LimbSearch search = LimbSearch::ladder;
   // Criteria of the lower layer: joint range and torque.
-  CriteriaSettings criteria = [] {
-    CriteriaSettings lower = paper_criteria();
-    lower.balance_weight = 0.0;
-    return lower;
-  }();
+  CriteriaSettings criteria{{CriterionKind::joint_range, kPaperRangeWeight},
+                            {CriterionKind::torque, kPaperTorqueWeight}};
   BatchSettings batch{};  // does not affect results
 };
 

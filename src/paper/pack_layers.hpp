@@ -18,7 +18,7 @@ class PackLayers final : public LayeredLanes {
   PackLayers(const LayeredSetup& setup, const CriteriaSettings& criteria)
       : setup_(&setup),
         rollout_(setup),
-        criteria_(setup.body(), criteria),
+        criteria_(setup.body(), setup.problem->reach.context, criteria),
         excess_(setup.body()),
         idle_(setup),
         inverse_weights_(setup.upper.dofs().size()),

@@ -36,7 +36,7 @@ class SwivelSearch {
         moved_(*body_, setup.arm(goal)),
         placed_(*body_),
         dynamics_(pace == Pace::each_frame ? setup.alone[goal] : setup.alone_coarsely[goal]),
-        criteria_(*body_, setup.problem->layers[1 + goal].criteria),
+        criteria_(*body_, setup.alone[goal].context, setup.problem->layers[1 + goal].criteria),
         excess_(*body_),
         near_(3, std::vector<S>(body_->dofs().size())) {}
 

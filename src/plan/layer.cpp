@@ -69,7 +69,8 @@ void add_contractions(Layer& layer, LayerReading reading) {
 // The arm alone, attached to the trunk (paper, section 3.4): four hinges.
 Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
   Layer layer{.name = arm.name, .body = {}, .parameters = {}, .criteria = {}, .delegates = {}};
-  layer.criteria.balance_weight = 0.0;  // with a fixed trunk there is nothing to balance
+  layer.criteria[CriterionKind::balance].weight =
+      0.0;  // with a fixed trunk there is nothing to balance
   int parent = -1;
   for (const int dof : {arm.flexion, arm.abduction, arm.rotation, arm.hinge}) {
     const Dof& from = body.dof(dof);

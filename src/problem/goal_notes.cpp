@@ -40,7 +40,7 @@ std::string part_at(const BodyModel& body, const Kinematics<double>& start, cons
 
 std::vector<Message> goal_notes(const Task& task) {
   const BodyModel& body = task.body;
-  const Kinematics<double> start = start_kinematics(body);
+  const Kinematics<double> start = placed(body, task.start);
   std::vector<Message> notes;
   for (const Goal& goal : task.goals) {
     const auto index = body.find_effector(goal.effector);

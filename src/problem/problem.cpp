@@ -13,7 +13,8 @@ namespace {
 Result<std::unique_ptr<const Problem>> posed(Task task) {
   auto problem = std::make_unique<Problem>(std::move(task));
   SHG_TRY_ASSIGN(problem->reach, make_problem(problem->task));
-  SHG_TRY_ASSIGN(problem->plan, plan_of(problem->task.body, problem->task, problem->criteria));
+  SHG_TRY_ASSIGN(problem->plan, plan_of(problem->task.body, problem->task.start, problem->task,
+                                        problem->task.criteria));
   problem->parameters = std::make_shared<const ParameterList>(parameter_list(problem->plan));
   return problem;
 }

@@ -12,13 +12,12 @@ namespace shigusa {
 
 // Everything derived from a task and its body, by `prepare`, and const from then on.
 struct Problem {
-  Task task;  // goals without loads, which the body holds; the body stands on its contacts
-  CriteriaSettings criteria;                          // task_criteria
-  Plan plan{};                                        // plan_of
+  Task task;    // goals without loads, which the body holds; the body stands on its contacts
+  Plan plan{};  // plan_of
   std::shared_ptr<const ParameterList> parameters{};  // the plan's
   ReachProblem reach{};                               // make_problem; refers to the task's body
 
-  explicit Problem(Task of) : task(std::move(of)), criteria(task_criteria(task)) {}
+  explicit Problem(Task of) : task(std::move(of)) {}
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 };

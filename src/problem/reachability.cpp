@@ -51,7 +51,7 @@ class Descent {
         kinematics_(body_),
         trial_kinematics_(body_),
         workspace_(body_) {
-    if (problem.hold_limits) limits_.emplace(body_);
+    if (problem.hold_limits) limits_.emplace(body_, problem.start());
   }
 
   // Whether some dof yields last.
@@ -64,7 +64,7 @@ class Descent {
   // Walks from the start posture towards a random one with the feet planted, so that the body can
   // make the motion.
   std::vector<double> wander(Random& random) {
-    std::vector<double> angles(body_.start().begin(), body_.start().end());
+    std::vector<double> angles(problem_.start().angles);
     std::vector<double> aim(angles);
     for (std::size_t d = 0; d < aim.size(); ++d) {
       const double anywhere = random.uniform(body_.dofs()[d].lower, body_.dofs()[d].upper);
@@ -123,7 +123,7 @@ class Descent {
   // Moves the centre of mass over the forefeet if heels are lifted, with feet and effectors in
   // place: the nearest posture may be off balance. False if no heel is lifted.
   bool poise(std::vector<double>& angles) {
-    const Tiptoe tiptoe(body_, angles);
+    const Tiptoe tiptoe(problem_, angles);
     if (!tiptoe.lifted()) return false;
     forward_kinematics<double>(body_, angles, kinematics_);
     for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
@@ -245,14 +245,12 @@ class Descent {
 
 ClosestReach search_postures(const ReachProblem& problem, const ReachabilitySettings& settings,
                              Descent& descent) {
-  const BodyModel& body = *problem.body;
   Random random(static_cast<std::uint64_t>(settings.other), 0x5EAC4);
   ClosestReach best;
   best.distance = std::numeric_limits<double>::infinity();
   for (int s = 0; s < settings.starts; ++s) {
-    std::vector<double> angles = s == 0 && settings.other == 0
-                                     ? std::vector<double>(body.start().begin(), body.start().end())
-                                     : descent.wander(random);
+    std::vector<double> angles =
+        s == 0 && settings.other == 0 ? problem.start().angles : descent.wander(random);
     ClosestReach found = descent.run(std::move(angles), settings.iterations);
     // among near equals the first, in the neighbourhood of the start posture, is the most natural
     const bool nearer = found.distance < best.distance - kNearEqual;
@@ -290,7 +288,7 @@ ReachProblem clear_goals(const ReachProblem& problem, const ClosestReach& reach)
     const std::vector<CapsulePair> limb = limb_pairs(body, body.effector(goal.effector));
     pairs.insert(pairs.end(), limb.begin(), limb.end());
   }
-  pairs = allowed_as_at_start(body, std::move(pairs));
+  pairs = allowed_as_at(placed(body, problem.start()), body, std::move(pairs));
   for (CapsulePair& pair : pairs) pair.allowed += give_of(body, pair);
   const auto clear = [&](const std::vector<double>& angles) {
     Kinematics<double> kinematics(body);

@@ -114,16 +114,14 @@ Result<void> check_gaze(const Task& task) {
 
 Result<void> check_criteria(const CriteriaSettings& criteria) {
   double sum = 0.0;
-  const auto add = [&sum](double weight) { return is_finite(sum += weight) && weight >= 0.0; };
   bool valid = true;
   bool scaled = true;
-  for_each_criterion([&](const auto& criterion) {
-    valid = add(criterion.weight(criteria)) && valid;
-    scaled = scaled && criterion.scale(criteria) > 0.0;
-  });
-  for (const UserCriterion& user : criteria.user) {
-    valid = valid && add(user.weight) && user.scale > 0.0;
-  }
+  const auto add = [&](double weight, double scale) {
+    valid = is_finite(sum += weight) && weight >= 0.0 && valid;
+    scaled = scaled && scale > 0.0;
+  };
+  for (const CriterionSetting& setting : criteria.built_in) add(setting.weight, setting.scale);
+  for (const UserCriterion& user : criteria.user) add(user.weight, user.scale);
   if (!valid || sum <= 0.0) {
     return fail(ErrorCode::invalid_argument, say("no_weights"));
   }
@@ -134,6 +132,7 @@ Result<void> check_criteria(const CriteriaSettings& criteria) {
 }
 
 Result<void> check_settings(const Task& task) {
+  SHG_TRY(check_start(task));
   SHG_TRY(check_numbers(task));
   SHG_TRY(check_timing(task));
   SHG_TRY(check_phases(task));
@@ -142,6 +141,18 @@ Result<void> check_settings(const Task& task) {
   SHG_TRY(check_gaze(task));
   SHG_TRY(check_obstacles(task));
   return check_criteria(task.criteria);
+}
+
+// Lets a goal's effector go on from the velocity with which it starts.
+void carry_on(const Kinematics<double>& start, double duration, const Task& task, ReachGoal& goal) {
+  if (task.start.velocities.empty()) return;
+  const Effector& effector = task.body.effector(goal.effector);
+  const Vec3d at = start.point(effector.link, effector.point);
+  for (const int d : task.body.chain(effector.link)) {
+    const double turn = task.start.velocities[static_cast<std::size_t>(d)] * duration;
+    goal.path.momentum += position_column(start, d, at) * turn;
+    goal.spin += start.axis[static_cast<std::size_t>(d)] * turn;
+  }
 }
 
 // Corrections in a frame whose effector has left its path by more than kPathSlack, as limits hold
@@ -184,19 +195,18 @@ Task with_preset(Task task, Preset preset) {
   return task;
 }
 
-CriteriaSettings task_criteria(const Task& task) {
-  CriteriaSettings criteria = task.criteria;
-  if (task.look_at) criteria.head.gaze_target = task.look_at;
-  if (!criteria.head.gaze_target) criteria.head.gaze_target = gaze_of(task.body, task.goals);
-  criteria.collision.obstacles = task.obstacles;
-  criteria.collision.resting = resting_places(task);
-  std::vector<int> effectors;
+CriteriaContext criteria_context(const Task& task) {
+  CriteriaContext context{.start = task.start,
+                          .gaze = task.look_at,
+                          .obstacles = task.obstacles,
+                          .resting = resting_places(task)};
+  if (!context.gaze) context.gaze = gaze_of(task.body, task.goals);
   for (const Goal& goal : task.goals) {
-    if (const auto effector = task.body.find_effector(goal.effector))
-      effectors.push_back(*effector);
+    if (const auto effector = task.body.find_effector(goal.effector)) {
+      context.effectors.push_back(*effector);
+    }
   }
-  set_reaching(criteria, effectors);
-  return criteria;
+  return context;
 }
 
 Result<ReachProblem> make_problem(const Task& task) {
@@ -205,16 +215,17 @@ Result<ReachProblem> make_problem(const Task& task) {
   }
   SHG_TRY(check_settings(task));
   const BodyModel& body = task.body;
-  const Kinematics<double> kinematics = start_kinematics(body);
+  const Kinematics<double> kinematics = placed(body, task.start);
   const bool natural = traits_of(task.preset).natural;
   ReachProblem problem;
   problem.body = &body;
+  problem.context = criteria_context(task);
   problem.duration = 0.0;
   std::vector<double> owns;  // (goals) s, duration of each alone
   for (const Goal& goal : task.goals) {
     SHG_TRY_ASSIGN(ReachGoal reach, make_reach_goal(body, kinematics, goal));
     const bool hand = body.effector(reach.effector).part.limb == LimbKind::arm;
-    if (hand && natural) {
+    if (hand && natural && task.start.velocities.empty()) {
       reach.path.begin = natural_begin(reach.path);
       reach.path.haste = natural_haste(reach.path);
     }
@@ -236,11 +247,11 @@ Result<ReachProblem> make_problem(const Task& task) {
     double& begin = problem.goals[g].path.begin;
     begin = min(begin, max(1.0 - owns[g] / problem.duration, 0.0));
   }
+  for (ReachGoal& goal : problem.goals) carry_on(kinematics, problem.duration, task, goal);
   problem.ease = task.ease;
   problem.gaze_lead = task.gaze_lead;
   problem.hold_limits = problem.posture_law = natural;
   if (natural) problem.windows = natural_windows(problem.goals);
-  problem.gaze = task_criteria(task).head.gaze_target;
   if (task.preset == Preset::flat) {
     problem.corrections = kLimitCorrections;
     problem.path_slack = kPathSlack;
@@ -249,16 +260,17 @@ Result<ReachProblem> make_problem(const Task& task) {
   return problem;
 }
 
-Result<Plan> plan_of(const BodyModel& body, const Request& request,
+Result<Plan> plan_of(const BodyModel& body, const State& start, const Request& request,
                      const CriteriaSettings& criteria) {
   SHG_TRY(check_supports(request));
   const std::optional<LayerStack> stack = traits_of(request.preset).layers;
-  if (!stack) return whole_body_plan(body, request.supports);
+  if (!stack) return whole_body_plan(body, start, request.supports);
   return layers_to_goals(body, request.goals, {*stack, request.layer_reading}, criteria);
 }
 
-Result<ParameterList> parameter_list(const BodyModel& body, const Request& request) {
-  SHG_TRY_ASSIGN(const Plan plan, plan_of(body, request));
+Result<ParameterList> parameter_list(const BodyModel& body, const State& start,
+                                     const Request& request) {
+  SHG_TRY_ASSIGN(const Plan plan, plan_of(body, start, request));
   return parameter_list(plan);
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "body/joint_name.hpp"
+#include "body/load.hpp"
 #include "body/sole.hpp"
 #include "body/stance.hpp"
 #include "core/say.hpp"
@@ -181,7 +182,7 @@ bool needs_preparing(const Task& task) {
 // Frees the feet that do not stand.
 Result<void> stand(Task& task) {
   if (task.contacts) SHG_TRY(check_contacts(task));
-  const Kinematics<double> start = start_kinematics(task.body);
+  const Kinematics<double> start = placed(task.body, task.start);
   SHG_TRY(check_soles(task, start));
   name_soles(task);
   std::vector<std::string> standing;
@@ -207,6 +208,24 @@ Result<void> stand(Task& task) {
 }
 
 }  // namespace
+
+Result<void> check_start(const Task& task) {
+  const std::vector<double>& angles = task.start.angles;
+  for (const std::vector<double>* numbers : {&angles, &task.start.velocities}) {
+    if (numbers->empty() && numbers != &angles) continue;
+    const bool finite =
+        std::all_of(numbers->begin(), numbers->end(), [](double q) { return is_finite(q); });
+    if (numbers->size() == task.body.dofs().size() && finite) continue;
+    return fail(ErrorCode::invalid_argument,
+                say("start_state", task.body.dof_count(), numbers->size()), "start");
+  }
+  if (!task.start.velocities.empty() && task.generator == MotionGenerator::nlp_ik) {
+    return fail(ErrorCode::invalid_argument, say("start_at_rest"), "start");
+  }
+  const PresetTraits& preset = traits_of(task.preset);
+  if (!preset.layers || task.start == start_state(task.body)) return {};
+  return fail(ErrorCode::invalid_argument, say("start_of_layers", preset.word), "start");
+}
 
 EffectorTurn goal_turn(const BodyModel& body, const Goal& goal, int effector,
                        const Kinematics<double>& start) {
@@ -289,6 +308,7 @@ std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals)
 }
 
 Result<Task> standing(Task task) {
+  SHG_TRY(check_start(task));
   if (!needs_preparing(task)) return task;
   for (Goal& goal : task.goals) {
     SHG_TRY_ASSIGN(const int effector, effector_index(task.body, goal));

@@ -28,6 +28,10 @@ namespace shigusa {
 // without loads and freed feet.
 [[nodiscard]] Result<Task> standing(Task task);
 
+// Fails unless the start has one finite angle for each dof, and is the body's own for a preset with
+// layers.
+[[nodiscard]] Result<void> check_start(const Task& task);
+
 // Fails if goals and contacts take more rows than the IK has.
 [[nodiscard]] Result<void> check_rows(const ReachProblem& problem);
 

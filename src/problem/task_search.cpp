@@ -7,7 +7,7 @@ namespace shigusa {
 
 RunSettings run_of(const Problem& problem) {
   const Task& task = problem.task;
-  return {problem.criteria, task.evaluations, task.seed, task.genetic.stream};
+  return {problem.task.criteria, task.evaluations, task.seed, task.genetic.stream};
 }
 
 SearchResult run_search(const Task& task, const RunSettings& run, const SearchProblem& problem,

@@ -49,14 +49,15 @@ std::vector<double> change_of_plumb_line(const BodyModel& body,
   return change;
 }
 
-Tiptoe::Tiptoe(const BodyModel& body, std::span<const double> angles) {
+Tiptoe::Tiptoe(const ReachProblem& problem, std::span<const double> angles) {
+  const BodyModel& body = *problem.body;
   for (std::size_t f = 0; f < body.feet().size(); ++f) {
     const std::optional<Heel>& heel = body.feet()[f].heel;
     if (heel && angles[static_cast<std::size_t>(heel->toes)] > kHeelLeaves) lifted_ |= 1U << f;
   }
   if (lifted_ == 0) return;
-  edges_ = support_edges(body, lifted_);
-  const std::vector<Vec3d> corners = support_polygon(body, lifted_);
+  edges_ = support_edges(body, problem.start(), lifted_);
+  const std::vector<Vec3d> corners = support_polygon(body, problem.start(), lifted_);
   for (const Vec3d& corner : corners) {
     middle_ += corner * (1.0 / static_cast<double>(corners.size()));
   }

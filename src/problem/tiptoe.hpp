@@ -6,6 +6,7 @@
 
 #include "criteria/support_zone.hpp"
 #include "kinematics/forward_kinematics.hpp"
+#include "rollout/reach_problem.hpp"
 
 namespace shigusa {
 
@@ -19,7 +20,7 @@ namespace shigusa {
 class Tiptoe {
  public:
   // angles: (dofs) rad
-  Tiptoe(const BodyModel& body, std::span<const double> angles);
+  Tiptoe(const ReachProblem& problem, std::span<const double> angles);
 
   // Whether some heel leaves the floor.
   [[nodiscard]] bool lifted() const { return lifted_ != 0; }

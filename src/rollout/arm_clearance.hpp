@@ -7,6 +7,7 @@
 
 #include "core/index.hpp"
 #include "kinematics/penetration.hpp"
+#include "rollout/reach_problem.hpp"
 
 namespace shigusa {
 
@@ -15,24 +16,26 @@ inline constexpr double kArmKeepsOff = 0.01;
 // Least rate (m/rad) at which abduction must move an arm away from a part to be used.
 inline constexpr double kArmGoesAside = 0.05;
 
+// The pairs of a hanging arm and the parts of the body that it comes near, with their depths at the
+// start as the tolerated ones; negative where they are apart.
+[[nodiscard]] std::vector<CapsulePair> clearance_pairs(const ReachProblem& problem,
+                                                       const Effector& hand);
+
 // The abduction that keeps an arm without a goal clear of the body. A pair that is nearer in the
 // start posture may stay as near.
 template <class S>
 class ArmClearance {
  public:
   // `abduction`: that dof of the shoulder.
-  ArmClearance(const BodyModel& body, const Effector& hand, int abduction) : abduction_(abduction) {
-    const Kinematics<double> start = start_kinematics(body);
-    for (const CapsulePair& pair : limb_pairs(body, hand)) {
-      const Capsule& limb = body.capsules()[index(pair.limb)];
-      const Capsule& part = body.capsules()[index(pair.part)];
-      // no hanging arm comes near these parts
-      const auto is = [&](BodyPart which) { return part.name == body_part_name(which); };
-      if (is(BodyPart::neck) || is(BodyPart::head) || is(BodyPart::jaw)) continue;
-      const double depth = deepest_of(body, start, {&pair, 1}).depth;
-      pairs_.push_back({add(limb), add(part),
-                        static_cast<T>(limb.radius + part.radius - max(depth, -kArmKeepsOff)),
-                        static_cast<T>(taper_of(limb)), static_cast<T>(taper_of(part))});
+  ArmClearance(const ReachProblem& problem, const Effector& hand, int abduction)
+      : abduction_(abduction) {
+    for (const CapsulePair& pair : clearance_pairs(problem, hand)) {
+      const Capsule& limb = problem.body->capsules()[index(pair.limb)];
+      const Capsule& part = problem.body->capsules()[index(pair.part)];
+      pairs_.push_back(
+          {add(limb), add(part),
+           static_cast<T>(limb.radius + part.radius - max(pair.allowed, -kArmKeepsOff)),
+           static_cast<T>(taper_of(limb)), static_cast<T>(taper_of(part))});
     }
     placed_.resize(capsules_.size());
   }

@@ -15,8 +15,10 @@ struct DeepestMoment {
 };
 
 // The capsule pairs of the limb beyond the elbow: a detour of the hand does not move the upper arm.
-std::vector<CapsulePair> pairs_beyond_elbow(const BodyModel& body, const Effector& effector) {
-  std::vector<CapsulePair> pairs = allowed_as_at_start(body, limb_pairs(body, effector));
+std::vector<CapsulePair> pairs_beyond_elbow(const ReachProblem& problem, const Effector& effector) {
+  const BodyModel& body = *problem.body;
+  std::vector<CapsulePair> pairs =
+      allowed_as_at(placed(body, problem.start()), body, limb_pairs(body, effector));
   const std::string& first = body.dof(effector.limb_root).joint;
   std::erase_if(pairs, [&](const CapsulePair& pair) {
     return body.dof(body.capsules()[index(pair.limb)].link).joint == first;
@@ -27,7 +29,7 @@ std::vector<CapsulePair> pairs_beyond_elbow(const BodyModel& body, const Effecto
 DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
   const Effector& effector = problem.body->effector(problem.goals[goal].effector);
   const std::vector<double> uniform(problem.body->dofs().size(), 1.0);
-  const std::vector<CapsulePair> pairs = pairs_beyond_elbow(*problem.body, effector);
+  const std::vector<CapsulePair> pairs = pairs_beyond_elbow(problem, effector);
   DeepestMoment moment;
   int step = 0;
   Rollout<double> rollout(problem);

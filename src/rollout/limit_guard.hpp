@@ -31,7 +31,7 @@ inline constexpr double kLimitRise = 0.2;
 template <class S>
 class LimitGuard {
  public:
-  explicit LimitGuard(const BodyModel& body)
+  LimitGuard(const BodyModel& body, const State& start)
       : coupled_(body),
         wanted_(body.dofs().size()),
         share_(wanted_),
@@ -42,8 +42,8 @@ class LimitGuard {
     for (std::size_t d = 0; d < wanted_.size(); ++d) {
       const Dof& dof = body.dofs()[d];
       // a start posture out of range may stay as it is
-      limits_.push_back({static_cast<T>(min(dof.lower, body.start()[d])),
-                         static_cast<T>(max(dof.upper, body.start()[d]))});
+      limits_.push_back({static_cast<T>(min(dof.lower, start.angles[d])),
+                         static_cast<T>(max(dof.upper, start.angles[d]))});
       if (dof.give < 1.0) stiff_.push_back({d, static_cast<T>(dof.give)});
     }
     for (const Foot& foot : body.feet()) {

@@ -19,7 +19,7 @@ class PackScorer final : public LaneScorer {
 
   PackScorer(const ReachProblem& problem, const CriteriaSettings& criteria)
       : rollout_(problem, LostMotion::left),
-        criteria_(*problem.body, criteria),
+        criteria_(*problem.body, problem.context, criteria),
         inverse_weights_(problem.body->dofs().size()),
         posture_(inverse_weights_),
         supports_(problem.supports.size()),

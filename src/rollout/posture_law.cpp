@@ -46,19 +46,24 @@ std::vector<double> on_planted_feet(const ReachProblem& problem, const Kinematic
 
 }  // namespace
 
-ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double side) {
-  const Kinematics<double> standing = start_kinematics(body);
+Mat3d rotation_at_start(const ReachProblem& problem, int link) {
+  return placed(*problem.body, problem.start()).link_rotation(link);
+}
+
+ArmAtStart arm_at_start(const ReachProblem& problem, const ArmLinks& links, double side) {
+  const Kinematics<double> standing = placed(*problem.body, problem.start());
   const Hanging<double> hangs = hanging(standing.link_rotation(links.parent), side);
   const Shrug<double> rises = shrugged(transpose_times(standing.link_rotation(links.chest),
                                                        -standing.link_rotation(links.upper).cy));
   return {hangs.flexion, hangs.abduction, rises.elevation, rises.protraction};
 }
 
-double head_share(const BodyModel& body) {
+double head_share(const ReachProblem& problem) {
+  const BodyModel& body = *problem.body;
   const auto left = body.find_dof(JointKind::shoulder, FreedomKind::flexion, Side::left);
   const auto right = body.find_dof(JointKind::shoulder, FreedomKind::flexion, Side::right);
   if (!left || !right) return 1.0;
-  const Kinematics<double> start = start_kinematics(body);
+  const Kinematics<double> start = placed(body, problem.start());
   const Vec3d across = start.link_origin(*left) - start.link_origin(*right);
   const Vec3d side = normalized(across);
   double least = 1e9;
@@ -76,9 +81,22 @@ double head_share(const BodyModel& body) {
   return broader > 1.0 ? 1.0 / (squared * squared) : 1.0;
 }
 
+std::vector<CapsulePair> clearance_pairs(const ReachProblem& problem, const Effector& hand) {
+  const BodyModel& body = *problem.body;
+  const Kinematics<double> start = placed(body, problem.start());
+  std::vector<CapsulePair> pairs = limb_pairs(body, hand);
+  std::erase_if(pairs, [&](const CapsulePair& pair) {
+    const std::string& part = body.capsules()[index(pair.part)].name;
+    const auto is = [&](BodyPart which) { return part == body_part_name(which); };
+    return is(BodyPart::neck) || is(BodyPart::head) || is(BodyPart::jaw);
+  });
+  for (CapsulePair& pair : pairs) pair.allowed = deepest_of(body, start, {&pair, 1}).depth;
+  return pairs;
+}
+
 double scapula_share(const ReachProblem& problem, const ArmLinks& links) {
   const BodyModel& body = *problem.body;
-  const Kinematics<double> standing = start_kinematics(body);
+  const Kinematics<double> standing = placed(body, problem.start());
   const Vec3d shoulder = standing.origin[index(links.upper)];
   const auto height = [&](const Vec3d& point) {
     return dot(normalized(point - shoulder), standing.link_rotation(links.chest).cy);
@@ -95,11 +113,11 @@ double scapula_share(const ReachProblem& problem, const ArmLinks& links) {
 TrunkTurn trunk_turn(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
   const auto neck = body.find_dof(JointKind::neck, FreedomKind::flexion);
-  if (!problem.gaze || !neck) return {};
-  const Kinematics<double> standing = start_kinematics(body);
+  if (!problem.context.gaze || !neck) return {};
+  const Kinematics<double> standing = placed(body, problem.start());
   const Vec3d eye = standing.origin[index(*neck)];
   const Vec3d way =
-      transpose_times(standing.link_rotation(body.dof(*neck).parent), *problem.gaze - eye);
+      transpose_times(standing.link_rotation(body.dof(*neck).parent), *problem.context.gaze - eye);
   const double across = way.x * way.x + way.z * way.z;
   double azimuth = atan2(way.x, way.z);
   const double side = side_of_hand(problem);

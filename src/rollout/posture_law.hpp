@@ -114,7 +114,10 @@ struct ArmLinks {
   int chest = 0;
   int upper = 0;
 };
-[[nodiscard]] ArmAtStart arm_at_start(const BodyModel& body, const ArmLinks& links, double side);
+[[nodiscard]] ArmAtStart arm_at_start(const ReachProblem& problem, const ArmLinks& links,
+                                      double side);
+// Rotation R_WL of a link at the start.
+[[nodiscard]] Mat3d rotation_at_start(const ReachProblem& problem, int link);
 
 // Whether the law applies to a body: to one with a neck.
 [[nodiscard]] inline bool nods(const BodyModel& body) {
@@ -123,7 +126,7 @@ struct ArmLinks {
 
 // Share of a gaze turn made by the head: a head broader than the shoulders would come down on the
 // reaching arms.
-[[nodiscard]] double head_share(const BodyModel& body);
+[[nodiscard]] double head_share(const ReachProblem& problem);
 
 // Share of Shrug::elevation applied to an arm's clavicle: kScapulaLowers if the hand ends lower
 // than it starts, seen from the shoulder in the frame of the chest; else 1.
@@ -150,7 +153,7 @@ class PostureLaw {
     const BodyModel& body = *problem.body;
     if (!problem.posture_law || !nods(body)) return;
     find_head(problem);
-    find_back(body);
+    find_back(problem);
     find_trunk(problem);
     for (const Side side : {Side::left, Side::right}) find_arm(problem, side);
   }
@@ -201,9 +204,9 @@ class PostureLaw {
     std::optional<ArmClearance<S>> clearance;
   };
 
-  static Freedom freedom(const BodyModel& body, int d, double share = 1.0) {
-    const Dof& dof = body.dof(d);
-    const double start = body.start()[index(d)];
+  static Freedom freedom(const ReachProblem& problem, int d, double share = 1.0) {
+    const Dof& dof = problem.body->dof(d);
+    const double start = problem.start().angles[index(d)];
     return {index(d), static_cast<T>(dof.lower), static_cast<T>(dof.upper), static_cast<T>(start),
             static_cast<T>(share)};
   }
@@ -211,37 +214,38 @@ class PostureLaw {
   void find_head(const ReachProblem& problem) {
     const BodyModel& body = *problem.body;
     const auto neck = body.find_dof(JointKind::neck, FreedomKind::flexion);
-    if (!problem.gaze || !neck) return;
+    if (!problem.context.gaze || !neck) return;
     looks_ = true;
-    target_ = to_scalar<S>(*problem.gaze);
+    target_ = to_scalar<S>(*problem.context.gaze);
     chest_ = body.dof(*neck).parent;
     const double each =
-        (body.find_dof(JointKind::head, FreedomKind::flexion) ? 0.5 : 1.0) * head_share(body);
+        (body.find_dof(JointKind::head, FreedomKind::flexion) ? 0.5 : 1.0) * head_share(problem);
     for (const JointKind joint : {JointKind::neck, JointKind::head}) {
       const auto nod = body.find_dof(joint, FreedomKind::flexion);
       const auto turn = body.find_dof(joint, FreedomKind::rotation);
       if (!nod || !turn) continue;
       head_ = *nod;
-      nods_.push_back(freedom(body, *nod, each));
-      turns_.push_back(freedom(body, *turn, each));
+      nods_.push_back(freedom(problem, *nod, each));
+      turns_.push_back(freedom(problem, *turn, each));
     }
   }
 
-  void find_back(const BodyModel& body) {
+  void find_back(const ReachProblem& problem) {
+    const BodyModel& body = *problem.body;
     // local copies: the tables themselves would be shared between SIMD sets
     constexpr auto kJoints = kBackJoints;
     constexpr auto kRanges = kSpineRanges;
     for (std::size_t j = 0; j < kJoints.size(); ++j) {
       const auto bend = body.find_dof(kJoints[j], FreedomKind::flexion);
       if (!bend) return back_.clear();
-      back_.push_back(freedom(body, *bend, kRanges[j].flexion));
+      back_.push_back(freedom(problem, *bend, kRanges[j].flexion));
     }
     pelvis_ = body.dof(static_cast<int>(back_.front().dof)).parent;
     const double load = min(body.load(), kBackLoadMost);
     back_bend_ = static_cast<T>(kBackBend * body.lumbar_part() * (1.0 + kBackOfLoad * load));
     // for a bent start posture, the law continues from there
-    const Mat3d pelvis = start_kinematics(body).link_rotation(pelvis_);
-    const double bent = bend_of_back(pelvis) * static_cast<double>(back_bend_);
+    const double bent =
+        bend_of_back(rotation_at_start(problem, pelvis_)) * static_cast<double>(back_bend_);
     for (Freedom& f : back_) {
       // a file's back is straight at the start, and does not bend backwards from there
       f.lower = f.start < T(0) ? f.start : T(0);
@@ -254,7 +258,7 @@ class PostureLaw {
     side_ = static_cast<T>(turn.side);
     for (std::size_t d = 0; d < turn.change.size(); ++d) {
       if (turn.change[d] == 0.0) continue;
-      trunk_.push_back(freedom(*problem.body, static_cast<int>(d), turn.change[d]));
+      trunk_.push_back(freedom(problem, static_cast<int>(d), turn.change[d]));
     }
   }
 
@@ -276,15 +280,15 @@ class PostureLaw {
     arm.side = static_cast<T>(side == Side::left ? 1.0 : -1.0);
     arm.parent = body.dof(*flexion).parent;
     arm.upper = *rotation;
-    arm.flexion = freedom(body, *flexion);
-    arm.abduction = freedom(body, *abduction);
+    arm.flexion = freedom(problem, *flexion);
+    arm.abduction = freedom(problem, *abduction);
     if (const auto hand = body.find_effector(JointKind::hand, side); hand && arm.free) {
-      arm.clearance.emplace(body, body.effector(*hand), *abduction);
+      arm.clearance.emplace(problem, body.effector(*hand), *abduction);
     }
     const auto elbow = dof(JointKind::elbow, FreedomKind::flexion);
     arm.has_elbow = elbow.has_value();
     if (elbow) {
-      arm.elbow = freedom(body, *elbow);
+      arm.elbow = freedom(problem, *elbow);
       arm.elbow.lower = static_cast<T>(min(static_cast<double>(arm.elbow.start), kElbowHangs));
     }
     const auto elevation = dof(JointKind::clavicle, FreedomKind::elevation);
@@ -292,20 +296,20 @@ class PostureLaw {
     arm.has_clavicle = elevation && protraction;
     if (arm.has_clavicle) {
       arm.chest = body.dof(*elevation).parent;
-      arm.elevation = freedom(body, *elevation);
-      arm.protraction = freedom(body, *protraction);
+      arm.elevation = freedom(problem, *elevation);
+      arm.protraction = freedom(problem, *protraction);
     }
     arm.rhythm = static_cast<T>(
         arm.has_clavicle ? scapula_share(problem, {arm.parent, arm.chest, arm.upper}) : 1.0);
-    begin_at_start(body, arm);
+    begin_at_start(problem, arm);
     arms_.push_back(std::move(arm));
   }
 
   // Offsets the law to the start posture, in which a character from a file may stoop or hold up an
   // arm: the law continues from there instead of pulling the arm to its own posture at once.
-  static void begin_at_start(const BodyModel& body, Arm& arm) {
+  static void begin_at_start(const ReachProblem& problem, Arm& arm) {
     const ArmAtStart start = arm_at_start(
-        body, {arm.parent, arm.has_clavicle ? arm.chest : arm.parent, arm.upper}, arm.side);
+        problem, {arm.parent, arm.has_clavicle ? arm.chest : arm.parent, arm.upper}, arm.side);
     arm.flexion.start -= static_cast<T>(start.flexion);
     arm.abduction.start -= static_cast<T>(start.abduction);
     arm.lean = static_cast<T>(start.flexion);

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <shigusa/body.hpp>
+#include <shigusa/criteria.hpp>
 #include <shigusa/motion.hpp>
 #include <string>
 #include <vector>
@@ -38,9 +39,12 @@ struct ReachGoal {
   Vec3d bow{};
   Vec3d sway{};         // m, world: the same for a sway of 1
   EffectorTurn turn{};  // target orientation
+  Vec3d spin{};         // rad, world: angular velocity at the start times the duration
   // m, world axes: half the sides of the box around the path's goal in which it is met
   Vec3d tolerance{};
 
+  // The target orientation at tau = time / duration, see EffectorTurn::at.
+  [[nodiscard]] Mat3d turn_at(double tau) const;
   // The point of the box nearest to `at` (m, world), its sides moved inwards by `inset`.
   [[nodiscard]] Vec3d nearest(const Vec3d& at, double inset = 0.0) const;
   // Makes the nearest point of the box the goal.
@@ -91,6 +95,7 @@ struct HandSupport {
 // The data shared by all motions of one search.
 struct ReachProblem {
   const BodyModel* body = nullptr;  // outlives the problem
+  CriteriaContext context{};        // with the start and the gaze target
   std::vector<ReachGoal> goals;
   std::vector<HandSupport> supports{};
   double duration = 1.0;  // s
@@ -106,10 +111,9 @@ struct ReachProblem {
   double gaze_lead =
       0.0;  // share of the duration by which the head turns earlier than kGazeArrives
   IkSettings ik;
-  bool hold_limits = false;     // no joint passes a limit (see LimitGuard)
-  bool posture_law = false;     // head, free arms and clavicles follow PostureLaw
-  bool smooth = false;          // motions are delivered without kinks (see smoothed())
-  std::optional<Vec3d> gaze{};  // m, world: gaze target of PostureLaw
+  bool hold_limits = false;  // no joint passes a limit (see LimitGuard)
+  bool posture_law = false;  // head, free arms and clavicles follow PostureLaw
+  bool smooth = false;       // motions are delivered without kinks (see smoothed())
   // Limit of the feed-forward correction: a step falls short of its path as joints move on arcs.
   // The shortfall changes little from frame to frame, so the next step adds the last one's, up to
   // this limit; a larger error means a goal that the body cannot follow.
@@ -129,6 +133,10 @@ struct ReachProblem {
   double contact_slack = 5e-4;  // m
   int contact_corrections = 8;
 
+  // (dofs) rad, the velocities at the start times the duration; empty: at rest.
+  [[nodiscard]] std::vector<double> momentum() const;
+  // The state in which the motion begins.
+  [[nodiscard]] const State& start() const { return context.start; }
   // Share of the motion's own time elapsed at a frame, or between two.
   [[nodiscard]] double tau(double frame) const { return hastened(frame / steps, ease); }
 };

@@ -14,6 +14,10 @@ class MotionRecorder {
     motion.clip.dofs = problem.body->dof_count();
     motion.clip.frames = problem.steps + 1;
     motion.clip.frame_time = problem.duration / problem.steps;
+    const std::vector<double> momentum = problem.momentum();
+    for (std::size_t d = 0; d < momentum.size(); ++d) {
+      motion.clip.before.push_back(problem.start().angles[d] - momentum[d] / problem.steps);
+    }
     motion.effectors.resize(problem.goals.size());
     for (const HandSupport& support : problem.supports) {
       motion.resting.push_back({.effector = support.effector});

@@ -18,6 +18,17 @@ double HandSupport::lift(double tau) const { return kSupportLift * path_bow(done
 
 double HandSupport::bears(double tau) const { return minimum_snap((tau - arrives) / kPressRises); }
 
+Mat3d ReachGoal::turn_at(double tau) const {
+  const Mat3d turned = turn.at(path.own_time(tau));
+  return spin == Vec3d{} ? turned : rotation_by(spin * carried_on(tau)) * turned;
+}
+
+std::vector<double> ReachProblem::momentum() const {
+  std::vector<double> momentum = start().velocities;
+  for (double& angle : momentum) angle *= duration;
+  return momentum;
+}
+
 Vec3d ReachGoal::nearest(const Vec3d& at, double inset) const {
   Vec3d place{};
   for (int k = 0; k < 3; ++k) {
@@ -58,7 +69,7 @@ std::vector<LegFlexions> leg_flexions(const BodyModel& body) {
 
 std::vector<Constraint<double>> constraints(const ReachProblem& problem) {
   const BodyModel& body = *problem.body;
-  const Kinematics<double> kinematics = start_kinematics(body);
+  const Kinematics<double> kinematics = placed(body, problem.start());
   std::vector<Constraint<double>> all;
   for (const ReachGoal& goal : problem.goals) {
     const Effector& effector = body.effector(goal.effector);

@@ -45,11 +45,14 @@ class Rollout {
         reference_(unlocked_),
         posture_draw_(problem),
         law_(problem),
+        momentum_(problem.momentum()),
+        rest_(momentum_.size()),
         supports_(problem) {
     for (std::size_t d = 0; d < unlocked_.size(); ++d) {
       if (law_.bends_back(d)) backs_.push_back(d);
     }
-    if (problem.hold_limits) limits_.emplace(*problem.body);
+    if (!momentum_.empty()) rest_placed_.emplace(*problem.body);
+    if (problem.hold_limits) limits_.emplace(*problem.body, problem.start());
     for (const Constraint<double>& constraint : constraints(problem)) {
       constraints_.push_back(in_lanes<S>(constraint));
     }
@@ -62,7 +65,7 @@ class Rollout {
       for (const ReachGoal& goal : problem.goals) {
         paths_.push_back(to_scalar<Element<S>>(goal.path.at(tau)));
         if (turning_) {
-          turns_.push_back(to_scalar<Element<S>>(goal.turn.at(goal.path.own_time(tau))));
+          turns_.push_back(to_scalar<Element<S>>(goal.turn_at(tau)));
         }
       }
     }
@@ -78,12 +81,14 @@ class Rollout {
       constraint.lead = constraint.tilt_lead = {};
     }
     now_ = 0;
-    drawn_ = !problem_->guide.empty() || !input.posture.empty() || !law_.empty();
+    drawn_ =
+        !problem_->guide.empty() || !input.posture.empty() || !law_.empty() || !momentum_.empty();
     if (limits_) limits_->reset();
     for (std::size_t d = 0; d < unlocked_.size(); ++d) {
-      angles_[0][d] = angles_[1][d] = S(body.start()[d]);
+      angles_[0][d] = angles_[1][d] = S(problem_->start().angles[d]);
       unlocked_[d] = select(input.inverse_weights[d] > S(0), S(1), S(0));
     }
+    move_before();
     forward_kinematics<S>(body, angles_[1], now());
     if (!supports_.empty()) dynamics_.begin(supports_.begin(input.supports, hands()));
     show([&](int frame) { follow(frame, input, outcome); }, visit);
@@ -101,6 +106,7 @@ class Rollout {
     if (limits_) limits_->reset();
     std::copy_n(angles.begin(), dofs, angles_[0].begin());
     angles_[1] = angles_[0];
+    move_before();
     forward_kinematics<S>(*problem_->body, angles_[1], now());
     if (!supports_.empty()) dynamics_.begin(supports_.begin(input.supports, hands()));
     const auto next_frame = [&](int frame) {
@@ -273,12 +279,47 @@ class Rollout {
     }
   }
 
+  // Moves the posture before the first frame, from which the start's velocities lead there.
+  void move_before() {
+    for (std::size_t d = 0; d < momentum_.size(); ++d) {
+      angles_[0][d] = angles_[0][d] - S(momentum_[d] / problem_->steps);
+    }
+  }
+
+  // (dofs, rad) the posture before this frame without what it was carried on by the start's
+  // velocities.
+  std::span<const S> not_carried(int frame) {
+    if (momentum_.empty()) return angles_[1];
+    const double done = carried_on(static_cast<double>(frame - 1) / problem_->steps);
+    for (std::size_t d = 0; d < momentum_.size(); ++d) {
+      rest_[d] = angles_[1][d] - S(momentum_[d] * done);
+    }
+    return rest_;
+  }
+
+  // The placement of those angles, which the law is for: it would move with the momentum twice.
+  const Kinematics<S>& placed_without_momentum() {
+    if (!rest_placed_) return now();
+    forward_kinematics<S>(*problem_->body, std::span<const S>(rest_), *rest_placed_);
+    return *rest_placed_;
+  }
+
+  // Adds to the reference what this frame is carried on by the start's velocities.
+  void carry_on(int frame) {
+    const double step = carried_on(static_cast<double>(frame) / problem_->steps) -
+                        carried_on(static_cast<double>(frame - 1) / problem_->steps);
+    for (std::size_t d = 0; d < momentum_.size(); ++d) {
+      reference_[d] = reference_[d] + S(momentum_[d] * step);
+    }
+  }
+
   // Sets the null-space reference of this frame: over all frames it follows the minimum-jerk
   // profile into the guide posture, or makes the input's change of posture.
   void draw_null_space(int frame, const MotionInput<S>& input) {
     const bool guided = !problem_->guide.empty();
+    const std::span<const S> angles = not_carried(frame);
     if (guided) {
-      draw_to_guide(frame);
+      draw_to_guide(frame, angles);
     } else if (!input.posture.empty()) {
       posture_draw_.draw(frame, input.posture, input.inverse_weights, input.timing.delay,
                          reference_);
@@ -288,14 +329,15 @@ class Rollout {
       for (S& change : reference_) change = S(0);
     }
     if (!supports_.empty()) supports_.keep_arms(reference_);
-    if (!law_.empty()) law_.draw(frame, now(), angles_[1], guided, reference_);
+    if (!law_.empty()) law_.draw(frame, placed_without_momentum(), angles, guided, reference_);
     if (!supports_.empty()) supports_.restore_arms(frame, hands(), reference_);
+    carry_on(frame);
   }
 
-  void draw_to_guide(int frame) {
+  void draw_to_guide(int frame, std::span<const S> angles) {
     const double share = guide_share(frame, 0.0);
     for (std::size_t d = 0; d < reference_.size(); ++d) {
-      reference_[d] = (S(problem_->guide[d]) - angles_[1][d]) * S(share);
+      reference_[d] = (S(problem_->guide[d]) - angles[d]) * S(share);
     }
     // heels lift late, once the weight is over the forefeet; the shank leans as if they had lifted
     const double late = guide_share(frame, kHeelsBegin);
@@ -384,6 +426,9 @@ class Rollout {
   std::vector<S> reference_;               // (dofs, rad) of this frame
   PostureDraw<S> posture_draw_;
   PostureLaw<S> law_;
+  std::vector<double> momentum_;              // (dofs) rad, or empty: see ReachProblem::momentum
+  std::vector<S> rest_;                       // (dofs, rad) see not_carried()
+  std::optional<Kinematics<S>> rest_placed_;  // empty without momentum
   HandSupports<S> supports_;
   std::vector<std::size_t> backs_;  // dofs of the back, bent by the law beside the posture
   std::optional<LimitGuard<S>> limits_;

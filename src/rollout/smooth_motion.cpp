@@ -80,6 +80,15 @@ class LeastJerk {
   std::vector<double> last_;
 };
 
+// Adds a share of what the start's velocities carry on to the frames (frames × dofs, rad).
+void carry(const ReachProblem& problem, double share, std::vector<double>& angles) {
+  const std::vector<double> momentum = problem.momentum();
+  for (std::size_t i = 0; !momentum.empty() && i < angles.size(); ++i) {
+    const double tau = static_cast<double>(i / momentum.size()) / problem.steps;
+    angles[i] += share * momentum[i % momentum.size()] * carried_on(tau);
+  }
+}
+
 }  // namespace
 
 void smooth_frames(std::size_t dofs, std::vector<double>& angles) {
@@ -97,7 +106,10 @@ void smooth_frames(std::size_t dofs, std::vector<double>& angles) {
 
 RolledOut smoothed(const ReachProblem& problem, const Parameters& parameters, RolledOut rolled) {
   std::vector<double> angles = rolled.motion.clip.angles;
+  // what the start's velocities carry on is smooth, and the rest begins at rest
+  carry(problem, -1.0, angles);
   smooth_frames(problem.body->dofs().size(), angles);
+  carry(problem, 1.0, angles);
   MotionRecorder recorder(problem);
   const HeldInput held(*problem.body, parameters, problem.supports.size());
   const ReachOutcome outcome = Rollout<double>(problem).retrace(held.input(), angles, recorder);

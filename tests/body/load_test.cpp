@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "body/load.hpp"
+
 #include <gtest/gtest.h>
 
 #include <shigusa/goal.hpp>

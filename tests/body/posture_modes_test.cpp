@@ -16,7 +16,7 @@ using namespace testing_support;
 constexpr double kRounding = 1e-9;
 
 PostureMode mode_of(const BodyModel& body, const std::string& name) {
-  const std::vector<PostureMode> modes = posture_modes(body);
+  const std::vector<PostureMode> modes = posture_modes(body, start_state(body));
   return *std::find_if(modes.begin(), modes.end(),
                        [&](const auto& mode) { return mode.name == name; });
 }

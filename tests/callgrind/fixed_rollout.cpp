@@ -7,6 +7,7 @@
 #include <shigusa/run.hpp>
 #include <string_view>
 
+#include "plan/held_input.hpp"
 #include "rollout/batch_rollout.hpp"
 #include "rollout/rollout.hpp"
 #include "support/problems.hpp"

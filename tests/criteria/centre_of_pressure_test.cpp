@@ -28,7 +28,7 @@ double penalty_of(const std::vector<double>& angles, double outside = kPressureO
   const BodyModel body = on_a_foot();
   std::vector<std::vector<double>> frames;
   for (const double q : angles) frames.push_back({q});
-  return penalty_by<CentreOfPressure>(body, motion_through(body, frames), {.outside = outside});
+  return penalty_by<CentreOfPressure>(body, motion_through(body, frames), outside);
 }
 
 // At rest the centre of pressure is below the centre of mass.

@@ -26,6 +26,8 @@ std::vector<double> posture(const BodyModel& body,
   return angles;
 }
 
+CriteriaContext at_start(const BodyModel& body) { return {.start = start_state(body)}; }
+
 Clip clip_of(const BodyModel& body, const std::vector<std::vector<double>>& frames) {
   Clip clip;
   clip.dofs = body.dof_count();
@@ -97,7 +99,7 @@ TEST(Collision, NamesWhatPassesThroughWhatAndWhen) {
 TEST(Collision, SeesTheFloorBelowTheHands) {
   const BodyModel body = human_body();
   const auto deep = posture(body, {{"right_hip.flexion", 110}, {"right_knee.flexion", 130}});
-  EXPECT_EQ(deepest_collision(body, clip_of(body, {deep})).other, "floor");
+  EXPECT_EQ(deepest_collision(body, clip_of(body, {deep}), at_start(body)).other, "floor");
 }
 
 // A ball centred at the wrist: the depth is the sum of both radii.
@@ -107,10 +109,10 @@ TEST(Collision, DepthInABallIsThatOfTheirRadii) {
   const Kinematics<double> kinematics = placed(body, raised);
   for (const Capsule& capsule : body.capsules()) {
     if (capsule.name != "right_forearm") continue;  // thicker than the hand
-    CollisionSettings settings;
-    settings.obstacles.push_back(
+    CriteriaContext context = at_start(body);
+    context.obstacles.push_back(
         {.name = "ball", .position = kinematics.point(capsule.link, capsule.to), .radius = 0.02});
-    const CollisionFound found = deepest_collision(body, clip_of(body, {raised}), settings);
+    const CollisionFound found = deepest_collision(body, clip_of(body, {raised}), context);
     EXPECT_EQ(found.other, "ball");
     EXPECT_NEAR(found.depth, capsule.radius + 0.02, 1e-9);
   }
@@ -188,11 +190,10 @@ TEST(Collision, SoftFleshYields) {
   const BodyModel soft = soft_person(0.008);
   const Motion motion =
       motion_through(hard, {posture(hard, {}), posture(hard, {{"left_hip.abduction", -20}})});
-  EXPECT_NEAR(deepest_collision(soft, motion.clip).depth,
-              deepest_collision(hard, motion.clip).depth - 0.008, 1e-9);
-  const CollisionSettings settings{.full = 1.0};
-  EXPECT_NEAR(penalty_by<Collision>(soft, motion, settings),
-              penalty_by<Collision>(hard, motion, settings) - 0.75 * 0.008, 1e-9);
+  EXPECT_NEAR(deepest_collision(soft, motion.clip, at_start(soft)).depth,
+              deepest_collision(hard, motion.clip, at_start(hard)).depth - 0.008, 1e-9);
+  EXPECT_NEAR(penalty_by<Collision>(soft, motion, 1.0),
+              penalty_by<Collision>(hard, motion, 1.0) - 0.75 * 0.008, 1e-9);
 }
 
 TEST(Collision, UpperArmsThatAreGrownOnTheTrunkCollideWithNothing) {

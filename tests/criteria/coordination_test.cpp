@@ -36,8 +36,8 @@ Pose with_knees(Pose pose, double flexion) {
   return pose;
 }
 
-double penalty_of(const Pose& pose, const CoordinationSettings& settings = {}) {
-  return penalty_of_poses<Coordination>({pose}, settings);
+double penalty_of(const Pose& pose, const Asked& asked = {}) {
+  return penalty_of_poses<Coordination>({pose}, asked);
 }
 
 // The penalty of knees with that error (rad).
@@ -140,7 +140,7 @@ TEST(Coordination, NearerIsBetterHoweverFarItIs) {
 }
 
 TEST(Coordination, AngleIsASetting) {
-  EXPECT_NEAR(penalty_of(with_knees({}, kOff), {.angle = 0.2}), cost_of(kOff, 0.2), 1e-12);
+  EXPECT_NEAR(penalty_of(with_knees({}, kOff), {.scale = 0.2}), cost_of(kOff, 0.2), 1e-12);
 }
 
 TEST(Coordination, IsTheSameInAMirror) { expect_the_same_in_a_mirror<Coordination>(); }

@@ -39,9 +39,25 @@ constexpr Vec3d kGoal{0.2, 0.4, -0.3};
 // All built-in criteria, each with weight 1.
 CriteriaSettings every_criterion() {
   CriteriaSettings settings;
-  for_each_criterion([&](const auto& criterion) { criterion.weight(settings) = 1.0; });
-  settings.head.gaze_target = kGoal;
+  for (CriterionSetting& setting : settings.built_in) setting.weight = 1.0;
   return settings;
+}
+
+// Circumstances of a motion from the body's start posture.
+CriteriaContext at_start(const BodyModel& body) { return {.start = start_state(body)}; }
+CriteriaContext looking_at_goal(const BodyModel& body) {
+  return {.start = start_state(body), .gaze = kGoal};
+}
+
+// Calls visit.operator()<Criterion>() for the class of each built-in criterion, in order.
+template <class Visitor>
+void for_each_class(Visitor&& visit) {
+  const auto all = [&visit]<template <class> class... Criteria>() {
+    (visit.template operator()<Criteria>(), ...);
+  };
+  all.template operator()<JointRange, Balance, Torque, BalanceZone, Discomfort, JointAcceleration,
+                          Work, LowBack, Head, Collision, CentreOfPressure, Feasibility,
+                          Coordination, HandCurve, TrunkTravel, MassAhead, Jolts>();
 }
 
 UserCriterion constant(double value, double weight = 0.1, double scale = 1.0) {
@@ -81,7 +97,7 @@ TEST(Score, AMotionWithoutTorquesIsRefused) {
 TEST(Score, AddsUpToItsTotal) {
   const BodyModel body = full_body();
   CriteriaSettings settings;
-  settings.joint_range_weight = 0.7;
+  settings[CriterionKind::joint_range].weight = 0.7;
   settings.user = {constant(0.5, 0.3), constant(0.2, 2.0)};
   const Score score = score_motion(body, wild_motion(body), settings);
   double sum = 0.0;
@@ -91,32 +107,26 @@ TEST(Score, AddsUpToItsTotal) {
   EXPECT_EQ(score.terms[3].weight, 0.3);
 }
 
-TEST(CriteriaTable, NamesEachCriterionOnce) {
-  std::set<std::string> names;
-  std::set<const void*> members;
-  CriteriaSettings settings;
-  std::size_t count = 0;
-  for_each_criterion([&](const auto& criterion) {
-    names.insert(criterion.name);
-    members.insert(&criterion.weight(settings));
-    members.insert(&criterion.scale(settings));
-    ++count;
-    EXPECT_GT(criterion.scale(settings), 0.0) << criterion.name;
-  });
-  EXPECT_EQ(names.size(), count);
-  EXPECT_EQ(members.size(), 2 * count);
+TEST(CriteriaTable, NamesEachCriterionOnceInTheOrderOfItsKind) {
+  std::set<std::string_view> names;
+  for (std::size_t k = 0; k < kCriteria.size(); ++k) {
+    EXPECT_EQ(static_cast<std::size_t>(kCriteria[k].kind), k) << kCriteria[k].word;
+    EXPECT_GT(kCriteria[k].scale, 0.0) << kCriteria[k].word;
+    names.insert(kCriteria[k].word);
+  }
+  EXPECT_EQ(names.size(), kCriteria.size());
 }
 
 TEST(CriteriaPresets, OfThePaperAreItsThree) {
   for (const CriteriaSettings& settings : {CriteriaSettings{}, paper_criteria()}) {
-    for_each_criterion([&](const auto& criterion) {
-      const std::string name = criterion.name;
+    for (const auto& [kind, name, counts, scale_name, scale] : kCriteria) {
       const double weight = name == "joint_range" ? 0.5
                             : name == "balance"   ? 0.3
                             : name == "torque"    ? 0.2
                                                   : 0.0;
-      EXPECT_EQ(criterion.weight(settings), weight) << name;
-    });
+      EXPECT_EQ(settings[kind].weight, weight) << name;
+      EXPECT_EQ(settings[kind].scale, scale) << name;
+    }
   }
 }
 
@@ -139,13 +149,12 @@ std::map<std::string, double> documented_weights() {
 TEST(CriteriaPresets, DefaultIsTheMixtureOfTheDocs) {
   const std::map<std::string, double> documented = documented_weights();
   const CriteriaSettings settings = default_criteria();
-  std::size_t count = 0;
-  for_each_criterion([&](const auto& entry) {
-    ++count;
-    ASSERT_TRUE(documented.contains(entry.name)) << entry.name;
-    EXPECT_EQ(entry.weight(settings), documented.at(entry.name)) << entry.name;
-  });
-  EXPECT_EQ(documented.size(), count);
+  for (const CriterionTraits& criterion : kCriteria) {
+    const std::string name(criterion.word);
+    ASSERT_TRUE(documented.contains(name)) << name;
+    EXPECT_EQ(settings[criterion.kind].weight, documented.at(name)) << name;
+  }
+  EXPECT_EQ(documented.size(), kCriteria.size());
 }
 
 // A criterion's type states that it needs the body's placement, so it cannot get a frame without
@@ -163,9 +172,9 @@ static_assert(!looks_at_placement<JointRange<double>, double>);
 
 TEST(Score, FramesWithoutPlacementAreRefusedWhereACriterionLooksAtIt) {
   const BodyModel body = full_body();
-  BuiltInCriteria<double> paper(body, paper_criteria());
+  BuiltInCriteria<double> paper(body, at_start(body), paper_criteria());
   EXPECT_FALSE(paper.needs_placement());
-  BuiltInCriteria<double> usual(body, default_criteria());
+  BuiltInCriteria<double> usual(body, at_start(body), default_criteria());
   EXPECT_TRUE(usual.needs_placement());
   EXPECT_THROW(usual.add(MotionFrame<double>{}), PreconditionError);
 }
@@ -173,9 +182,9 @@ TEST(Score, FramesWithoutPlacementAreRefusedWhereACriterionLooksAtIt) {
 TEST(CriteriaPresets, HaveNames) {
   ASSERT_EQ(criteria_presets().size(), 3u);
   EXPECT_EQ(criteria_presets()[0].name, "paper");
-  EXPECT_EQ(criteria_presets()[0].settings().torque_weight, kPaperTorqueWeight);
+  EXPECT_EQ(criteria_presets()[0].settings()[CriterionKind::torque].weight, kPaperTorqueWeight);
   EXPECT_EQ(criteria_presets()[1].name, "default");
-  EXPECT_EQ(criteria_presets()[1].settings().torque_weight, 0.0);
+  EXPECT_EQ(criteria_presets()[1].settings()[CriterionKind::torque].weight, 0.0);
   EXPECT_EQ(criteria_presets()[2].name, "pareto");
   EXPECT_DOUBLE_EQ(worst_score(criteria_presets()[2].settings()), 1.0);
 }
@@ -183,11 +192,11 @@ TEST(CriteriaPresets, HaveNames) {
 TEST(Score, LeavesOutWhatHasNoWeight) {
   const BodyModel body = full_body();
   CriteriaSettings settings = default_criteria();
-  settings.joint_range_weight = 0.0;
+  settings[CriterionKind::joint_range].weight = 0.0;
   std::vector<std::string> weighed;
-  for_each_criterion([&](const auto& criterion) {
-    if (criterion.weight(settings) > 0.0) weighed.emplace_back(criterion.name);
-  });
+  for (const CriterionTraits& criterion : kCriteria) {
+    if (settings[criterion.kind].weight > 0.0) weighed.emplace_back(criterion.word);
+  }
   std::vector<std::string> names;
   for (const ScoreTerm& term : score_motion(body, wild_motion(body), settings).terms) {
     names.push_back(term.name);
@@ -201,14 +210,13 @@ TEST(Score, LeavesOutWhatHasNoWeight) {
 TEST(Score, TermsOfAllCriteriaAreTheirPenalties) {
   const BodyModel body = full_body();
   const Motion motion = wild_motion(body);
-  const CriteriaSettings settings = every_criterion();
-  const Score score = score_motion(body, motion, settings);
+  const Score score = score_motion(body, motion, every_criterion(), looking_at_goal(body));
   std::size_t at = 0;
-  for_each_criterion(
-      [&]<template <class> class CriterionOf>(const CriterionEntry<CriterionOf>& entry) {
-        const double alone = penalty_by<CriterionOf>(body, motion, entry.settings(settings));
-        EXPECT_EQ(score.terms.at(at++).penalty, alone) << entry.name;
-      });
+  for_each_class([&]<template <class> class CriterionOf>() {
+    EXPECT_EQ(score.terms.at(at).name, word_of(CriterionOf<double>::kKind));
+    EXPECT_EQ(score.terms.at(at++).penalty,
+              penalty_by<CriterionOf>(body, motion, looking_at_goal(body)));
+  });
   EXPECT_EQ(score.terms.size(), at);
 }
 
@@ -220,7 +228,8 @@ TEST(Score, PenaltiesStayWithinZeroAndOneForAnyMotion) {
       for (int f = 0; f < 4; ++f) frames.push_back(random_vector(body, -4.0, 4.0, random));
       Motion motion = motion_through(body, frames);
       for (double& tau : motion.torques) tau = random.uniform(-1e4, 1e4);
-      for (const ScoreTerm& term : score_motion(body, motion, every_criterion()).terms) {
+      for (const ScoreTerm& term :
+           score_motion(body, motion, every_criterion(), looking_at_goal(body)).terms) {
         ASSERT_GE(term.penalty, 0.0) << term.name;
         ASSERT_LE(term.penalty, 1.0) << term.name;
       }
@@ -232,7 +241,7 @@ TEST(Score, FrameByFrameIsTheSameAsOfTheWholeMotion) {
   const BodyModel body = full_body();
   const Motion motion = wild_motion(body);
   const CriteriaSettings settings;
-  BuiltInCriteria<double> built_in(body, settings);
+  BuiltInCriteria<double> built_in(body, {.start = motion.clip.state(0)}, settings);
   const std::size_t n = body.dofs().size();
   for (int f = 0; f < motion.clip.frames; ++f) {
     const auto k = static_cast<std::size_t>(f);
@@ -250,19 +259,18 @@ TEST(Score, CriteriaForgetTheMotionBefore) {
   std::vector<std::vector<double>> frames(5, {body.start().begin(), body.start().end()});
   for (std::size_t f = 0; f < frames.size(); ++f) frames[f][7] += 0.01 * static_cast<double>(f);
   const Motion motion = motion_through(body, frames);
-  const CriteriaSettings settings = every_criterion();
-  for_each_criterion(
-      [&]<template <class> class CriterionOf>(const CriterionEntry<CriterionOf>& entry) {
-        CriterionOf<double> used(body, entry.settings(settings));
-        EXPECT_EQ(used.penalty(), 0.0) << entry.name;
-        show_motion(body, before, used);
-        EXPECT_GT(used.penalty(), 0.0) << entry.name;
-        used.reset();
-        EXPECT_EQ(used.penalty(), 0.0) << entry.name;
-        show_motion(body, motion, used);
-        EXPECT_EQ(used.penalty(), penalty_by<CriterionOf>(body, motion, entry.settings(settings)))
-            << entry.name;
-      });
+  const CriteriaContext context = looking_at_goal(body);
+  for_each_class([&]<template <class> class CriterionOf>() {
+    constexpr CriterionKind kKind = CriterionOf<double>::kKind;
+    CriterionOf<double> used(body, context, CriteriaSettings()[kKind].scale);
+    EXPECT_EQ(used.penalty(), 0.0) << word_of(kKind);
+    show_motion(body, before, used);
+    EXPECT_GT(used.penalty(), 0.0) << word_of(kKind);
+    used.reset();
+    EXPECT_EQ(used.penalty(), 0.0) << word_of(kKind);
+    show_motion(body, motion, used);
+    EXPECT_EQ(used.penalty(), penalty_by<CriterionOf>(body, motion, context)) << word_of(kKind);
+  });
 }
 
 // Penalties consist of means and maxima over the frames, which for equal frames are those of one
@@ -278,7 +286,7 @@ TEST(Score, AStillMotionIsTheSameOfOneFrameAndOfMany) {
   const auto score = [&](std::size_t frames) {
     Motion motion = motion_through(body, std::vector<std::vector<double>>(frames, posture));
     for (double& tau : motion.torques) tau = 40.0;
-    return score_motion(body, motion, every_criterion());
+    return score_motion(body, motion, every_criterion(), looking_at_goal(body));
   };
   const Score one = score(1);
   const Score many = score(5);

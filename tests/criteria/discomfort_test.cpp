@@ -26,8 +26,8 @@ BodyDefinition hinges() {
 }
 
 double penalty_at(const BodyModel& body, const std::vector<std::vector<double>>& frames,
-                  const DiscomfortSettings& settings = {}) {
-  return penalty_by<Discomfort>(body, motion_through(body, frames), settings);
+                  double share = kDiscomfortShare) {
+  return penalty_by<Discomfort>(body, motion_through(body, frames), share);
 }
 
 std::vector<double> first_at(double angle) {
@@ -120,8 +120,8 @@ TEST(Discomfort, NeutralIsALimitWhereZeroIsOutside) {
 
 TEST(Discomfort, ShareIsASetting) {
   const BodyModel body(hinges());
-  EXPECT_NEAR(penalty_at(body, {first_at(1.0)}, {.share = 0.5}),
-              0.5 * penalty_at(body, {first_at(1.0)}), 1e-15);
+  EXPECT_NEAR(penalty_at(body, {first_at(1.0)}, 0.5), 0.5 * penalty_at(body, {first_at(1.0)}),
+              1e-15);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::vector<Pose> going(const Vec3d& way, const Vec3d& off = {}) {
 
 double penalty_of(const std::vector<Pose>& poses, double offset = kPathOffset) {
   return penalty_of_poses<HandCurve>(poses,
-                                     {.offset = offset, .effectors = right_hand_of(posed_body())});
+                                     {.scale = offset, .effectors = right_hand_of(posed_body())});
 }
 
 // The penalty where the mean square deviation from people's paths is that many squares of the
@@ -157,7 +157,7 @@ TEST(HandCurve, OffsetIsASetting) {
   EXPECT_NEAR(penalty_of(going({0, 0, 0.4}, kOutwards * 0.1), 0.4), penalty_for(0.0625), 1e-12);
 }
 
-TEST(HandCurve, IsTheSameInAMirror) { expect_the_same_in_a_mirror<HandCurve>({.offset = 1.0}); }
+TEST(HandCurve, IsTheSameInAMirror) { expect_the_same_in_a_mirror<HandCurve>({.scale = 1.0}); }
 
 TEST(HandCurve, OfABodyWithoutHandsIsZero) {
   BodyDefinition handless = posed_definition();

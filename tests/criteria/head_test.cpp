@@ -25,10 +25,11 @@ std::vector<double> leaning(double lean) {
   return q;
 }
 
-double penalty_of(const std::vector<double>& leans, const HeadSettings& settings = {}) {
+double penalty_of(const std::vector<double>& leans, const CriteriaContext& context = {},
+                  double height = kHeadHeight) {
   std::vector<std::vector<double>> frames;
   for (const double lean : leans) frames.push_back(leaning(lean));
-  return penalty_by<Head>(body(), motion_through(body(), frames), settings);
+  return penalty_by<Head>(body(), motion_through(body(), frames), height, context);
 }
 
 Vec3d node_at(const char* name, double lean) {
@@ -47,11 +48,11 @@ Vec3d to_the_left(double angle) {
 
 TEST(Head, OfUprightStandingIsZero) {
   EXPECT_EQ(penalty_of({0.0}), 0.0);
-  EXPECT_EQ(penalty_of({0.0}, {.gaze_target = Vec3d{0.1, 1.2, 0.6}}), 0.0);
+  EXPECT_EQ(penalty_of({0.0}, {.gaze = Vec3d{0.1, 1.2, 0.6}}), 0.0);
 }
 
 TEST(Head, OfUprightStandingSeesTheFloorAheadOfTheFeet) {
-  EXPECT_EQ(penalty_of({0.0}, {.gaze_target = Vec3d{0.1, 0.0, 0.4}}), 0.0);
+  EXPECT_EQ(penalty_of({0.0}, {.gaze = Vec3d{0.1, 0.0, 0.4}}), 0.0);
 }
 
 TEST(Head, MayLeanBy60Degrees) {
@@ -86,24 +87,24 @@ TEST(Head, IsHalfTheMeanAndHalfTheWorst) {
 }
 
 TEST(Head, NeckAndEyesTurnToTheSideBy80Degrees) {
-  EXPECT_EQ(penalty_of({0.0}, {.gaze_target = to_the_left(radians(79))}), 0.0);
-  EXPECT_EQ(penalty_of({0.0}, {.gaze_target = to_the_left(radians(-79))}), 0.0);
-  EXPECT_NEAR(penalty_of({0.0}, {.gaze_target = to_the_left(kGazeFree)}), 0.0, 1e-12);
+  EXPECT_EQ(penalty_of({0.0}, {.gaze = to_the_left(radians(79))}), 0.0);
+  EXPECT_EQ(penalty_of({0.0}, {.gaze = to_the_left(radians(-79))}), 0.0);
+  EXPECT_NEAR(penalty_of({0.0}, {.gaze = to_the_left(kGazeFree)}), 0.0, 1e-12);
 }
 
 TEST(Head, AndNotByMoreThan95) {
-  EXPECT_NEAR(penalty_of({0.0}, {.gaze_target = to_the_left(kGazeLimit)}), 1.0, 1e-12);
-  EXPECT_EQ(penalty_of({0.0}, {.gaze_target = to_the_left(radians(140))}), 1.0);
+  EXPECT_NEAR(penalty_of({0.0}, {.gaze = to_the_left(kGazeLimit)}), 1.0, 1e-12);
+  EXPECT_EQ(penalty_of({0.0}, {.gaze = to_the_left(radians(140))}), 1.0);
   const double between =
       (std::cos(kGazeFree) - std::cos(radians(88))) / (std::cos(kGazeFree) - std::cos(kGazeLimit));
-  EXPECT_NEAR(penalty_of({0.0}, {.gaze_target = to_the_left(radians(88))}), between, 1e-12);
+  EXPECT_NEAR(penalty_of({0.0}, {.gaze = to_the_left(radians(88))}), between, 1e-12);
 }
 
 TEST(Head, CountsTheWorseOfHeightAndGaze) {
   const Vec3d behind{0.0, 1.0, -1.0};
-  EXPECT_EQ(penalty_of({0.0}, {.gaze_target = behind}), 1.0);
+  EXPECT_EQ(penalty_of({0.0}, {.gaze = behind}), 1.0);
   // a goal on the floor does not make up for a head that hangs
-  EXPECT_EQ(penalty_of({radians(110)}, {.gaze_target = Vec3d{0.0, 0.0, 0.5}}), 1.0);
+  EXPECT_EQ(penalty_of({radians(110)}, {.gaze = Vec3d{0.0, 0.0, 0.5}}), 1.0);
 }
 
 TEST(Head, TurnsWithTheTrunk) {
@@ -112,24 +113,23 @@ TEST(Head, TurnsWithTheTrunk) {
   std::vector<double> turned(body().start().begin(), body().start().end());
   turned[static_cast<std::size_t>(*body().find_dof("right_hip.rotation"))] += radians(30);
   const double turned_away =
-      penalty_by<Head>(body(), motion_through(body(), {turned}), {.gaze_target = aside});
+      penalty_by<Head>(body(), motion_through(body(), {turned}), {.gaze = aside});
   turned[static_cast<std::size_t>(*body().find_dof("right_hip.rotation"))] -= radians(60);
   const double turned_to =
-      penalty_by<Head>(body(), motion_through(body(), {turned}), {.gaze_target = aside});
+      penalty_by<Head>(body(), motion_through(body(), {turned}), {.gaze = aside});
   EXPECT_EQ(max(turned_away, turned_to), 1.0);
   EXPECT_EQ(min(turned_away, turned_to), 0.0);
 }
 
 TEST(Head, AGoalInTheHeadItselfIsANumber) {
-  EXPECT_TRUE(std::isfinite(penalty_of({0.0}, {.gaze_target = node_at("head", 0.0)})));
+  EXPECT_TRUE(std::isfinite(penalty_of({0.0}, {.gaze = node_at("head", 0.0)})));
 }
 
-TEST(Head, HeightIsASetting) { EXPECT_GT(penalty_of({radians(50)}, {.height = 0.9}), 0.2); }
+TEST(Head, HeightIsASetting) { EXPECT_GT(penalty_of({radians(50)}, {}, 0.9), 0.2); }
 
 TEST(Head, OfABodyWithoutOneIsZero) {
   const BodyModel rod = chain({{}});
-  EXPECT_EQ(penalty_by<Head>(rod, motion_through(rod, {{1.8}}), {.gaze_target = Vec3d{0, 0, -5}}),
-            0.0);
+  EXPECT_EQ(penalty_by<Head>(rod, motion_through(rod, {{1.8}}), {.gaze = Vec3d{0, 0, -5}}), 0.0);
 }
 
 }  // namespace

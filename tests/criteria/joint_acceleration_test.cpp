@@ -21,11 +21,10 @@ BodyModel hinges(int count) {
 }
 
 // The penalty of one hinge with these angles, frame by frame.
-double penalty_of(const std::vector<double>& angles,
-                  const JointAccelerationSettings& settings = {}) {
+double penalty_of(const std::vector<double>& angles, double scale = kJointAcceleration) {
   std::vector<std::vector<double>> frames;
   for (const double angle : angles) frames.push_back({angle});
-  return penalty_by<JointAcceleration>(hinges(1), motion_through(hinges(1), frames), settings);
+  return penalty_by<JointAcceleration>(hinges(1), motion_through(hinges(1), frames), scale);
 }
 
 TEST(JointAcceleration, OfRestIsZero) { EXPECT_EQ(penalty_of({0.3, 0.3, 0.3}), 0.0); }
@@ -45,14 +44,14 @@ TEST(JointAcceleration, OfUniformAccelerationIsItsShare) {
   // the first frame's difference is half as large, the last one stops all speed
   const double stop = a * 39.5;
   const double squares = 39 * a * a + 0.25 * a * a + stop * stop;
-  EXPECT_NEAR(penalty_of(angles, {.acceleration = 100.0}), std::sqrt(squares / 41) / 100.0, 1e-9);
+  EXPECT_NEAR(penalty_of(angles, 100.0), std::sqrt(squares / 41) / 100.0, 1e-9);
 }
 
 TEST(JointAcceleration, IsFullForATurnBy90DegreesInOneSecond) {
   std::vector<double> angles;
   for (int f = 0; f <= 60; ++f) angles.push_back(kPi / 2 * minimum_jerk(f / kRate));
   // the closed form sqrt(120 / 7) · π / 2 over 6.5, approximated by 60 steps
-  EXPECT_NEAR(penalty_of(angles, {.acceleration = 2 * kJointAcceleration}), 0.5, 0.01);
+  EXPECT_NEAR(penalty_of(angles, 2 * kJointAcceleration), 0.5, 0.01);
   EXPECT_NEAR(std::sqrt(120.0 / 7.0) * kPi / 2, kJointAcceleration, 0.01);
 }
 

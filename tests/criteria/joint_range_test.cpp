@@ -69,7 +69,7 @@ TEST(JointRange, OneJointCountsAsAtMostFull) {
 TEST(JointRange, MarginIsASetting) {
   const BodyModel body(one_hinge());
   const Motion motion = motion_through(body, {{1.6}});
-  EXPECT_NEAR(penalty_by<JointRange>(body, motion, {.margin = 0.1}), 0.5, 1e-15);
+  EXPECT_NEAR(penalty_by<JointRange>(body, motion, 0.1), 0.5, 1e-15);
 }
 
 TEST(JointRange, BentKneeLetsTheHipFlexFurther) {

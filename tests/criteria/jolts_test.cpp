@@ -43,14 +43,14 @@ BodyModel standing_hinge() {
 }
 
 // The penalty of these torques (frames × hinges, N·m), for a body at rest.
-double penalty_of(const std::vector<double>& torques, const JoltsSettings& settings = {},
+double penalty_of(const std::vector<double>& torques, double limit = kJoltLimit,
                   std::size_t hinges = 1, double frame_time = kJoltTime) {
   const BodyModel body = strong_hinges(hinges);
   Motion motion = motion_through(
       body, std::vector<std::vector<double>>(torques.size() / hinges, std::vector(hinges, 0.0)));
   motion.clip.frame_time = frame_time;
   motion.torques = torques;
-  return penalty_by<Jolts>(body, motion, settings);
+  return penalty_by<Jolts>(body, motion, limit);
 }
 
 // Passes frames with these floor pressures to the criterion, see pressure().
@@ -79,7 +79,7 @@ struct Floor {
 double penalty_at(const std::vector<Vec3d>& places, const Floor& floor = {}) {
   std::vector<Vec3d> pressures;
   for (const Vec3d& place : places) pressures.push_back(pressure_at(place, floor.force));
-  Jolts<double> jolts(floor.body);
+  Jolts<double> jolts(floor.body, {}, kJoltLimit);
   show_pressures(pressures, jolts, floor.frame_time);
   return jolts.penalty();
 }
@@ -110,9 +110,9 @@ TEST(Jolts, TheGreatestChangeCounts) {
 }
 
 TEST(Jolts, TheWorstJointCounts) {
-  EXPECT_NEAR(penalty_of({0.0, 0.0, 0.4 * kJoltOfHinge, 0.5 * kJoltOfHinge}, {}, 2),
+  EXPECT_NEAR(penalty_of({0.0, 0.0, 0.4 * kJoltOfHinge, 0.5 * kJoltOfHinge}, kJoltLimit, 2),
               penalty_for(0.5), 1e-12);
-  EXPECT_NEAR(penalty_of({0.0, 0.0, -0.5 * kJoltOfHinge, 0.4 * kJoltOfHinge}, {}, 2),
+  EXPECT_NEAR(penalty_of({0.0, 0.0, -0.5 * kJoltOfHinge, 0.4 * kJoltOfHinge}, kJoltLimit, 2),
               penalty_for(0.5), 1e-12);
 }
 
@@ -123,8 +123,8 @@ TEST(Jolts, AChangeThatIsMadeInMoreFramesIsLess) {
 TEST(Jolts, ASteadyChangeIsTheSameInAnyFrames) {
   for (const double share : {0.25, 0.5, 2.0}) {
     const double change = 0.5 * share * kJoltOfHinge;
-    EXPECT_NEAR(penalty_of({0.0, change, 2.0 * change}, {}, 1, share * kJoltTime), penalty_for(0.5),
-                1e-12);
+    EXPECT_NEAR(penalty_of({0.0, change, 2.0 * change}, kJoltLimit, 1, share * kJoltTime),
+                penalty_for(0.5), 1e-12);
     const Vec3d way{0, 0, 0.5 * share * kPressureJolt};
     EXPECT_NEAR(penalty_at({{}, way, way * 2.0}, {.frame_time = share * kJoltTime}),
                 penalty_for(0.5), 1e-12);
@@ -156,14 +156,14 @@ TEST(Jolts, ABodyWithoutFeetHasNoPressure) {
 
 // A falling body presses on nothing.
 TEST(Jolts, WithoutAFloorAreANumber) {
-  Jolts<double> jolts(standing_hinge());
+  Jolts<double> jolts(standing_hinge(), {}, kJoltLimit);
   show_pressures({pressure_at({}), {}, {10.0, -50.0, 0}, {}}, jolts);
   EXPECT_GT(jolts.penalty(), 0.99);
   EXPECT_LE(jolts.penalty(), 1.0);
 }
 
 TEST(Jolts, LimitIsASetting) {
-  EXPECT_NEAR(penalty_of({0.0, kJoltOfHinge}, {.limit = 2.0}), penalty_for(0.5), 1e-12);
+  EXPECT_NEAR(penalty_of({0.0, kJoltOfHinge}, 2.0), penalty_for(0.5), 1e-12);
 }
 
 TEST(Jolts, OfOneFrameAreZero) { EXPECT_EQ(penalty_of({500.0}), 0.0); }

@@ -17,7 +17,7 @@ using namespace testing_support;
 // The penalty where both hips, or the one of the half body, give these torques (N·m, sum of the
 // hips) in three frames.
 double penalty_of(const BodyModel& body, const std::vector<double>& together,
-                  const LowBackSettings& settings = {}) {
+                  double share = kLowBackShare) {
   const std::vector<double> start(body.start().begin(), body.start().end());
   Motion motion = motion_through(body, std::vector<std::vector<double>>(together.size(), start));
   const std::vector<int> hips = back_constants(body).dofs;
@@ -27,7 +27,7 @@ double penalty_of(const BodyModel& body, const std::vector<double>& together,
           together[f] / static_cast<double>(hips.size());
     }
   }
-  return penalty_by<LowBack>(body, motion, settings);
+  return penalty_by<LowBack>(body, motion, share);
 }
 
 // Moment (N·m) of the hips against gravity, from the inverse dynamics.
@@ -143,8 +143,7 @@ TEST(LowBack, BearsHalfItsStrengthUnderAHorizontalTrunk) {
 }
 
 TEST(LowBack, ShareIsASetting) {
-  EXPECT_NEAR(penalty_of(full_body(), {-50}, {.share = 2.0}), 0.25 * penalty_of(full_body(), {-50}),
-              1e-12);
+  EXPECT_NEAR(penalty_of(full_body(), {-50}, 2.0), 0.25 * penalty_of(full_body(), {-50}), 1e-12);
 }
 
 TEST(LowBack, OfABodyWithoutHipsIsZero) {

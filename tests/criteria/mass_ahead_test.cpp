@@ -27,8 +27,8 @@ Pose reaching(const Vec3d& place, double height, const Vec3d& mass) {
   return pose;
 }
 
-double penalty_of(const Pose& pose, const MassAheadSettings& settings = {}) {
-  return penalty_of_poses<MassAhead>({pose}, settings);
+double penalty_of(const Pose& pose, const Asked& asked = {}) {
+  return penalty_of_poses<MassAhead>({pose}, asked);
 }
 
 // The penalty where the squared error of the mass is that many squares of the distance.
@@ -110,8 +110,8 @@ TEST(MassAhead, NearerIsBetterHoweverFarItIs) {
 }
 
 TEST(MassAhead, DistanceIsASetting) {
-  EXPECT_NEAR(penalty_of(reaching({}, kHangs, kAhead * 0.1), {.distance = 0.4}),
-              penalty_for(0.0625), 1e-12);
+  EXPECT_NEAR(penalty_of(reaching({}, kHangs, kAhead * 0.1), {.scale = 0.4}), penalty_for(0.0625),
+              1e-12);
 }
 
 TEST(MassAhead, WhoStartsElsewhereIsMeasuredAsWhoStands) {

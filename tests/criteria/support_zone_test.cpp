@@ -41,15 +41,15 @@ class TwoHeels : public testing::Test {
 
 TEST_F(TwoHeels, SolesBearWhileTheHeelsAreDown) {
   const BodyModel flat = human_body();
-  const SupportZone<double> zone(body);
+  const SupportZone<double> zone(body, start_state(body));
   for (const double ahead : {-0.3, -0.1, 0.0, 0.03, 0.2}) {
     EXPECT_NEAR(zone.inside(point(ahead), with_toes(0.0, 0.0)),
-                inside(support_edges(flat), point(ahead)), 1e-12);
+                inside(support_edges(flat, start_state(flat)), point(ahead)), 1e-12);
   }
 }
 
 TEST_F(TwoHeels, ForefeetAloneBearOnceBothAreLifted) {
-  const SupportZone<double> zone(body);
+  const SupportZone<double> zone(body, start_state(body));
   const std::vector<double> tiptoe = with_toes(radians(20.0), radians(30.0));
   // 3 cm behind the toes' joints is 3 cm outside, but that the inner corners of feet turned out
   // stand farther back
@@ -61,7 +61,7 @@ TEST_F(TwoHeels, ForefeetAloneBearOnceBothAreLifted) {
 }
 
 TEST_F(TwoHeels, OneLiftedLeavesTheOthersSole) {
-  const std::vector<Vec3d> corners = support_polygon(body, 1U);
+  const std::vector<Vec3d> corners = support_polygon(body, start_state(body), 1U);
   double right_back = 1.0;
   double left_back = 1.0;
   for (const Vec3d& c : corners)
@@ -70,7 +70,7 @@ TEST_F(TwoHeels, OneLiftedLeavesTheOthersSole) {
 }
 
 TEST_F(TwoHeels, GoOverFromTheOneToTheOtherInProportion) {
-  const SupportZone<double> zone(body);
+  const SupportZone<double> zone(body, start_state(body));
   const Vec3d p = point(-0.05);
   const auto at = [&](double r, double l) {
     return zone.inside(p, with_toes(r * kHeelLifts, l * kHeelLifts));
@@ -85,8 +85,8 @@ TEST_F(TwoHeels, GoOverFromTheOneToTheOtherInProportion) {
 
 TEST_F(TwoHeels, LanesSeeWhatDoubleSees) {
   using Lanes = Pack<float, 4>;
-  const SupportZone<double> zone(body);
-  const SupportZone<Lanes> lanes(body);
+  const SupportZone<double> zone(body, start_state(body));
+  const SupportZone<Lanes> lanes(body, start_state(body));
   const float toes[] = {0.0F, 0.02F, 0.05F, 0.3F};
   std::vector<Lanes> angles(body.dofs().size());
   for (std::size_t d = 0; d < angles.size(); ++d) {

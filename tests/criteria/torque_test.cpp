@@ -23,12 +23,12 @@ BodyModel strong_hinge() {
 
 // The penalty of these torques (frames × dofs, N·m).
 double penalty_of(const BodyModel& body, const std::vector<double>& torques,
-                  const TorqueSettings& settings = {}) {
+                  double share = kTorqueShare) {
   const std::vector<double> upright(body.dofs().size(), 0.0);
   Motion motion = motion_through(
       body, std::vector<std::vector<double>>(torques.size() / upright.size(), upright));
   motion.torques = torques;
-  return penalty_by<Torque>(body, motion, settings);
+  return penalty_by<Torque>(body, motion, share);
 }
 
 TEST(Torque, OfRestIsZero) { EXPECT_EQ(penalty_of(strong_hinge(), {0, 0, 0}), 0.0); }
@@ -64,7 +64,7 @@ TEST(Torque, NeverFallsWithMoreTorque) {
 }
 
 TEST(Torque, ShareIsASetting) {
-  EXPECT_NEAR(penalty_of(strong_hinge(), {30}, {.share = 0.9}), 0.3 / 0.9, 1e-15);
+  EXPECT_NEAR(penalty_of(strong_hinge(), {30}, 0.9), 0.3 / 0.9, 1e-15);
 }
 
 }  // namespace

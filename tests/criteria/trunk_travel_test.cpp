@@ -25,8 +25,8 @@ Pose reaching(double far, const Vec3d& moved) {
 
 double penalty_of(const std::vector<Pose>& poses, double distance = kTravelDistance,
                   const BodyModel& body = posed_body()) {
-  return penalty_of_poses<TrunkTravel>(
-      poses, {.distance = distance, .effectors = right_hand_of(body)}, body);
+  return penalty_of_poses<TrunkTravel>(poses, {.scale = distance, .effectors = right_hand_of(body)},
+                                       body);
 }
 
 // The penalty where the mean square error of shoulders is that many squares of the distance.
@@ -105,7 +105,7 @@ TEST(TrunkTravel, OfABodyWithoutHandsIsZero) {
   BodyDefinition handless = posed_definition();
   handless.effectors.clear();
   const BodyModel body(handless);
-  TrunkTravel<double> travel(body);
+  TrunkTravel<double> travel(body, {.start = start_state(body)}, kTravelDistance);
   const std::vector<double> angles = angles_of(body, {.lean = 1.0});
   const Kinematics<double> end = placed(body, angles);
   travel.add(PlacedFrame<double>{{.angles = angles, .torques = {}}, end});
@@ -114,12 +114,17 @@ TEST(TrunkTravel, OfABodyWithoutHandsIsZero) {
 
 TEST(GoalHands, AreTheHandsOfTheGoalsOrAll) {
   const BodyModel body = human_body();
-  EXPECT_EQ(goal_hands(body, {}).size(), 2u);
-  EXPECT_EQ(goal_hands(body, right_hand_of(body)).size(), 1u);
-  EXPECT_EQ(goal_hands(half_body(), {}).size(), 1u);
+  EXPECT_EQ(goal_hands(body, {.start = start_state(body)}).size(), 2u);
+  EXPECT_EQ(goal_hands(body, {.start = start_state(body), .effectors = right_hand_of(body)}).size(),
+            1u);
+  EXPECT_EQ(goal_hands(half_body(), {.start = start_state(half_body())}).size(), 1u);
   // goals of a head, a foot or an elbow are not of a hand
   for (const char* other : {"head", "left_foot", "right_elbow"}) {
-    EXPECT_EQ(goal_hands(body, {body.find_effector(other).value()}).size(), 0u) << other;
+    EXPECT_EQ(goal_hands(body, {.start = start_state(body),
+                                .effectors = {body.find_effector(other).value()}})
+                  .size(),
+              0u)
+        << other;
   }
 }
 
@@ -131,7 +136,7 @@ TEST(GoalHands, ArmsAreAsLongAsTheyReachStretchedOut) {
       if (joint == "elbow" || joint == "wrist") straight[static_cast<std::size_t>(d)] = 0.0;
     }
     const Kinematics<double> kinematics = placed(body, straight);
-    for (const GoalHand& goal : goal_hands(body, {})) {
+    for (const GoalHand& goal : goal_hands(body, {.start = start_state(body)})) {
       const Vec3d arm = goal.hand.in(kinematics)-goal.shoulder.in(kinematics);
       // the grip lies off the forearm's line by a little
       EXPECT_NEAR(goal.arm, norm(arm), 0.01) << body.name();
@@ -144,7 +149,7 @@ TEST(GoalHands, ArmsAreAsLongAsTheyReachStretchedOut) {
 // taken.
 TEST(PosturePoints, BuiltInBodiesStandAtHome) {
   for (const BodyModel& body : {full_body(), human_body(), human_body({1.6, 60.0, Sex::female})}) {
-    const PosturePoints points = posture_points(body);
+    const PosturePoints points = posture_points(body, start_state(body));
     ASSERT_TRUE(points.found) << body.name();
     const Kinematics<double> start = start_kinematics(body);
     for (std::size_t side = 0; side < 2; ++side) {
@@ -154,7 +159,7 @@ TEST(PosturePoints, BuiltInBodiesStandAtHome) {
     const Vec3d mass = centre_of_mass(body, start);
     EXPECT_NEAR(mass.x, points.home_mass.x, 0.02) << body.name();
     EXPECT_NEAR(mass.z, points.home_mass.z, 0.02) << body.name();
-    const GoalHand hand = goal_hands(body, {})[0];
+    const GoalHand hand = goal_hands(body, {.start = start_state(body)})[0];
     EXPECT_NEAR(hand.hand.in(start).y, points.hand_hangs, 0.05) << body.name();
   }
 }

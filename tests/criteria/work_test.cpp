@@ -42,11 +42,11 @@ std::vector<double> from_to(double from, double to, int steps) {
 
 // The criterion's value in joules.
 double work_of(const Motion& motion) {
-  return penalty_by<Work>(rod(), motion) * full_work(rod(), {});
+  return penalty_by<Work>(rod(), motion) * full_work(rod(), kWorkShare);
 }
 
 TEST(Work, HasItsScaleFromTheBody) {
-  EXPECT_NEAR(full_work(rod(), {}), 0.4 * 2.0 * kGravity * 0.5, 1e-12);
+  EXPECT_NEAR(full_work(rod(), kWorkShare), 0.4 * 2.0 * kGravity * 0.5, 1e-12);
 }
 
 TEST(Work, OfRestIsZero) { EXPECT_EQ(work_of(led_through({0.3, 0.3, 0.3})), 0.0); }
@@ -84,8 +84,7 @@ TEST(Work, IsFullAtItsShareAndBeyond) {
 
 TEST(Work, ShareIsASetting) {
   const Motion motion = led_through(from_to(0.0, 0.4, 20));
-  EXPECT_NEAR(penalty_by<Work>(rod(), motion, {.share = 0.8}),
-              0.5 * penalty_by<Work>(rod(), motion), 1e-12);
+  EXPECT_NEAR(penalty_by<Work>(rod(), motion, 0.8), 0.5 * penalty_by<Work>(rod(), motion), 1e-12);
 }
 
 }  // namespace

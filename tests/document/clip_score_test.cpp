@@ -99,7 +99,7 @@ TEST_F(ClipScoreTest, SmoothingTakesNoiseOutOfAccelerations) {
   const std::string path = write(skeleton_motion(task.body, noisy));
   const RecordedMotion recorded = read_recorded(path, {.source = "full_body"}, 0).value();
   ScoreSettings settings;
-  settings.criteria.joint_acceleration.acceleration = 20.0;
+  settings.criteria[CriterionKind::joint_acceleration].scale = 20.0;
   const double clean = score_motion(task.body, candidate.motion, settings.criteria).total;
   const double smoothed = score_clip(recorded, settings).value().score.total;
   settings.cutoff = 0.0;

@@ -48,7 +48,9 @@ TEST(Facts, RangesAreThoseOfTheReader) {
 
 Json weights_of(CriteriaSettings criteria) {
   Json json;
-  for_each_criterion([&](const auto& entry) { json[entry.name] = entry.weight(criteria); });
+  for (const CriterionTraits& criterion : kCriteria) {
+    json[std::string(criterion.word)] = criteria[criterion.kind].weight;
+  }
   return json;
 }
 
@@ -68,11 +70,11 @@ TEST(Facts, PresetsAndParetoRankByTheMixtureThatTheReaderGivesThem) {
 TEST(Facts, CriteriaStandInTheOrderOfScoresWithTheKeysOfTheirScales) {
   const Json told = facts();
   std::size_t at = 0;
-  for_each_criterion([&](const auto& entry) {
+  for (const CriterionTraits& known : kCriteria) {
     const Json& criterion = told.at("criteria").at(at++);
-    EXPECT_EQ(criterion.at("name"), entry.name);
-    EXPECT_EQ(criterion.at("scale"), entry.scale_name);
-  });
+    EXPECT_EQ(criterion.at("name"), known.word);
+    EXPECT_EQ(criterion.at("scale"), known.scale_name);
+  }
   EXPECT_EQ(told.at("criteria").size(), at);
 }
 

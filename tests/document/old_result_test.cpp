@@ -28,7 +28,7 @@ TEST_P(OldResult, HasEachValueUnderItsName) {
   const Json parameters = Json::parse(text)["candidates"][0]["parameters"];
   StoredResult result = parse_result(text, GetParam()).value();
   const Task task = make_task(result.task, {}).value();
-  const ParameterList list = parameter_list(task.body, task).value();
+  const ParameterList list = parameter_list(task.body, task.start, task).value();
   const Parameters& values = result.candidates[0];
   std::set<std::size_t> seen;
   const auto expect = [&](const std::string& name, const Json& value) {

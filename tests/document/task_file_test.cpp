@@ -61,11 +61,11 @@ TEST(TaskFile, CriteriaThatAFileDoesNotNameAreThePresets) {
   expected.preset = Preset::paper;
   expected.criteria = paper_criteria();
   expected.candidates = traits_of(Preset::paper).candidates;
-  expected.criteria.joint_range_weight = 0.4;
-  expected.criteria.joint_range.margin = 0.1;
-  expected.criteria.balance.lean = 0.3;
-  expected.criteria.torque_weight = 0.1;
-  expected.criteria.torque.share = 0.5;
+  expected.criteria[CriterionKind::joint_range].weight = 0.4;
+  expected.criteria[CriterionKind::joint_range].scale = 0.1;
+  expected.criteria[CriterionKind::balance].scale = 0.3;
+  expected.criteria[CriterionKind::torque].weight = 0.1;
+  expected.criteria[CriterionKind::torque].scale = 0.5;
   EXPECT_EQ(bits(parse_task(text, "task.json").value()), bits(expected));
 }
 

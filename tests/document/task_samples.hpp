@@ -119,12 +119,11 @@ inline void any_value(const FieldTraits<Request, std::vector<Support>>&,
 }
 
 inline void any_value(const FieldTraits<Request, CriteriaSettings>&, CriteriaSettings& criteria) {
-  for_each_criterion([&](const auto& criterion) {
-    criterion.weight(criteria) = any_number(0.0, 1e6);
-    criterion.scale(criteria) = any_number(1e-9, 1e6);
-  });
+  for (CriterionSetting& setting : criteria.built_in) {
+    setting = {any_number(0.0, 1e6), any_number(1e-9, 1e6)};
+  }
   // not all may be 0
-  criteria.torque_weight = any_number(1e-3, 1e6);
+  criteria[CriterionKind::torque].weight = any_number(1e-3, 1e6);
 }
 
 inline TaskFile any_task() {
@@ -154,10 +153,10 @@ class Bits {
   void add(const Quatd& q) { add(q.x), add(q.y), add(q.z), add(q.w); }
   void add(const std::string& text) { add(std::vector<char>(text.begin(), text.end())); }
   void add(const CriteriaSettings& criteria) {
-    for_each_criterion([&](const auto& criterion) {
-      add(criterion.weight(criteria));
-      add(criterion.scale(criteria));
-    });
+    for (const CriterionSetting& setting : criteria.built_in) {
+      add(setting.weight);
+      add(setting.scale);
+    }
   }
   template <class Item>
   void add(const std::vector<Item>& list) {

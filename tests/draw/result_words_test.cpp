@@ -45,8 +45,9 @@ TEST(ResultWords, TitlesTellWhereGoalsAre) {
 }
 
 TEST(ResultWords, EachCriterionHasWordsOfItsOwn) {
-  for_each_criterion(
-      [](const auto& criterion) { EXPECT_NE(criterion_words(criterion.name), criterion.name); });
+  for (const CriterionTraits& criterion : kCriteria) {
+    EXPECT_NE(criterion_words(criterion.word), criterion.word);
+  }
   EXPECT_EQ(criterion_words("my_own"), "my_own");
 }
 

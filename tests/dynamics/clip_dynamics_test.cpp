@@ -60,7 +60,7 @@ TEST(HeldStart, HasTheTorquesOfAMotionThatDoesNotMove) {
     still.angles.insert(still.angles.end(), body.start().begin(), body.start().end());
   }
   const Motion whole = ClipDynamics(body).completed(still);
-  const Motion held = held_start(body);
+  const Motion held = held_still(body, start_state(body));
   ASSERT_EQ(held.torques.size(), static_cast<std::size_t>(body.dof_count()));
   for (std::size_t d = 0; d < held.torques.size(); ++d) {
     EXPECT_EQ(held.torques[d], whole.torques[held.torques.size() + d]);

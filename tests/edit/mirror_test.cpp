@@ -58,8 +58,9 @@ TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
   EXPECT_EQ(other.goals[0].position, (Vec3d{0.25, 0.5, 0.45}));
   const Task image = make_task(other, {}).value();
   const Candidate& best = generation.candidates.front();
-  const Parameters across = mirrored(parameter_list(task.body, task).value(),
-                                     parameter_list(image.body, image).value(), best.parameters);
+  const Parameters across =
+      mirrored(parameter_list(task.body, task.start, task).value(),
+               parameter_list(image.body, image.start, image).value(), best.parameters);
   const GenerateResult again = regenerate(image, across).value();
   EXPECT_TRUE(again.meets_goals());
   EXPECT_LE(again.candidates[0].goals[0].error, kReachTolerance);

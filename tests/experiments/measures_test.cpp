@@ -9,6 +9,7 @@
 #include "experiments/pagmo_runs.hpp"
 #include "experiments/plot.hpp"
 #include "experiments/report.hpp"
+#include "generate/distinct.hpp"
 #include "search/random_search.hpp"
 #include "support/bodies.hpp"
 

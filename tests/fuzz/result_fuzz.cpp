@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!result) return 0;
   const auto task = make_task(result->task, {});
   if (!task) return 0;
-  const auto list = parameter_list(task->body, *task);
+  const auto list = parameter_list(task->body, task->start, *task);
   if (!list) std::abort();
   for (Parameters& parameters : result->candidates) {
     if (!list->check(parameters)) std::abort();

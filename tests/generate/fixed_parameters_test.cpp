@@ -6,6 +6,7 @@
 #include <shigusa/files.hpp>
 #include <shigusa/shigusa.hpp>
 
+#include "generate/distinct.hpp"
 #include "generate/parameter_space.hpp"
 #include "plan/assignment.hpp"
 #include "problem/make_problem.hpp"

@@ -8,7 +8,9 @@
 #include <shigusa/human.hpp>
 
 #include "generate/archive.hpp"
+#include "generate/distinct.hpp"
 #include "generate/parameter_space.hpp"
+#include "plan/held_input.hpp"
 #include "problem/make_problem.hpp"
 #include "support/named_values.hpp"
 #include "support/problems.hpp"

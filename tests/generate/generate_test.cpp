@@ -8,6 +8,7 @@
 #include <limits>
 #include <shigusa/generate.hpp>
 
+#include "generate/distinct.hpp"
 #include "support/named_values.hpp"
 #include "support/problems.hpp"
 

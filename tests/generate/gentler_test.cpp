@@ -66,7 +66,7 @@ TEST(Gentler, LeavesADurationThatIsGiven) {
 TEST(Gentler, IsOfCriteriaThatGiveJoltsAWeight) {
   Task task = kBothHands;
   EXPECT_TRUE(minds_jolts(task));
-  task.criteria.jolts_weight = 0.0;
+  task.criteria[CriterionKind::jolts].weight = 0.0;
   EXPECT_FALSE(minds_jolts(task));
 }
 

@@ -9,6 +9,7 @@
 #include "body/posture_modes.hpp"
 #include "criteria/support_zone.hpp"
 #include "dynamics/centre_of_mass.hpp"
+#include "plan/held_input.hpp"
 #include "problem/make_problem.hpp"
 #include "support/lanes.hpp"
 #include "support/named_values.hpp"
@@ -43,7 +44,7 @@ double most_lifted(const Candidate& candidate) {
 double least_inside(const BodyModel& body, std::span<const double> angles, LiftedHeels lifted) {
   const Vec3d com = centre_of_mass(body, placed(body, angles));
   double inside = 1e9;
-  for (const SupportEdge& e : support_edges(body, lifted)) {
+  for (const SupportEdge& e : support_edges(body, start_state(body), lifted)) {
     inside = min(inside, e.offset + e.x * com.x + e.z * com.z);
   }
   return inside;
@@ -183,7 +184,7 @@ TEST(Heels, LanesScoreAsDoubleDoes) {
     for (std::size_t d = 0; d < task.body.dofs().size(); ++d) {
       if (task.body.dofs()[d].give < 1.0) parameters.values[d] = 1.0;
     }
-    played.add(problem, parameters, task_criteria(task));
+    played.add(problem, parameters, task.criteria);
     for (const double w : inverse_weights(task.body, parameters))
       rows.push_back(static_cast<float>(w));
     for (const double q :
@@ -198,7 +199,7 @@ TEST(Heels, LanesScoreAsDoubleDoes) {
     lifted = max(lifted, played.ends[k]);
   }
   EXPECT_GT(lifted, radians(5.0));
-  expect_lanes_like(played, problem, task_criteria(task), MotionInputs(rows, postures, timing));
+  expect_lanes_like(played, problem, task.criteria, MotionInputs(rows, postures, timing));
 }
 
 TEST(Heels, AreOfThePresetFlat) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "generate/distinct.hpp"
 #include "problem/make_problem.hpp"
 #include "problem/plan_of.hpp"
 #include "support/layered.hpp"
@@ -81,13 +82,11 @@ TEST(GenerateHuman, FreeArmDoesNotStayStiffWhereTheTrunkBends) {
 TEST(GenerateHuman, FreeArmIsACounterweightWhereBalanceCounts) {
   Task task = task_for(full_body(), {-0.2, 0.6, 0.7});
   task.duration = make_problem(task)->duration;  // whether it is possible in that or not
-  for_each_criterion([&](const auto& entry) { entry.weight(task.criteria) = 0.0; });
-  task.criteria.balance_weight = 2.0;
-  task.criteria.joint_range_weight = 0.5;
+  task.criteria = {{CriterionKind::balance, 2.0}, {CriterionKind::joint_range, 0.5}};
   double gained = 0.0;
   for (const Candidate& candidate : generated(task).candidates) {
     LayeredValues stiff = layered_of(task, candidate.parameters);
-    stiff.finals = start_values(plan_of(task.body, task).value()).finals;
+    stiff.finals = start_values(plan_of(task.body, task.start, task).value()).finals;
     const GenerateResult without = regenerate(task, parameters_of(task, stiff)).value();
     gained = max(gained, without.candidates[0].score.total - candidate.score.total);
   }
@@ -193,7 +192,7 @@ TEST(RegenerateHuman, GivesTheCandidateAgain) {
 
 TEST(RegenerateHuman, SwivelMovesTheElbowAndNotTheHand) {
   const Task task = task_for(full_body(), {-0.25, 1.2, 0.35});
-  const ParameterList list = parameter_list(task.body, task).value();
+  const ParameterList list = parameter_list(task.body, task.start, task).value();
   Parameters parameters = generated(task).candidates[0].parameters;
   double last = -10.0;
   for (const double degree : {-40.0, 0.0, 40.0}) {
@@ -210,7 +209,7 @@ TEST(RegenerateHuman, SwivelMovesTheElbowAndNotTheHand) {
 TEST(RegenerateHuman, RefusesWhatIsOutOfRange) {
   const Task task = task_for(half_body(), kLowFront);
   Parameters bad = generated(task).candidates[0].parameters;
-  value_of(parameter_list(task.body, task).value(), bad, "right_arm.swivel_rad") = -2.0;
+  value_of(parameter_list(task.body, task.start, task).value(), bad, "right_arm.swivel_rad") = -2.0;
   EXPECT_THAT(regenerate(task, bad).error().to_string(),
               testing::HasSubstr("right_arm: swivel is -2"));
 }

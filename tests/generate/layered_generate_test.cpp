@@ -315,7 +315,8 @@ TEST(RegenerateLayers, MoreContractionOfTheLegsBendsTheKneesMore) {
     const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
     double last = 0.0;
     for (const double contraction : {1.5, 3.0, 5.25}) {
-      value_of(parameter_list(task.body, task).value(), parameters, "legs") = contraction;
+      value_of(parameter_list(task.body, task.start, task).value(), parameters, "legs") =
+          contraction;
       const auto edited = regenerate(task, parameters).value();
       expect_layers_kept(task, edited);
       const Clip& clip = edited.candidates[0].motion.clip;
@@ -336,7 +337,7 @@ TEST(RegenerateLayers, RefusesParametersOfAnotherBodyOrOutOfRange) {
   EXPECT_EQ(message(good, task), "");
   EXPECT_THAT(message(good, task_for(full_body(), kFront)),
               testing::HasSubstr("values, for a plan of"));
-  const ParameterList list = parameter_list(task.body, task).value();
+  const ParameterList list = parameter_list(task.body, task.start, task).value();
   Parameters bad = good;
   value_of(list, bad, "legs") = 15.5;
   EXPECT_THAT(message(bad, task), testing::HasSubstr("contraction is 15.5"));

@@ -62,20 +62,19 @@ TEST(ParetoFront, SpreadTakesTheEndsAndThenTheFarthest) {
 TEST(ParetoMixtures, AreTheCriteriaAloneInPairsAndTogether) {
   const std::vector<CriteriaSettings> mixtures = pareto_mixtures(pareto_criteria());
   ASSERT_EQ(mixtures.size(), 7U);
-  EXPECT_EQ(mixtures[0].torque_weight, pareto_criteria().torque_weight);
+  EXPECT_EQ(mixtures[0][CriterionKind::torque].weight,
+            pareto_criteria()[CriterionKind::torque].weight);
   double sum = 0.0;
   for (const CriteriaSettings& mixture : mixtures) {
     EXPECT_NEAR(worst_score(mixture), 1.0, 1e-12);
-    sum += mixture.torque_weight;
+    sum += mixture[CriterionKind::torque].weight;
   }
   EXPECT_NEAR(sum, 1.0 / 3.0 + 1.0 + 0.5 + 0.5, 1e-12);
   // of more than three no pairs
   CriteriaSettings four = pareto_criteria();
-  four.head_weight = 0.25;
+  four[CriterionKind::head].weight = 0.25;
   EXPECT_EQ(pareto_mixtures(four).size(), 5U);
-  CriteriaSettings one = pareto_criteria();
-  one.torque_weight = one.balance_weight = 0.0;
-  EXPECT_EQ(pareto_mixtures(one).size(), 1U);
+  EXPECT_EQ(pareto_mixtures({{CriterionKind::discomfort, 1.0}}).size(), 1U);
 }
 
 TEST(Pareto, CandidatesTradeTheCriteriaAndMeetTheGoalWithinLimits) {

@@ -9,6 +9,7 @@
 
 #include "generate/approaches.hpp"
 #include "generate/candidate.hpp"
+#include "generate/distinct.hpp"
 #include "problem/make_problem.hpp"
 
 namespace shigusa {

@@ -44,8 +44,7 @@ struct Begun {
   }
   // of the best of the points
   [[nodiscard]] double best(std::span<const double> points) {
-    const CriteriaSettings criteria = task_criteria(task);
-    BatchRollout batch(problem, criteria);
+    BatchRollout batch(problem, task.criteria);
     std::vector<double> scores(points.size() / static_cast<std::size_t>(space.genes()));
     batch.score(space.rows(points), scores);
     return *std::min_element(scores.begin(), scores.end());

@@ -168,9 +168,13 @@ TEST(Verdict, NoTimeMakesWhatIsTooHeavyPossible) {
 
 TEST(JudgeStart, OfWhoLeansBesideTheFeetIsImpossibleWhateverTheGoal) {
   Landmarks leaning = standing_landmarks(1.7, kStandingToeOut);
-  EXPECT_EQ(judge_start(build_human(leaning, {.stature = 1.7})).verdict, Verdict::possible);
+  const auto judged = [&leaning] {
+    const BodyModel body = build_human(leaning, {.stature = 1.7});
+    return judge_start(body, start_state(body));
+  };
+  EXPECT_EQ(judged().verdict, Verdict::possible);
   for_each_point(leaning, [](Vec3d& p) { p.z += p.y > 0.1 ? 0.3 * p.y : 0.0; });
-  const Judgement judgement = judge_start(build_human(leaning, {.stature = 1.7}));
+  const Judgement judgement = judged();
   EXPECT_EQ(judgement.verdict, Verdict::impossible);
   for (const Reason& reason : judgement.reasons) EXPECT_FALSE(reason.time);
 }

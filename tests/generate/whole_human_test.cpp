@@ -7,6 +7,7 @@
 #include <shigusa/human.hpp>
 
 #include "generate/archive.hpp"
+#include "generate/distinct.hpp"
 
 namespace shigusa {
 namespace {

@@ -111,7 +111,7 @@ TEST(TurningIk, GradientOfNlpIkIsThatOfItsObjective) {
   for (const Constraint<double>& target :
        {turned_by(body, q, {0.5, -0.3, 0.4}), pointing(body, q, {0.5, -0.3, 0.4})}) {
     const std::vector<Constraint<double>> targets{target};
-    NlpIk ik(body);
+    NlpIk ik(body, start_state(body));
     ik.begin(targets, Vector(q.size(), 1.0));
     Vector gradient(q.size());
     Vector ignored(q.size());

@@ -94,6 +94,31 @@ TEST(EffectorPath, LeadsStraightFromStartToGoal) {
   }
 }
 
+TEST(CarriedOn, BeginsWithTheSpeedAndEndsAtRestWhereItBegan) {
+  constexpr double kStep = 1e-4;
+  const auto speed = [](double t) {
+    return (carried_on(t + kStep) - carried_on(t - kStep)) / (2.0 * kStep);
+  };
+  const auto acceleration = [](double t) {
+    return (carried_on(t + kStep) - 2.0 * carried_on(t) + carried_on(t - kStep)) / (kStep * kStep);
+  };
+  EXPECT_EQ(carried_on(0.0), 0.0);
+  EXPECT_NEAR(carried_on(1.0), 0.0, 1e-15);
+  EXPECT_NEAR(speed(0.0), 1.0, 1e-6);
+  EXPECT_NEAR(speed(1.0), 0.0, 1e-6);
+  EXPECT_NEAR(acceleration(0.0), 0.0, 1e-6);
+  EXPECT_NEAR(acceleration(1.0), 0.0, 1e-6);
+}
+
+TEST(EffectorPath, WithMomentumBeginsWithItsVelocityAndMeetsItsGoal) {
+  EffectorPath path{.start = {0, 1, 0}, .goal = {1, 1, 2}};
+  path.momentum = {0.5, -0.3, 0.1};
+  EXPECT_EQ(path.at(0.0), path.start);
+  EXPECT_LT(norm(path.at(1.0) - path.goal), 1e-15);
+  constexpr double kStep = 1e-5;
+  EXPECT_LT(norm((path.at(kStep) - path.at(0.0)) * (1.0 / kStep) - path.momentum), 1e-8);
+}
+
 TEST(MinimumSnap, HasTheSpeedOfItsClosedForm) {
   EXPECT_EQ(minimum_snap(0.0), 0.0);
   EXPECT_NEAR(minimum_snap(0.5), 0.5, 1e-15);

@@ -54,6 +54,40 @@ TEST(Resampled, KeepsTheFramesThatBothHave) {
   for (int f = 0; f < clip.frames; ++f) EXPECT_EQ(fast.frame(2 * f)[0], clip.frame(f)[0]);
 }
 
+TEST(Resampled, KeepsTheVelocitiesOfAMovingStart) {
+  Clip clip = reach(1.0);
+  const double velocities[] = {0.4, -1.2};  // rad/s
+  for (int f = 0; f < kFrames; ++f) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      clip.angles[2 * static_cast<std::size_t>(f) + d] +=
+          velocities[d] * carried_on(static_cast<double>(f) / (kFrames - 1));
+    }
+  }
+  for (std::size_t d = 0; d < 2; ++d) {
+    clip.before.push_back(clip.frame(0)[d] - velocities[d] * clip.frame_time);
+  }
+  for (const double rate : {24.0, 60.0, 120.0}) {
+    const State state = resampled(clip, rate).state(0);
+    ASSERT_EQ(state.velocities.size(), 2u);
+    // within the curve's third derivative times a sixth of the squared frame time
+    const double slack = 72.0 / (6.0 * rate * rate) * 1.2 + 60.0 / (6.0 * rate * rate);
+    for (std::size_t d = 0; d < 2; ++d) {
+      EXPECT_NEAR(state.velocities[d], velocities[d], slack) << rate;
+    }
+  }
+}
+
+TEST(ClipState, HasVelocitiesWhereTheClipMoves) {
+  const Clip clip = reach(1.0);
+  EXPECT_TRUE(clip.state(0).velocities.empty());
+  EXPECT_TRUE(clip.state(clip.frames - 1).velocities.empty());
+  const State middle = clip.state(clip.frames / 2);
+  EXPECT_EQ(middle.angles[0], 0.5);
+  // 15/8 of the mean velocity, by differences over 1/30 s
+  EXPECT_NEAR(middle.velocities[0], 1.875, 2e-3);
+  EXPECT_NEAR(middle.velocities[1], -1.875, 2e-3);
+}
+
 TEST(Resampled, EndsWithTheClipsLastPosture) {
   for (const double duration : {0.6, 1.088, 2.14}) {
     const Clip clip = reach(duration);

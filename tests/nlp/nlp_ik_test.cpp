@@ -45,7 +45,7 @@ struct Solved {
 Solved solve(const BodyModel& body, const Vector& from, Targets targets,
              const Vector& inverse_weights, const NlpIkSettings& settings = {},
              const Vector& reference = {}) {
-  NlpIk ik(body, settings);
+  NlpIk ik(body, start_state(body), settings);
   ik.begin(targets, inverse_weights);
   Solved solved{Vector(from.size()), {}};
   solved.outcome = ik.solve(targets, from, reference, solved.q);
@@ -86,7 +86,7 @@ TEST(NlpIk, ChangesCountAlikeInBodiesOfAnySize) {
     const BodyModel body = chain({{Axis::x, size}});
     const Constraint<double> target = moves_by(body, {0.1}, {});
     const Targets targets{target, target};
-    NlpIk ik(body, {.damping = 0.3});
+    NlpIk ik(body, start_state(body), {.damping = 0.3});
     ik.begin(targets, Vector{1.0});
     Vector gradient(1);
     const double value = ik.objective(targets, Vector{0.0}, {}, Vector{0.1}, gradient);
@@ -234,7 +234,7 @@ RC_GTEST_PROP(NlpIkProperty, GradientIsThatOfTheObjective, (std::uint64_t seed))
   foot.tilt_lead = random_direction(random) * 0.5;
   task.targets[0].lead = random_direction(random) * 0.05;
   task.targets[0].lag = 0.3;
-  NlpIk ik(task.body, {.damping = 0.1});
+  NlpIk ik(task.body, start_state(task.body), {.damping = 0.1});
   ik.begin(task.targets, task.inverse_weights);
   Vector gradient(q.size());
   Vector unused(q.size());
@@ -305,7 +305,7 @@ RC_GTEST_PROP(NlpIkProperty, NoPostureNearbyThatKeepsTheLimitsIsBetter, (std::ui
                                .iterations = 2000};
   const Solved found = solve(body, from, targets, inverse_weights, settings);
   RC_ASSERT(found.outcome.converged);
-  NlpIk ik(body, settings);
+  NlpIk ik(body, start_state(body), settings);
   ik.begin(targets, inverse_weights);
   Vector gradient(from.size());
   const double least = ik.objective(targets, from, {}, found.q, gradient);
@@ -396,7 +396,7 @@ TEST(NlpIk, RefusesWhatIsOutsideItsRanges) {
   EXPECT_THROW(solve(body, {0, 0}, {}, {1, nan}), PreconditionError);
   BodyDefinition lowered = chain_definition({{Axis::x, 1.0}, {Axis::x, 1.0}});
   lowered.couplings.push_back({.dof = 0, .driver = 1, .gain = -0.1, .driver_full = 1.0});
-  EXPECT_THROW(NlpIk{BodyModel(lowered)}, PreconditionError);
+  EXPECT_THROW((NlpIk{BodyModel(lowered), start_state(BodyModel(lowered))}), PreconditionError);
 }
 
 }  // namespace

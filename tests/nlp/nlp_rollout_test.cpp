@@ -12,6 +12,7 @@
 #include "body/posture_modes.hpp"
 #include "criteria/joint_range.hpp"
 #include "dynamics/centre_of_mass.hpp"
+#include "plan/held_input.hpp"
 #include "support/named_values.hpp"
 #include "support/problems.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <shigusa/generate.hpp>
 
+#include "generate/distinct.hpp"
 #include "problem/make_problem.hpp"
 #include "support/independent_reach.hpp"
 #include "support/problems.hpp"

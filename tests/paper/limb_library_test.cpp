@@ -105,12 +105,13 @@ TEST(LimbLibrary, LadderFindsWhatEnumerationFinds) {
 TEST(LimbLibrary, CellsAreScoredAsTheirMotionsAre) {
   LimbLibrary cells = library();
   const BodyModel arm = right_arm();
-  CriteriaSettings lower = paper_criteria();
-  lower.balance_weight = 0.0;
+  CriteriaSettings lower;
+  lower[CriterionKind::balance].weight = 0.0;
   int leads = 0;
   for (int cell = 0; cell < kLimbCells; cell += 97) {
     ReachProblem problem;
     problem.body = &arm;
+    problem.context.start = start_state(arm);
     problem.goals = {{0, cells.path_to(cell)}};
     problem.duration =
         reach_duration(norm(problem.goals[0].path.goal - problem.goals[0].path.start), false);

@@ -46,7 +46,7 @@ TEST(PaperLayers, HaveFourParametersForAnArm) {
   EXPECT_EQ(layers[2].name, "left_arm");
   for (const std::size_t arm : {1u, 2u}) {
     EXPECT_EQ(layers[arm].parameters.size(), 4u);
-    EXPECT_EQ(layers[arm].criteria.balance_weight, 0.0);
+    EXPECT_EQ(layers[arm].criteria[CriterionKind::balance].weight, 0.0);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <shigusa/parameters.hpp>
 
 #include "core/check.hpp"
+#include "plan/held_input.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {

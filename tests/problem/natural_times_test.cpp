@@ -169,14 +169,10 @@ TEST(MakeProblem, OnlyHandsHaveTimesOfTheirOwn) {
   EXPECT_EQ(problem.goals[0].path.begin, 0.0);
 }
 
-TEST(TaskCriteria, LookAtTheHandsOfTheGoals) {
+TEST(CriteriaContext, LooksAtTheHandsOfTheGoals) {
   Task task(human_body(), {.goals = {{"left_hand", {0.2, 1.0, 0.4}}}});
   const std::vector<int> left{task.body.find_effector("left_hand").value()};
-  const CriteriaSettings criteria = task_criteria(task);
-  EXPECT_EQ(criteria.coordination.effectors, left);
-  EXPECT_EQ(criteria.hand_curve.effectors, left);
-  EXPECT_EQ(criteria.trunk_travel.effectors, left);
-  EXPECT_EQ(criteria.mass_ahead.effectors, left);
+  EXPECT_EQ(criteria_context(task).effectors, left);
 }
 
 }  // namespace

@@ -144,7 +144,9 @@ double depth_at(const BodyModel& body, const std::vector<double>& angles) {
   const Effector& hand = body.effector(body.find_effector("right_hand").value());
   Kinematics<double> kinematics(body);
   forward_kinematics<double>(body, angles, kinematics);
-  return deepest_of(body, kinematics, allowed_as_at_start(body, limb_pairs(body, hand))).depth;
+  return deepest_of(body, kinematics,
+                    allowed_as_at(start_kinematics(body), body, limb_pairs(body, hand)))
+      .depth;
 }
 
 TEST(ClearGoals, AreBeforeTheBody) {

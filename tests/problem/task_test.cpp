@@ -149,30 +149,28 @@ std::string refusal_of_criteria(Change change) {
 
 TEST(MakeProblem, RefusesWeightsThatSayNothing) {
   using C = CriteriaSettings;
-  EXPECT_NE(refusal_of_criteria([](C& c) { c.joint_range_weight = -0.1; }), "");
-  EXPECT_NE(refusal_of_criteria([](C& c) { c.balance_weight = kNaN; }), "");
-  EXPECT_NE(refusal_of_criteria([](C& c) { c.torque_weight = kInfinity; }), "");
-  EXPECT_NE(refusal_of_criteria([](C& c) { c.head_weight = -1.0; }), "");
-  EXPECT_NE(refusal_of_criteria(
-                [](C& c) { c.joint_range_weight = c.balance_weight = c.torque_weight = 0.0; }),
-            "");
-  EXPECT_EQ(refusal_of_criteria([](C& c) { c.joint_range_weight = c.balance_weight = 0.0; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c[CriterionKind::joint_range].weight = -0.1; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c[CriterionKind::balance].weight = kNaN; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c[CriterionKind::torque].weight = kInfinity; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c[CriterionKind::head].weight = -1.0; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c = {{CriterionKind::torque, 0.0}}; }), "");
+  EXPECT_EQ(refusal_of_criteria([](C& c) { c = {{CriterionKind::torque, 0.1}}; }), "");
 }
 
-TEST(TaskCriteria, HaveTheEyesOnTheFirstGoal) {
+TEST(CriteriaContext, HasTheEyesOnTheFirstGoal) {
   Task task = task_for({-0.3, 1.0, 0.5});
-  EXPECT_EQ(task_criteria(task).head.gaze_target, (Vec3d{-0.3, 1.0, 0.5}));
-  task.criteria.head.gaze_target = Vec3d{0, 1, 2};
-  EXPECT_EQ(task_criteria(task).head.gaze_target, (Vec3d{0, 1, 2}));
+  EXPECT_EQ(criteria_context(task).gaze, (Vec3d{-0.3, 1.0, 0.5}));
+  task.look_at = Vec3d{0, 1, 2};
+  EXPECT_EQ(criteria_context(task).gaze, (Vec3d{0, 1, 2}));
 }
 
 TEST(MakeProblem, RefusesScalesThatAreNotAboveZero) {
   using C = CriteriaSettings;
-  EXPECT_NE(refusal_of_criteria([](C& c) { c.joint_range.margin = 0.0; }), "");
-  EXPECT_NE(refusal_of_criteria([](C& c) { c.balance.lean = kNaN; }), "");
-  EXPECT_NE(refusal_of_criteria([](C& c) { c.torque.share = -1.0; }), "");
-  EXPECT_NE(refusal_of_criteria([](C& c) { c.balance_zone.margin = 0.0; }), "");
-  EXPECT_NE(refusal_of_criteria([](C& c) { c.head.height = kNaN; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c[CriterionKind::joint_range].scale = 0.0; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c[CriterionKind::balance].scale = kNaN; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c[CriterionKind::torque].scale = -1.0; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c[CriterionKind::balance_zone].scale = 0.0; }), "");
+  EXPECT_NE(refusal_of_criteria([](C& c) { c[CriterionKind::head].scale = kNaN; }), "");
   const auto with_user = [](double weight, double scale) {
     return refusal_of_criteria([&](C& c) {
       c.user = {{.name = "own",

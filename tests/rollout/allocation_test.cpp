@@ -47,8 +47,7 @@ constexpr Vec3d kLowLeft{0.25, 0.55, 0.50};
 
 CriteriaSettings every_criterion() {
   CriteriaSettings settings;
-  for_each_criterion([&](const auto& criterion) { criterion.weight(settings) = 0.1; });
-  settings.head.gaze_target = kLowLeft;
+  for (CriterionSetting& setting : settings.built_in) setting.weight = 0.1;
   return settings;
 }
 
@@ -69,10 +68,11 @@ TEST(Allocations, AreCounted) {
 
 TEST(Allocations, ARolloutMakesNone) {
   for (const BodyModel& body : {half_body(), full_body()}) {
-    const ReachProblem problem = reach_with(body, "right_hand", kLowLeft);
+    ReachProblem problem = reach_with(body, "right_hand", kLowLeft);
+    problem.context.gaze = kLowLeft;
     const std::vector<double> inverse = inverse_weights(body, uniform_parameters(body));
     Rollout<double> rollout(problem);
-    BuiltInCriteria<double> criteria(body, every_criterion());
+    BuiltInCriteria<double> criteria(body, problem.context, every_criterion());
     EXPECT_EQ(allocations_of([&] {
                 rollout.run(inverse,
                             [&](const PlacedFrame<double>& frame) { criteria.add(frame); });

@@ -28,7 +28,7 @@ BodyModel with_part(const std::string& name, double radius, double to_radius) {
 Clip reached(const BodyModel& body, const Vec3d& goal) {
   ReachProblem problem = reach_with(body, "right_hand", goal);
   problem.hold_limits = problem.posture_law = true;
-  problem.gaze = goal;
+  problem.context.gaze = goal;
   return roll_out(problem, uniform_parameters(body)).motion.clip;
 }
 
@@ -38,7 +38,7 @@ const Effector& left_hand(const BodyModel& body) {
 
 // The largest increase (m) of the left arm's depth in the body over its start, in any frame.
 double deepest_left(const BodyModel& body, const Clip& clip) {
-  const auto pairs = allowed_as_at_start(body, limb_pairs(body, left_hand(body)));
+  const auto pairs = allowed_as_at(start_kinematics(body), body, limb_pairs(body, left_hand(body)));
   double most = -1.0;
   for (int f = 0; f < clip.frames; ++f) {
     most = std::max(most, deepest_of(body, placed(body, clip.frame(f)), pairs).depth);
@@ -72,7 +72,9 @@ Kinematics<double> abducted(const BodyModel& body, double angle) {
 // The smallest angle (rad) by which the arm has to move aside from there.
 double aside(const BodyModel& body, double angle) {
   const int abduction = body.find_dof("left_shoulder.abduction").value();
-  return ArmClearance<double>(body, left_hand(body), abduction).aside(abducted(body, angle));
+  return ArmClearance<double>(reach_with(body, "right_hand", {-0.3, 1.0, 0.4}), left_hand(body),
+                              abduction)
+      .aside(abducted(body, angle));
 }
 
 TEST(ArmClearance, WhatIsNearAsTheBodyStartsMayStayAsNear) {
@@ -100,8 +102,10 @@ TEST(ArmClearance, EachLaneIsAsItIsAlone) {
   using Lanes = Pack<float, 4>;
   const BodyModel body = human_body();
   const int abduction = body.find_dof("left_shoulder.abduction").value();
-  ArmClearance<Lanes> together(body, left_hand(body), abduction);
-  ArmClearance<Lane> alone(body, left_hand(body), abduction);
+  ArmClearance<Lanes> together(reach_with(body, "right_hand", {-0.3, 1.0, 0.4}), left_hand(body),
+                               abduction);
+  ArmClearance<Lane> alone(reach_with(body, "right_hand", {-0.3, 1.0, 0.4}), left_hand(body),
+                           abduction);
   Kinematics<Lanes> lanes(body);
   Kinematics<Lane> one(body);
   Random random(1);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/check.hpp"
+#include "plan/held_input.hpp"
 #include "rollout/rollout.hpp"
 #include "support/problems.hpp"
 
@@ -38,7 +39,9 @@ struct Reach {
       : body(std::move(b)),
         problem(reach_with(body, "right_hand", kLowLeft)),
         criteria(std::move(c)),
-        inverse_weights(random_inverse_weights(body, kMotions)) {}
+        inverse_weights(random_inverse_weights(body, kMotions)) {
+    problem.context.gaze = kLowLeft;
+  }
   Reach(const Reach&) = delete;
   Reach& operator=(const Reach&) = delete;
 
@@ -55,8 +58,7 @@ struct Reach {
 
 CriteriaSettings every_criterion() {
   CriteriaSettings settings;
-  for_each_criterion([&](const auto& criterion) { criterion.weight(settings) = 0.1; });
-  settings.head.gaze_target = kLowLeft;
+  for (CriterionSetting& setting : settings.built_in) setting.weight = 0.1;
   return settings;
 }
 
@@ -143,7 +145,7 @@ TEST_P(BatchRolloutOf, MotionsThatMissGetTheWorstScore) {
   const Reach& r = reach(GetParam());
   ReachProblem beyond = reach_with(r.body, "right_hand", {-3.0, 4.0, 5.0});
   CriteriaSettings criteria;
-  criteria.balance_weight = 0.7;
+  criteria[CriterionKind::balance].weight = 0.7;
   BatchRollout batch(beyond, criteria, {});
   std::vector<double> scores(kMotions);
   batch.score(r.inverse_weights, scores);
@@ -172,9 +174,10 @@ TEST_P(BatchRolloutOf, ScoresAreThoseOfDoubleToItsPrecision) {
       parameters.locked[d] = inverse == 0.0;
     }
     const RolledOut rolled = roll_out(r.problem, parameters);
-    const double score = rolled.outcome.met()
-                             ? score_motion(r.body, rolled.motion, r.criteria).total
-                             : worst_score(r.criteria);
+    const double score =
+        rolled.outcome.met()
+            ? score_motion(r.body, rolled.motion, r.criteria, r.problem.context).total
+            : worst_score(r.criteria);
     // lanes_test.cpp has the distribution: 99 % are nearer than 1e-3
     near += std::abs(score - scores[i]) < 1e-3 ? 1 : 0;
   }

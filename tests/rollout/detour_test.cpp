@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "kinematics/penetration.hpp"
+#include "plan/held_input.hpp"
 #include "rollout/rollout.hpp"
 
 namespace shigusa {
@@ -20,6 +21,7 @@ ReachProblem problem_of(const BodyModel& body, const Vec3d& goal) {
   const Effector& hand = body.effectors()[0];
   ReachProblem problem;
   problem.body = &body;
+  problem.context.start = start_state(body);
   problem.goals = {{0, {kinematics.point(hand.link, hand.point), goal}}};
   return problem;
 }

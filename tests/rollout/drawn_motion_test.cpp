@@ -5,6 +5,7 @@
 #include <shigusa/human.hpp>
 
 #include "body/posture_modes.hpp"
+#include "plan/held_input.hpp"
 #include "support/lanes.hpp"
 #include "support/named_values.hpp"
 #include "support/problems.hpp"

@@ -6,6 +6,7 @@
 #include <shigusa/request.hpp>
 
 #include "body/posture_modes.hpp"
+#include "plan/held_input.hpp"
 #include "problem/make_problem.hpp"
 #include "rollout/batch_rollout.hpp"
 #include "rollout/rollout.hpp"
@@ -137,7 +138,8 @@ TEST_F(OnTheThigh, AFreeHandMovesAsWithoutSupport) {
 
 TEST_F(OnTheThigh, LanesScoreAsDoubleDoesWithHandsFreeInSome) {
   CriteriaSettings criteria = default_criteria();
-  criteria.jolts_weight = 0.0;  // of the fourth power of a difference: of little use in comparisons
+  criteria[CriterionKind::jolts].weight =
+      0.0;  // of the fourth power of a difference: of little use in comparisons
   std::vector<double> shares{0.0, -0.02, 0.1, 0.2, -0.05};
   std::vector<float> weights;
   std::vector<float> postures;
@@ -155,7 +157,7 @@ TEST_F(OnTheThigh, LanesScoreAsDoubleDoesWithHandsFreeInSome) {
     supports.push_back(static_cast<float>(share));
     const RolledOut rolled = roll_out(problem, parameters);
     ASSERT_TRUE(rolled.outcome.met());
-    expected.push_back(score_motion(task.body, rolled.motion, criteria).total);
+    expected.push_back(score_motion(task.body, rolled.motion, criteria, problem.context).total);
   }
   MotionInputs inputs{weights, postures, timing};
   inputs.supports = supports;

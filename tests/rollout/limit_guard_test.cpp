@@ -83,7 +83,7 @@ TEST(LimitGuard, GoalIsStillMetWithOtherJoints) {
 TEST(LimitGuard, SharesFallToNothingTowardsALimitAndNotAwayFromIt) {
   const BodyModel body = half_body();
   const std::size_t knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
-  LimitGuard<double> guard(body);
+  LimitGuard<double> guard(body, start_state(body));
   const std::vector<double> weights(body.dofs().size(), 2.0);
   std::vector<double> pull(body.dofs().size());
   std::vector<double> angles(body.start().begin(), body.start().end());
@@ -118,7 +118,7 @@ TEST(LimitGuard, BeginsWithFullShares) {
   std::vector<double> bent(amid);
   bent[knee] = dof.upper;
   for (const bool learns_first : {false, true}) {
-    LimitGuard<double> guard(body);
+    LimitGuard<double> guard(body, start_state(body));
     for (int motion = 0; motion < 2; ++motion) {
       if (learns_first) guard.learn(weights, pull, {});
       EXPECT_EQ(guard.soften(weights, amid)[knee], 1.0) << learns_first << motion;
@@ -137,7 +137,7 @@ TEST(LimitGuard, BeginsWithFullShares) {
 TEST(LimitGuard, AFastJointGivesWayEarlier) {
   const BodyModel body = half_body();
   const std::size_t knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
-  LimitGuard<double> guard(body);
+  LimitGuard<double> guard(body, start_state(body));
   const std::vector<double> weights(body.dofs().size(), 1.0);
   std::vector<double> pull(body.dofs().size());
   std::vector<double> angles(body.start().begin(), body.start().end());
@@ -167,7 +167,7 @@ class Lifting : public testing::Test {
   const BodyModel body = human_body({.heels = true});
   const std::size_t toes = static_cast<std::size_t>(body.find_dof("right_toes.flexion").value());
   const std::size_t ankle = static_cast<std::size_t>(body.find_dof("right_ankle.flexion").value());
-  LimitGuard<double> guard{body};
+  LimitGuard<double> guard{body, start_state(body)};
   std::vector<double> weights = std::vector<double>(body.dofs().size(), 1.0);
   std::vector<double> pull = std::vector<double>(body.dofs().size());
   std::vector<double> angles{body.start().begin(), body.start().end()};
@@ -226,7 +226,7 @@ TEST(LimitGuard, HoldsAHipByWhatItsKneeAllows) {
   const BodyModel body = full_body();
   const std::size_t knee = static_cast<std::size_t>(body.find_dof("left_knee.flexion").value());
   const std::size_t hip = static_cast<std::size_t>(body.find_dof("left_hip.flexion").value());
-  LimitGuard<double> guard(body);
+  LimitGuard<double> guard(body, start_state(body));
   std::vector<double> angles(body.start().begin(), body.start().end());
   angles[hip] = 3.0;
   angles[knee] = 0.0;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "plan/held_input.hpp"
 #include "rollout/rollout.hpp"
 #include "simd/pack.hpp"
 #include "support/problems.hpp"
@@ -18,7 +19,7 @@ constexpr Vec3d kHigh{-0.4, 1.8, 0.3};
 ReachProblem lawful_reach(const BodyModel& body, const Vec3d& goal) {
   ReachProblem problem = reach_with(body, "right_hand", goal);
   problem.hold_limits = problem.posture_law = true;
-  problem.gaze = goal;
+  problem.context.gaze = goal;
   return problem;
 }
 
@@ -156,7 +157,7 @@ double wanted_turn(const Vec3d& goal, const char* hand = "right_hand") {
   const BodyModel body = human_body();
   ReachProblem problem = reach_with(body, hand, goal);
   problem.posture_law = true;
-  problem.gaze = goal;
+  problem.context.gaze = goal;
   const TrunkTurn turn = trunk_turn(problem);
   if (turn.change.empty()) return 0.0;
   double sum = 0.0;
@@ -289,13 +290,14 @@ TEST(PostureLaw, IsTheSameInLanes) {
 }
 
 TEST(PostureLaw, AHeadThatIsBroaderThanTheShouldersTurnsLess) {
-  BodyDefinition body = human_body().definition();
-  EXPECT_EQ(head_share(BodyModel(body)), 1.0);
+  const BodyModel usual = human_body();
+  BodyDefinition body = usual.definition();
+  EXPECT_EQ(head_share(reach_with(usual, "right_hand", kHigh)), 1.0);
   for (Capsule& capsule : body.capsules) {
     if (capsule.name == "head") capsule.radius = capsule.to_radius = 0.4;
   }
   const BodyModel big(body);
-  EXPECT_LT(head_share(big), 0.1);
+  EXPECT_LT(head_share(reach_with(big, "right_hand", kHigh)), 0.1);
   const auto nod = [](const BodyModel& of) {
     ReachProblem problem = lawful_reach(of, kAtTheFeet);
     const Clip clip = roll_out(problem, uniform_parameters(of)).motion.clip;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "dynamics/centre_of_mass.hpp"
+#include "plan/held_input.hpp"
 #include "support/problems.hpp"
 
 namespace shigusa {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "plan/held_input.hpp"
 #include "rollout/rollout.hpp"
 #include "support/problems.hpp"
 
@@ -10,10 +11,9 @@ namespace {
 
 using namespace testing_support;
 
-CriteriaSettings every_criterion(const Vec3d& goal) {
+CriteriaSettings every_criterion() {
   CriteriaSettings settings;
-  for_each_criterion([&](const auto& criterion) { criterion.weight(settings) = 1.0; });
-  settings.head.gaze_target = goal;
+  for (CriterionSetting& setting : settings.built_in) setting.weight = 1.0;
   return settings;
 }
 
@@ -22,8 +22,9 @@ TEST(ScoredFrames, OfARolloutAndOfItsStoredMotionAgree) {
     for (const Vec3d& goal : {Vec3d{0.25, 0.55, 0.5}, Vec3d{-0.3, 1.8, 0.3}}) {
       ReachProblem problem = reach_with(body, "right_hand", goal);
       problem.duration = 1.3;
-      const CriteriaSettings settings = every_criterion(goal);
-      BuiltInCriteria<double> criteria(body, settings);
+      problem.context.gaze = goal;
+      const CriteriaSettings settings = every_criterion();
+      BuiltInCriteria<double> criteria(body, problem.context, settings);
       Rollout<double> rollout(problem);
       Random random(71);
       for (int trial = 0; trial < 20; ++trial) {
@@ -31,9 +32,10 @@ TEST(ScoredFrames, OfARolloutAndOfItsStoredMotionAgree) {
         criteria.reset();
         rollout.run(inverse_weights(body, parameters),
                     [&](const PlacedFrame<double>& frame) { criteria.add(frame); });
-        const Score stored = score_motion(body, roll_out(problem, parameters).motion, settings);
+        const Score stored =
+            score_motion(body, roll_out(problem, parameters).motion, settings, problem.context);
         std::size_t term = 0;
-        criteria.visit_penalties([&](const char* name, double weight, double penalty) {
+        criteria.visit_penalties([&](std::string_view name, double weight, double penalty) {
           ASSERT_LT(term, stored.terms.size());
           EXPECT_EQ(stored.terms[term].name, name);
           EXPECT_EQ(stored.terms[term].weight, weight);

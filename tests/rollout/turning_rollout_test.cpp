@@ -6,6 +6,7 @@
 #include <cmath>
 #include <shigusa/human.hpp>
 
+#include "plan/held_input.hpp"
 #include "problem/reachability.hpp"
 #include "rollout/batch_rollout.hpp"
 #include "support/problems.hpp"
@@ -69,7 +70,7 @@ TEST(TurningRollout, LanesEndAsDoubleDoes) {
       for (std::size_t i = 0; i < kMotions; ++i) {
         const RolledOut rolled = roll_out(problem, all[i]);
         if (!rolled.outcome.met()) continue;
-        const double score = score_motion(body, rolled.motion, criteria).total;
+        const double score = score_motion(body, rolled.motion, criteria, problem.context).total;
         EXPECT_NEAR(scores[i], score, 1e-3) << simd_name(set) << i;
         const std::span<const double> end = rolled.motion.clip.frame(problem.steps);
         for (std::size_t d = 0; d < end.size(); ++d) {

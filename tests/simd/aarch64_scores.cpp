@@ -21,6 +21,7 @@ constexpr int kMotions = 16;
 void score(const char* name, const BodyModel& body, bool natural) {
   ReachProblem problem;
   problem.body = &body;
+  problem.context.start = start_state(body);
   const Vec3d from = testing_support::effector_position(body, body.start(), "right_hand");
   problem.goals.push_back({body.find_effector("right_hand").value(), {from, {0.25, 0.55, 0.50}}});
   problem.hold_limits = problem.posture_law = natural;

@@ -21,7 +21,7 @@ struct PlayedMotions {
            const CriteriaSettings& criteria) {
     const RolledOut rolled = roll_out(problem, parameters);
     met.push_back(rolled.outcome.met());
-    scores.push_back(score_motion(*problem.body, rolled.motion, criteria).total);
+    scores.push_back(score_motion(*problem.body, rolled.motion, criteria, problem.context).total);
     const std::span<const double> end = rolled.motion.clip.frame(problem.steps);
     ends.insert(ends.end(), end.begin(), end.end());
   }

@@ -16,15 +16,15 @@ namespace shigusa::testing_support {
 // Refers to the task's body.
 inline LayeredProblem make_layered_problem(const Task& task) {
   return in_layers(make_problem(task).value(),
-                   plan_of(task.body, task, task_criteria(task)).value());
+                   plan_of(task.body, task.start, task, task.criteria).value());
 }
 
 // Converts a candidate's values to the form used by its task's layers, and back.
 inline LayeredValues layered_of(const Task& task, const Parameters& parameters) {
-  return layered_values(plan_of(task.body, task, task_criteria(task)).value(), parameters);
+  return layered_values(plan_of(task.body, task.start, task, task.criteria).value(), parameters);
 }
 inline Parameters parameters_of(const Task& task, const LayeredValues& values) {
-  return parameters_of(plan_of(task.body, task, task_criteria(task)).value(), values);
+  return parameters_of(plan_of(task.body, task.start, task, task.criteria).value(), values);
 }
 
 // Layers with their parameters, before and after a change by a test.
@@ -56,8 +56,9 @@ inline void expect_layers_kept(const Task& task, const GenerateResult& generatio
     // chain of two legs is kept by steps of IK
     EXPECT_LT(measured.contact_slide, task.body.feet().size() == 1 ? 1e-12 : kReachTolerance);
     EXPECT_LT(measured.contact_tilt, kTiltTolerance);
-    EXPECT_EQ(candidate.score.total,
-              score_motion(task.body, candidate.motion, task_criteria(task)).total);
+    EXPECT_EQ(
+        candidate.score.total,
+        score_motion(task.body, candidate.motion, task.criteria, criteria_context(task)).total);
     ASSERT_EQ(candidate.goals.size(), task.goals.size());
     for (const GoalResult& goal : candidate.goals) EXPECT_LT(goal.error, 1e-6);
     EXPECT_EQ(candidate.contacts.size(), task.body.feet().size());

@@ -16,7 +16,7 @@ namespace shigusa::testing_support {
 
 // All parameters of the whole body.
 inline ParameterList list_of(const BodyModel& body, std::span<const Support> supports = {}) {
-  return parameter_list(whole_body_plan(body, supports));
+  return parameter_list(whole_body_plan(body, start_state(body), supports));
 }
 
 // Index of the first parameter with that name, such as "squat", or that spelling.

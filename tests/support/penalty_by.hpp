@@ -7,13 +7,20 @@
 
 namespace shigusa::testing_support {
 
-// A criterion's penalty for a whole motion: penalty_by<Torque>(body, motion, {.share = 0.5}).
+// A criterion's penalty for a whole motion that begins in the body's start posture.
 template <template <class> class Criterion>
-double penalty_by(const BodyModel& body, const Motion& motion,
-                  const typename Criterion<double>::Settings& settings = {}) {
-  Criterion<double> criterion(body, settings);
+double penalty_by(const BodyModel& body, const Motion& motion, double scale,
+                  CriteriaContext context = {}) {
+  if (context.start.angles.empty()) context.start = start_state(body);
+  Criterion<double> criterion(body, context, scale);
   show_motion(body, motion, criterion);
   return criterion.penalty();
+}
+template <template <class> class Criterion>
+double penalty_by(const BodyModel& body, const Motion& motion,
+                  const CriteriaContext& context = {}) {
+  const double usual = CriteriaSettings()[Criterion<double>::kKind].scale;
+  return penalty_by<Criterion>(body, motion, usual, context);
 }
 
 }  // namespace shigusa::testing_support

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
+#include <shigusa/criteria.hpp>
 #include <utility>
 #include <vector>
 
@@ -113,12 +115,19 @@ void show_poses(const BodyModel& body, const std::vector<Pose>& poses, Criterion
   }
 }
 
+// The settings of a criterion in a test.
+struct Asked {
+  std::optional<double> scale{};  // empty: the usual one
+  std::vector<int> effectors{};
+};
+
 // A criterion's penalty for a motion through these poses.
 template <template <class> class Criterion>
-double penalty_of_poses(const std::vector<Pose>& poses,
-                        const typename Criterion<double>::Settings& settings = {},
+double penalty_of_poses(const std::vector<Pose>& poses, const Asked& asked = {},
                         const BodyModel& body = posed_body()) {
-  Criterion<double> criterion(body, settings);
+  const double usual = CriteriaSettings()[Criterion<double>::kKind].scale;
+  Criterion<double> criterion(body, {.start = start_state(body), .effectors = asked.effectors},
+                              asked.scale.value_or(usual));
   show_poses(body, poses, criterion);
   return criterion.penalty();
 }
@@ -154,13 +163,13 @@ inline std::vector<Pose> lopsided_poses() {
 
 // Expects equal penalties above 0 for asymmetric poses and their mirror images.
 template <template <class> class Criterion>
-void expect_the_same_in_a_mirror(const typename Criterion<double>::Settings& settings = {}) {
+void expect_the_same_in_a_mirror(const Asked& asked = {}) {
   std::vector<Pose> poses = lopsided_poses();
-  const double penalty = penalty_of_poses<Criterion>(poses, settings);
+  const double penalty = penalty_of_poses<Criterion>(poses, asked);
   EXPECT_GT(penalty, 0.0);
   EXPECT_LT(penalty, 1.0);
   for (Pose& pose : poses) pose = mirrored(pose);
-  EXPECT_DOUBLE_EQ(penalty_of_poses<Criterion>(poses, settings), penalty);
+  EXPECT_DOUBLE_EQ(penalty_of_poses<Criterion>(poses, asked), penalty);
 }
 
 // Index of the right hand among the effectors, for the settings.

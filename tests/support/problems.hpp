@@ -23,6 +23,7 @@ inline const BodyModel& full() {
 inline ReachProblem reach_with(const BodyModel& body, const char* effector, const Vec3d& goal) {
   ReachProblem problem;
   problem.body = &body;
+  problem.context.start = start_state(body);
   problem.goals.push_back({body.find_effector(effector).value(),
                            {effector_position(body, body.start(), effector), goal}});
   return problem;

@@ -29,6 +29,12 @@ inline constexpr std::array kTasks{
     MessageText{"obstacle_radius", "radius is {}; allowed are 0 to {:g} m"},
     MessageText{"no_heels", "the preset {} cannot lift heels; flat can"},
     MessageText{"duration_range", "duration is {} s; allowed are {:g} to {:g} s"},
+    MessageText{"start_state",
+                "a state has one finite angle for each of the {} dofs, and as many velocities or "
+                "none; here are {}"},
+    MessageText{"start_at_rest", "motions by nlp_ik begin at rest"},
+    MessageText{"start_of_layers",
+                "the preset {} begins in the body's own start posture; flat begins in any"},
     MessageText{"ease_of_layers",
                 "the preset {} has layers, which keep their own time; flat has an ease"},
     MessageText{"no_gaze_lead", "the preset {} does not turn the head to the gaze target"},
