@@ -154,9 +154,9 @@ inline constexpr double kRateMax = 240.0;
 
 /// Resamples a clip at `rate` frames per second: frame k is the posture at k / rate, and the last
 /// frame is the clip's last posture. Angles are interpolated by cubic Hermite splines, whose slope
-/// at a frame is that between its neighbours, and 0 at the first and last frame, as a motion begins
-/// and ends at rest. For frames h seconds apart the error of an angle q is at most h³ |d³q/dt³|
-/// / 40. Needs at least one frame, and a rate in kRateMin..kRateMax.
+/// at a frame is that between its neighbours, 0 at the last frame, and at the first 0 or by
+/// `before` if there is one. For frames h seconds apart the error of an angle q is at most h³
+/// |d³q/dt³| / 40. Needs at least one frame, and a rate in kRateMin..kRateMax.
 [[nodiscard]] Clip resampled(const Clip& clip, double rate);
 
 /// The contact of a resting hand with its force in each frame.

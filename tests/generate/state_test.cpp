@@ -76,7 +76,7 @@ TEST(State, AFootThatSteppedStaysWhereItIs) {
   EXPECT_EQ(result.status, ReachStatus::reached);
   const Clip& clip = result.candidates[0].motion.clip;
   EXPECT_LE(slide_of(body, clip, "left_foot"), kReachTolerance);
-  // the support polygon is that of the feet where they stand
+  // the first motion did step, most of the way of the sole's node
   const Vec3d at = placed(body, stepped).point(body.feet()[1].link, body.feet()[1].centre);
   EXPECT_NEAR(at.z, sole.z + 0.15, 0.08);
 }
