@@ -73,25 +73,25 @@ Result<NodePlaces> places_in(const Row& row, const std::string& id) {
 }
 
 // A body's degree of freedom for a data set's joint, and the sign of its values.
-std::pair<int, double> dof_of(const BodyModel& body, const std::string& joint) {
-  if (!body.robot()) return {body.find_dof(joint).value_or(-1), 1.0};
-  for (const RobotJoint& one : body.robot()->joints) {
+std::pair<int, double> dof_of(const PosedBody& body, const std::string& joint) {
+  if (!body.robot) return {body.body.find_dof(joint).value_or(-1), 1.0};
+  for (const RobotJoint& one : body.robot->joints) {
     if (one.name == joint) return {one.dof, one.sign};
   }
   return {-1, 1.0};
 }
 
 // Clip of a row's stored angles; empty if they are not stored.
-std::optional<Clip> clip_in(const Row& row, const BodyModel& body) {
+std::optional<Clip> clip_in(const Row& row, const PosedBody& body) {
   const std::vector<double> angles = row.numbers(word_of(DatasetSeries::angles));
   const std::vector<std::string>* joints = row.table->names_of("joints");
   if (angles.empty() || joints == nullptr || joints->empty()) return std::nullopt;
-  Clip clip{.dofs = body.dof_count(),
+  Clip clip{.dofs = body.body.dof_count(),
             .frames = static_cast<int>(angles.size() / joints->size()),
             .angles = {}};
   clip.frame_time = frame_time_of(row.number("duration_s"), static_cast<std::size_t>(clip.frames));
   for (int f = 0; f < clip.frames; ++f) {
-    clip.angles.insert(clip.angles.end(), body.start().begin(), body.start().end());
+    clip.angles.insert(clip.angles.end(), body.home.angles.begin(), body.home.angles.end());
   }
   const auto dofs = static_cast<std::size_t>(clip.dofs);
   for (std::size_t j = 0; j < joints->size(); ++j) {
@@ -110,7 +110,7 @@ Result<Table> made_again(const DatasetPlan& plan, const DataMotion& motion,
   SHG_TRY_ASSIGN(DrawnAgain again, drawn_again(plan, motion));
   if (!again.misfit.empty()) return fail(ErrorCode::parse, again.misfit, motion.id());
   GenerateResult generation;
-  if (std::optional<Clip> clip = clip_in(motion.motion, again.task.body)) {
+  if (std::optional<Clip> clip = clip_in(motion.motion, again.task)) {
     Candidate candidate;
     candidate.parameters = again.parameters;
     candidate.motion.clip = *std::move(clip);

@@ -15,17 +15,17 @@ namespace {
 
 // Degrees of freedom in the order of the body standing on its right foot, or for a robot the file's
 // joints.
-std::vector<DataDof> data_dofs(const TaskFile& file, const BodyModel& body) {
+std::vector<DataDof> data_dofs(const TaskFile& file, const PosedBody& body) {
   std::vector<DataDof> dofs;
-  if (body.robot()) {
-    for (const RobotJoint& joint : body.robot()->joints) {
+  if (body.robot) {
+    for (const RobotJoint& joint : body.robot->joints) {
       if (joint.dof >= 0) dofs.push_back({joint.name, joint.dof, joint.sign});
     }
     return dofs;
   }
-  const Result<BodyModel> on_right = build_character(file.character, Side::right);
-  for (const Dof& dof : (on_right ? *on_right : body).dofs()) {
-    if (const auto own = body.find_dof(dof.name)) dofs.push_back({dof.name, *own, 1.0});
+  const Result<PosedBody> on_right = build_character(file.character, Side::right);
+  for (const Dof& dof : (on_right ? *on_right : body).body.dofs()) {
+    if (const auto own = body.body.find_dof(dof.name)) dofs.push_back({dof.name, *own, 1.0});
   }
   return dofs;
 }
@@ -65,7 +65,7 @@ std::string stem_of(const std::string& source) {
 
 MotionTable::MotionTable(const TaskFile& file, const Task& task,
                          std::span<const DatasetSeries> series)
-    : file_(file), task_(task), series_(series), dofs_(data_dofs(file, task.body)) {
+    : file_(file), task_(task), series_(series), dofs_(data_dofs(file, task)) {
   const Result<ParameterList> list = parameter_list(task.body, task.start, task);
   list_ = list ? *list : parameter_list(task.body, task.start, Request{}).value();
   parameters_ = list_.names();

@@ -25,15 +25,16 @@ double rounded_to(double parts, double x) {
 double tenths(double degrees) { return rounded_to(10.0, degrees); }
 double thousandths(double metres) { return rounded_to(1000.0, metres); }
 
-void print_body(const BodyModel& body, const CharacterSpec& spec) {
+void print_body(const PosedBody& posed, const CharacterSpec& spec) {
+  const BodyModel& body = posed.body;
   print_out("{}: {:.3f} m, {:.1f} kg, {} dof\n", printable(body.name()), body.stature(),
             body.mass(), body.dof_count());
   print_out("{:<26} {:>8} {:>16} {:>18}\n", "freedom", "start °", "limits °", "strength N m");
   for (int d = 0; d < body.dof_count(); ++d) {
     const Dof& dof = body.dof(d);
-    const std::string source = printable(file_joint(body, d));
+    const std::string source = printable(file_joint(posed, d));
     print_out("{:<26} {:>8.1f} {:>7.0f} to {:>5.0f} {:>8.0f} to {:>5.0f}{}{}\n", dof.name,
-              tenths(degrees(body.start()[static_cast<std::size_t>(d)])),
+              tenths(degrees(posed.home.angles[static_cast<std::size_t>(d)])),
               tenths(degrees(dof.lower)), tenths(degrees(dof.upper)), -dof.torque_negative,
               dof.torque_positive, source.empty() ? "" : "  ", source);
     if (const LimitCoupling* coupling = body.coupling_of(d)) {
@@ -43,7 +44,7 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
     }
   }
   print_out("{:<26} {:>24}\n", "goals can be given for", "start x y z m");
-  for (const GoalPlace& place : goal_places(body)) {
+  for (const GoalPlace& place : goal_places(posed)) {
     print_out("{:<26} {:>8.3f}{:>8.3f}{:>8.3f}\n", printable(place.effector),
               thousandths(place.start.x), thousandths(place.start.y), thousandths(place.start.z));
   }
@@ -51,7 +52,7 @@ void print_body(const BodyModel& body, const CharacterSpec& spec) {
   for (const auto& [node, bone, share] : twist_shares(spec)) {
     print_out("{:<18} {}, {:.0f} % along {}\n", "twist bone", printable(node), 100.0 * share, bone);
   }
-  for (const Message& doubt : body.doubts()) print_out("note: {}\n", printable(doubt.text));
+  for (const Message& doubt : posed.doubts) print_out("note: {}\n", printable(doubt.text));
 }
 
 Result<int> body(const BodyOptions& options) {
@@ -59,11 +60,11 @@ Result<int> body(const BodyOptions& options) {
   spec.source = options.source;
   SHG_TRY(apply_character_options(options.person, spec));
   SHG_TRY(measure_character(spec, {}));
-  SHG_TRY_ASSIGN(const BodyModel model, build_character(spec));
+  SHG_TRY_ASSIGN(const PosedBody posed, build_character(spec));
   if (options.json) {
-    print_out("{}", format_character(spec, model));
+    print_out("{}", format_character(spec, posed));
   } else {
-    print_body(model, spec);
+    print_body(posed, spec);
   }
   return kDone;
 }

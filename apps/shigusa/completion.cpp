@@ -52,7 +52,7 @@ Texts command_words(const CommandManual& command) {
 Texts begun_values(const OptionManual& option) {
   Texts begun;
   if (option.form.starts_with("EFFECTOR=")) {
-    const BodyModel body = human_body();
+    const BodyModel body = human_body().body;
     for (int e = 0; e < body.effector_count(); ++e) begun.push_back(body.effector(e).name + "=");
   } else if (option.form.starts_with("HAND=")) {
     begun = {"left_hand=", "right_hand="};

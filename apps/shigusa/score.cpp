@@ -73,7 +73,7 @@ Result<int> score(const ScoreOptions& options) {
                                options.person.animation.value_or("")));
   const Result<ClipScore> score = score_clip(recorded, settings);
   if (!score) return fail(score.error().code, score.error().to_string(), options.clip);
-  for (const Message& doubt : recorded.body.doubts()) note(recorded.body.name(), doubt.text);
+  for (const Message& doubt : recorded.doubts) note(recorded.body.name(), doubt.text);
   for (const Message& doubt : score->doubts) note(options.clip, doubt.text);
   if (options.json) {
     print_out("{}", format_clip_score(options.clip, recorded, settings, *score));

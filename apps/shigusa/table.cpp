@@ -266,7 +266,7 @@ void note_supports(const FinishedRun& run) {
 // Reports on stderr where the result differs from the request.
 void note_run(const FinishedRun& run, const Judgement& start) {
   const auto& [file, task, generation, info] = run;
-  for (const Message& doubt : task.body.doubts()) note(task.body.name(), doubt.text);
+  for (const Message& doubt : task.doubts) note(task.body.name(), doubt.text);
   if (generation.log.replay_differs > 0) {
     note("search", fmt::format("{} of {} candidates scored up to {:.4f} otherwise in the search's "
                                "single precision than in double, whose scores are given",

@@ -249,8 +249,7 @@ struct NodePlace {
 struct BodyDefinition {
   std::string name;          ///< "full_body", or the name of the character's file
   double stature = 0.0;      ///< m, standing height
-  double mass = 0.0;         ///< kg, of all links and loads together
-  double load = 0.0;         ///< kg, the heaviest load of a hand, included in mass
+  double mass = 0.0;         ///< kg, of all links together
   double lumbar_part = 1.0;  ///< the back's share of a bend, relative to a man's
   Transformd base;  ///< X_WB, the base link's frame in the world: +Y up, facing +Z, floor at y = 0
   std::vector<Dof> dofs;                 ///< parents before children
@@ -261,10 +260,8 @@ struct BodyDefinition {
   std::vector<Foot> feet;                ///< planted feet, the base among them if it is a foot
   std::vector<Capsule> capsules;         ///< collision shapes
   std::vector<BodyNode> nodes;           ///< the exported skeleton, parents before children
-  std::vector<double> start;             ///< (dofs) rad, start posture
-  std::optional<RobotFrame> robot;       ///< empty unless the body is from a robot's file
-  std::vector<Message> doubts;    ///< warnings for the user: guesses made while building the body
-  std::vector<NodePlace> places;  ///< positions of nodes that differ from the file's
+  std::vector<NodePlace> places;         ///< positions of nodes that differ from the file's
+  bool robot = false;  ///< a robot, whose strengths are effort limits, exactly known
 };
 
 /// An articulated body on a fixed base: immutable after construction, shared by all threads.
@@ -282,10 +279,10 @@ class BodyModel {
   [[nodiscard]] double stature() const { return definition_.stature; }
   /// The back's share of a bend, relative to a man's.
   [[nodiscard]] double lumbar_part() const { return definition_.lumbar_part; }
-  /// Mass of all links and loads together (kg).
+  /// Mass of all links together (kg).
   [[nodiscard]] double mass() const { return definition_.mass; }
-  /// The heaviest load of a hand (kg), included in mass().
-  [[nodiscard]] double load() const { return definition_.load; }
+  /// Whether it is a robot, whose strengths are effort limits, exactly known.
+  [[nodiscard]] bool is_robot() const { return definition_.robot; }
   /// Number of degrees of freedom.
   [[nodiscard]] int dof_count() const { return static_cast<int>(definition_.dofs.size()); }
   /// X_WB, the pose of the base link's frame in the world.
@@ -313,12 +310,6 @@ class BodyModel {
   [[nodiscard]] std::span<const Capsule> capsules() const { return definition_.capsules; }
   /// The nodes of the exported skeleton, parents before children.
   [[nodiscard]] std::span<const BodyNode> nodes() const { return definition_.nodes; }
-  /// Angles of the start posture, (dofs) rad.
-  [[nodiscard]] std::span<const double> start() const { return definition_.start; }
-  /// Warnings for the user: guesses made while building the body.
-  [[nodiscard]] std::span<const Message> doubts() const { return definition_.doubts; }
-  /// The robot's root pose and joints; empty for a person.
-  [[nodiscard]] const std::optional<RobotFrame>& robot() const { return definition_.robot; }
 
   /// Indices of the dofs that move a link, from the base outwards; empty for kBaseLink.
   [[nodiscard]] std::span<const int> chain(int link) const {
@@ -382,19 +373,35 @@ class BodyModel {
   std::shared_ptr<const BodyConstants<float>> constants_float_;
 };
 
-/// The posture and the velocities in which a motion begins or ends.
+/// A load that a hand holds: a point mass at an effector's point.
+struct HeldLoad {
+  int effector = 0;   ///< index of the effector, see BodyModel::effector
+  double mass = 0.0;  ///< kg, 0..kLoadMax
+
+  /// Whether both are the same.
+  bool operator==(const HeldLoad&) const = default;
+};
+
+/// The posture, the velocities and the loads with which a motion begins or ends.
 struct State {
   std::vector<double> angles{};      ///< (dofs) rad
   std::vector<double> velocities{};  ///< (dofs) rad/s; empty: at rest
+  std::vector<HeldLoad> held{};      ///< loads in the hands; goals' loads add to them
 
   /// Whether both are the same.
   bool operator==(const State&) const = default;
 };
 
-/// The start posture of the body.
-[[nodiscard]] inline State start_state(const BodyModel& body) {
-  return {.angles = {body.start().begin(), body.start().end()}};
-}
+/// A body with the state in which it was built; it can be passed where a body is expected.
+struct PosedBody {
+  BodyModel body;                     ///< the body, of no posture
+  State home{};                       ///< the state in which it was built, standing or sitting
+  std::vector<Message> doubts{};      ///< warnings for the user: guesses made while building it
+  std::optional<RobotFrame> robot{};  ///< joints of the robot's file; empty for a person
+
+  /// The body alone.
+  operator const BodyModel&() const { return body; }
+};
 
 /// The upper limit (rad) of a dof at the given angles (dofs, rad), couplings included.
 [[nodiscard]] double upper_limit(const BodyModel& body, int dof, std::span<const double> angles);

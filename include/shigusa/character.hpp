@@ -125,21 +125,20 @@ struct CharacterSpec {
 /// Builds the body of a measured or built-in character. `base`: the foot that is fixed, if both
 /// feet stand; `on_both`: both feet stand even if their height difference would make one of them
 /// count as lifted. Fails on a stature or mass out of range.
-[[nodiscard]] Result<BodyModel> build_character(const CharacterSpec& spec, Side base = Side::right,
+[[nodiscard]] Result<PosedBody> build_character(const CharacterSpec& spec, Side base = Side::right,
                                                 bool on_both = false);
 
-/// A measured character and its body.
-struct Character {
+/// A measured character: build_character of its description.
+struct Character : PosedBody {
   CharacterSpec spec;  ///< the measured description, with its file's rig
-  BodyModel body;      ///< build_character of the spec
 };
 
 /// Measures a character and builds its body: measure_character, then build_character.
 [[nodiscard]] Result<Character> open_character(CharacterSpec spec,
                                                const std::filesystem::path& folder = ".");
 
-/// Positions of all effectors in the start posture: (effectors) m, world.
-[[nodiscard]] std::vector<Vec3d> start_places(const BodyModel& body);
+/// Positions of all effectors in the home state: (effectors) m, world.
+[[nodiscard]] std::vector<Vec3d> start_places(const PosedBody& body);
 
 /// A point of the body that goals can be given for.
 struct GoalPlace {
@@ -149,10 +148,10 @@ struct GoalPlace {
 };
 /// All points of a body that goals can be given for: its effectors, and the base foot; a goal for
 /// the base foot makes the other foot the base.
-[[nodiscard]] std::vector<GoalPlace> goal_places(const BodyModel& body);
+[[nodiscard]] std::vector<GoalPlace> goal_places(const PosedBody& body);
 
 /// Name of the robot file's joint behind a dof; empty for a person.
-[[nodiscard]] std::string file_joint(const BodyModel& body, int dof);
+[[nodiscard]] std::string file_joint(const PosedBody& body, int dof);
 
 /// The lowest and highest limits (rad) of a dof, the upper one with the full growth of its
 /// LimitCoupling.
@@ -169,7 +168,7 @@ struct TwistShare {
 
 /// The measured character as JSON text, as printed by `shigusa body --json`; its `nodes` are those
 /// of node_motion.
-[[nodiscard]] std::string format_character(const CharacterSpec& spec, const BodyModel& body);
+[[nodiscard]] std::string format_character(const CharacterSpec& spec, const PosedBody& body);
 
 /// A node moved by node_motion: of the character's file if its rig is loaded, else of the body's
 /// skeleton.
@@ -184,13 +183,13 @@ struct CharacterNode {
 
 /// The nodes moved by node_motion, parents before children.
 [[nodiscard]] std::vector<CharacterNode> character_nodes(const CharacterSpec& character,
-                                                         const BodyModel& body);
+                                                         const PosedBody& body);
 /// Metres per unit of the nodes' translations.
 [[nodiscard]] double node_unit(const CharacterSpec& character);
 
 /// Transforms of all nodes of a motion on the character's own skeleton, relative to the parent:
 /// (frames × nodes), translations in units of node_unit. Fingers stay as in the file.
 [[nodiscard]] std::vector<LocalTransform> node_motion(const CharacterSpec& character,
-                                                      const BodyModel& body, const Clip& clip);
+                                                      const PosedBody& body, const Clip& clip);
 
 }  // namespace shigusa

@@ -51,7 +51,7 @@ struct TaskFile : Request {
 
 /// Builds the task's body, on a base foot without a goal if its character stands on two feet. The
 /// character must be measured or built in; fails as build_character does.
-[[nodiscard]] Result<BodyModel> build_body(const TaskFile& file);
+[[nodiscard]] Result<PosedBody> build_body(const TaskFile& file);
 
 /// Measures the character if needed (see measure_character; `folder` is where relative paths start)
 /// and makes the Task for generate().

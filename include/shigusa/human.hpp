@@ -187,7 +187,7 @@ inline constexpr double kLiftedFoot = 0.05;
 /// thigh as the base and the left thigh in place of a foot: the pelvis tips over them and does not
 /// turn otherwise. The lower legs are rigid with their thighs, and their soles, if on the floor,
 /// are part of the support polygon.
-[[nodiscard]] BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
+[[nodiscard]] PosedBody build_human(const Landmarks& landmarks, const HumanSettings& settings,
                                     std::vector<Message> doubts = {});
 
 /// Outward turn of each foot of the standing full body (rad): 14° between the feet (McIlroy and
@@ -196,10 +196,10 @@ inline constexpr double kStandingToeOut = radians(7.0);
 
 /// Builds the half body with 9 dof, standing at ease (standing_landmarks). PreconditionError for a
 /// stature or a mass out of range, as of the others below; open_character returns it as an Error.
-[[nodiscard]] BodyModel half_body(const BodyBuild& build = {});
+[[nodiscard]] PosedBody half_body(const BodyBuild& build = {});
 /// Builds the full body with 18 dof, standing at ease.
-[[nodiscard]] BodyModel full_body(const BodyBuild& build = {});
+[[nodiscard]] PosedBody full_body(const BodyBuild& build = {});
 /// Builds the human body with 45 dof, standing at ease.
-[[nodiscard]] BodyModel human_body(const BodyBuild& build = {});
+[[nodiscard]] PosedBody human_body(const BodyBuild& build = {});
 
 }  // namespace shigusa

@@ -198,14 +198,13 @@ inline constexpr double kFootLift = 0.10;
 
 /// A request on a body, with the settings of a run; the input of generate(). with_preset changes
 /// the preset together with its criteria and number of candidates.
-struct Task : Request {
-  /// Combines a body and a request.
-  explicit Task(BodyModel of, Request asked = {})
-      : Request(std::move(asked)), body(std::move(of)), start(start_state(body)) {}
+struct Task : Request, PosedBody {
+  /// Combines a body in its state and a request.
+  explicit Task(PosedBody of, Request asked = {})
+      : Request(std::move(asked)), PosedBody(std::move(of)), start(home) {}
 
-  BodyModel body;  ///< the body
-  /// The state in which motions begin, with the feet on the floor that stand: the body's start
-  /// posture, or the end of another motion. Presets with layers take only the former.
+  /// The state in which motions begin, with the feet on the floor that stand: home, or the end of
+  /// another motion. Presets with layers take only the former.
   State start;
   SearchFunction
       own_search{};  ///< user-defined search in place of `search`; not for presets with layers

@@ -57,11 +57,10 @@ struct ClipScore {
 struct Rig;
 
 /// A motion file and the body that follows it.
-struct RecordedMotion {
+struct RecordedMotion : PosedBody {
   SkeletonMotion motion;  ///< motion as in the file
   /// Relation of the file's nodes to the body; set by read_recorded and parse_recorded.
   std::shared_ptr<const Rig> rig;
-  BodyModel body;  ///< body that follows the motion
 };
 
 /// Reads a clip: .bvh, or an animation of a .glb, .gltf, .vrm or .vrma file, sampled at 60 Hz,

@@ -35,7 +35,6 @@ BodyDefinition checked(BodyDefinition body) {
   const int count = static_cast<int>(body.dofs.size());
   SHG_CHECK(count > 0, "a body needs at least one dof");
   SHG_CHECK(body.masses.size() == body.dofs.size(), "one mass per dof of " + body.name);
-  SHG_CHECK(body.start.size() == body.dofs.size(), "one start angle per dof of " + body.name);
   check_dofs(body);
   const auto is_link = [count](int link) { return link >= kBaseLink && link < count; };
   for (const Effector& effector : body.effectors) {
@@ -55,12 +54,6 @@ BodyDefinition checked(BodyDefinition body) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     SHG_CHECK(is_link(body.nodes[i].link), body.nodes[i].name);
     SHG_CHECK(body.nodes[i].parent < static_cast<int>(i), body.nodes[i].name);
-  }
-  if (body.robot) {
-    SHG_CHECK(is_link(body.robot->link), body.robot->root);
-    for (const RobotJoint& joint : body.robot->joints) {
-      SHG_CHECK(joint.dof >= -1 && joint.dof < count, joint.name);
-    }
   }
   for (const LimitCoupling& coupling : body.couplings) {
     SHG_CHECK(coupling.dof >= 0 && coupling.dof < count, "limit coupling");

@@ -5,8 +5,11 @@
 
 namespace shigusa {
 
-// A copy of the body with a load (kg, 0..kLoadMax) as a point mass at an effector's point: its
-// weight and inertia count for torques, balance and the floor.
-[[nodiscard]] BodyModel with_load(const BodyModel& body, int effector, double load);
+// A copy of the body with a load at an effector's point: its weight and inertia count for torques,
+// balance and the floor.
+[[nodiscard]] BodyModel with_load(const BodyModel& body, const HeldLoad& load);
+
+// The heaviest load (kg) of a hand in a state.
+[[nodiscard]] double heaviest_load(const State& state);
 
 }  // namespace shigusa

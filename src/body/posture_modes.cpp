@@ -156,6 +156,7 @@ std::vector<PostureMode> posture_modes(const BodyModel& body) {
 
 std::vector<PostureMode> posture_modes(const BodyModel& body, const State& start) {
   std::vector<PostureMode> modes = posture_modes(body);
+  if (start.angles.empty()) return modes;
   const Bent bent = bent_at_start(body, start);
   for (PostureMode& mode : modes) {
     if (mode.name == "squat") mode.lower -= bent.squat;

@@ -17,7 +17,7 @@ const Foot* base_foot(const BodyModel& body) {
 
 std::vector<const BodyNode*> base_nodes(const BodyModel& body) {
   std::vector<const BodyNode*> nodes;
-  if (body.robot()) return nodes;
+  if (body.is_robot()) return nodes;
   for (const BodyNode& node : body.nodes()) {
     if (node.link == kBaseLink && !node.name.empty()) nodes.push_back(&node);
   }

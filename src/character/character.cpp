@@ -162,7 +162,7 @@ Result<void> load_character(std::string bytes, CharacterSpec& spec,
                                       rig.rig.placement.mirrored());
   rig.rig.at_ease = found.eased;
   spec.rig = std::make_shared<const CharacterRig>(std::move(rig));
-  if (const Result<BodyModel> body = build_character(spec)) find_places(*body, spec);
+  if (const Result<PosedBody> body = build_character(spec)) find_places(*body, spec);
   return {};
 }
 
@@ -219,11 +219,11 @@ Result<void> attach_file(CharacterSpec& spec, const std::filesystem::path& path)
 
 Result<Character> open_character(CharacterSpec spec, const std::filesystem::path& folder) {
   SHG_TRY(measure_character(spec, folder));
-  SHG_TRY_ASSIGN(BodyModel body, build_character(spec));
-  return Character{std::move(spec), std::move(body)};
+  SHG_TRY_ASSIGN(PosedBody body, build_character(spec));
+  return Character{std::move(body), std::move(spec)};
 }
 
-Result<BodyModel> build_character(const CharacterSpec& spec, Side base, bool on_both) {
+Result<PosedBody> build_character(const CharacterSpec& spec, Side base, bool on_both) {
   if (spec.urdf) return build_robot_character(spec);
   SHG_TRY(check_range("stature", spec.stature, kStatureMin, kStatureMax, "m"));
   SHG_TRY(check_range("mass", spec.mass, kMassMin, kMassMax, "kg"));

@@ -28,9 +28,9 @@ Json placement_to_json(const Placement& p) {
           {"ahead", to_json(p.ahead)}};
 }
 
-Json nodes_to_json(const CharacterSpec& spec, const BodyModel& body) {
+Json nodes_to_json(const CharacterSpec& spec, const PosedBody& posed) {
   Json list = Json::array();
-  for (const CharacterNode& node : character_nodes(spec, body)) {
+  for (const CharacterNode& node : character_nodes(spec, posed)) {
     list.push_back(
         {{"name", node.name}, {"parent", node.parent}, {"offset", to_json(node.offset)}});
     if (node.scale != Vec3d{1, 1, 1}) list.back()["scale"] = to_json(node.scale);
@@ -40,8 +40,9 @@ Json nodes_to_json(const CharacterSpec& spec, const BodyModel& body) {
 }
 
 // Collision capsules in the start posture.
-Json capsules_to_json(const BodyModel& body) {
-  const Kinematics<double> start = start_kinematics(body);
+Json capsules_to_json(const PosedBody& posed) {
+  const BodyModel& body = posed.body;
+  const Kinematics<double> start = home_kinematics(posed);
   Json list = Json::array();
   for (const Capsule& capsule : body.capsules()) {
     list.push_back({{"name", capsule.name},
@@ -53,7 +54,8 @@ Json capsules_to_json(const BodyModel& body) {
   return list;
 }
 
-Json joints_to_json(const BodyModel& body) {
+Json joints_to_json(const PosedBody& posed) {
+  const BodyModel& body = posed.body;
   Json list = Json::array();
   for (int d = 0; d < body.dof_count(); ++d) {
     const Dof& dof = body.dof(d);
@@ -64,21 +66,22 @@ Json joints_to_json(const BodyModel& body) {
          {"dof", 1},
          {"limits_rad", {lower, upper}},
          {"strength_nm", {-dof.torque_negative, dof.torque_positive}},
-         {"start_rad", body.start()[index(d)]}});
+         {"start_rad", posed.home.angles[index(d)]}});
     if (const LimitCoupling* coupling = body.coupling_of(d)) {
       list.back()["limit_coupling"] = {{"driver", body.dof(coupling->driver).name},
                                        {"driver_rad", {0.0, coupling->driver_full}},
                                        {"upper_rad", {dof.upper, upper}}};
     }
-    if (body.robot()) list.back()["file_joint"] = file_joint(body, d);
+    if (posed.robot) list.back()["file_joint"] = file_joint(posed, d);
   }
   return list;
 }
 
 // Effectors that goals may be given for.
-Json places_to_json(const BodyModel& body) {
+Json places_to_json(const PosedBody& posed) {
+  const BodyModel& body = posed.body;
   Json list = Json::array();
-  const std::vector<Vec3d> places = start_places(body);
+  const std::vector<Vec3d> places = start_places(posed);
   for (int i = 0; i < body.effector_count(); ++i) {
     const Effector& effector = body.effector(i);
     list.push_back({{"effector", effector.name},
@@ -90,8 +93,9 @@ Json places_to_json(const BodyModel& body) {
 
 // Soles, for goals of feet: their corners relative to the effector in its own frame, and the
 // effector's height with the sole oriented as at the start.
-Json feet_to_json(const BodyModel& body) {
-  const Kinematics<double> start = start_kinematics(body);
+Json feet_to_json(const PosedBody& posed) {
+  const BodyModel& body = posed.body;
+  const Kinematics<double> start = home_kinematics(posed);
   Json list = Json::array();
   for (const Foot& foot : body.feet()) {
     const BodyNode* node = body.find_node(foot.node);
@@ -112,8 +116,9 @@ Json feet_to_json(const BodyModel& body) {
 
 }  // namespace
 
-std::vector<Vec3d> start_places(const BodyModel& body) {
-  const Kinematics<double> start = start_kinematics(body);
+std::vector<Vec3d> start_places(const PosedBody& posed) {
+  const BodyModel& body = posed.body;
+  const Kinematics<double> start = home_kinematics(posed);
   std::vector<Vec3d> places;
   for (int i = 0; i < body.effector_count(); ++i) {
     const Effector& effector = body.effector(i);
@@ -122,13 +127,14 @@ std::vector<Vec3d> start_places(const BodyModel& body) {
   return places;
 }
 
-std::vector<GoalPlace> goal_places(const BodyModel& body) {
+std::vector<GoalPlace> goal_places(const PosedBody& posed) {
+  const BodyModel& body = posed.body;
   std::vector<GoalPlace> all;
-  const std::vector<Vec3d> places = start_places(body);
+  const std::vector<Vec3d> places = start_places(posed);
   for (int i = 0; i < body.effector_count(); ++i) {
     all.push_back({body.effector(i).name, body.effector(i).node, places[index(i)]});
   }
-  const Kinematics<double> start = start_kinematics(body);
+  const Kinematics<double> start = home_kinematics(posed);
   for (const BodyNode* node : base_nodes(body)) {
     all.push_back({joint_word(node->name), node->name, start.point(node->link, node->point)});
   }
@@ -141,9 +147,9 @@ std::pair<double, double> widest_limits(const BodyModel& body, int dof) {
   return {d.lower, d.upper + (coupling == nullptr ? 0.0 : max(coupling->gain, 0.0))};
 }
 
-std::string file_joint(const BodyModel& body, int dof) {
-  if (!body.robot()) return {};
-  for (const RobotJoint& joint : body.robot()->joints) {
+std::string file_joint(const PosedBody& posed, int dof) {
+  if (!posed.robot) return {};
+  for (const RobotJoint& joint : posed.robot->joints) {
     if (joint.dof == dof) return joint.name;
   }
   return {};
@@ -159,44 +165,45 @@ std::vector<TwistShare> twist_shares(const CharacterSpec& spec) {
   return shares;
 }
 
-std::string format_character(const CharacterSpec& spec, const BodyModel& body) {
+std::string format_character(const CharacterSpec& spec, const PosedBody& posed) {
+  const BodyModel& body = posed.body;
   Json json{{"name", body.name()},
             {"stature_m", body.stature()},
             {"mass_kg", body.mass()},
             {"dof", body.dof_count()},
-            {"joints", joints_to_json(body)}};
+            {"joints", joints_to_json(posed)}};
   json["effectors"] = Json::array();
   for (const Effector& effector : body.effectors()) json["effectors"].push_back(effector.name);
-  json["places"] = places_to_json(body);
-  json["feet"] = feet_to_json(body);
+  json["places"] = places_to_json(posed);
+  json["feet"] = feet_to_json(posed);
   json["humanoid"] = Json::object();
   for (const auto& [bone, node] : spec.humanoid) json["humanoid"][bone] = node;
   json["twist_bones"] = Json::array();
   for (const auto& [node, bone, share] : twist_shares(spec)) {
     json["twist_bones"].push_back({{"node", node}, {"along", bone}, {"share", share}});
   }
-  json["nodes"] = nodes_to_json(spec, body);
+  json["nodes"] = nodes_to_json(spec, posed);
   json["node_unit_m"] = node_unit(spec);
   json["support_polygon"] = Json::array();
-  for (const Vec3d& corner : support_polygon(body, start_state(body))) {
+  for (const Vec3d& corner : support_polygon(body, posed.home)) {
     json["support_polygon"].push_back({corner.x, corner.z});
   }
-  json["capsules"] = capsules_to_json(body);
+  json["capsules"] = capsules_to_json(posed);
   if (spec.rig) {
     json["placement"] = placement_to_json(spec.rig->rig.placement);
     json["animations"] = spec.rig->animations;
     json["frames"] = spec.rig->frames;
     json["stature_guessed"] = spec.rig->stature_guessed;
   }
-  json["doubts"] = texts_to_json(body.doubts());
-  json["doubt_messages"] = messages_to_json(body.doubts());
+  json["doubts"] = texts_to_json(posed.doubts);
+  json["doubt_messages"] = messages_to_json(posed.doubts);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::vector<CharacterNode> character_nodes(const CharacterSpec& character, const BodyModel& body) {
+std::vector<CharacterNode> character_nodes(const CharacterSpec& character, const PosedBody& posed) {
   std::vector<CharacterNode> nodes;
   if (!character.rig) {
-    for (const SkeletonNode& node : body_skeleton(body).nodes) {
+    for (const SkeletonNode& node : body_skeleton(posed.body).nodes) {
       nodes.push_back({node.name, node.parent, node.offset});
     }
     return nodes;
@@ -215,10 +222,10 @@ double node_unit(const CharacterSpec& character) {
   return character.rig ? character.rig->rig.placement.unit : 1.0;
 }
 
-std::vector<LocalTransform> node_motion(const CharacterSpec& character, const BodyModel& body,
+std::vector<LocalTransform> node_motion(const CharacterSpec& character, const PosedBody& posed,
                                         const Clip& clip) {
-  if (!character.rig) return skeleton_motion(body, clip).clip.local;
-  return rig_motion(body, clip, character.rig->rig).local;
+  if (!character.rig) return skeleton_motion(posed.body, clip).clip.local;
+  return rig_motion(posed, clip, character.rig->rig).local;
 }
 
 }  // namespace shigusa

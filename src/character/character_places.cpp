@@ -19,11 +19,11 @@ constexpr std::size_t kPlacesMax = 64;  // more than the nodes of any body
 
 }  // namespace
 
-std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig) {
+std::vector<Vec3d> start_places(const PosedBody& body, const Rig& rig) {
   Clip clip;
-  clip.dofs = body.dof_count();
+  clip.dofs = body.body.dof_count();
   clip.frames = 1;
-  clip.angles.assign(body.start().begin(), body.start().end());
+  clip.angles = body.home.angles;
   const RigMotion motion = rig_motion(body, clip, rig);
   std::vector<Transformd> placed;
   std::vector<Vec3d> places;
@@ -40,12 +40,12 @@ std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig) {
   return places;
 }
 
-void find_places(const BodyModel& body, CharacterSpec& spec) {
+void find_places(const PosedBody& body, CharacterSpec& spec) {
   if (!spec.rig) return;
   const std::vector<Vec3d> places = start_places(body, spec.rig->rig);
-  const Kinematics<double> start = start_kinematics(body);
+  const Kinematics<double> start = home_kinematics(body);
   spec.places.clear();
-  for (const BodyNode& node : body.nodes()) {
+  for (const BodyNode& node : body.body.nodes()) {
     const int of_file = node.name.empty() ? -1 : rig_node(spec, node.name);
     if (of_file < 0) continue;
     const Vec3d& place = places[index(of_file)];
@@ -54,18 +54,19 @@ void find_places(const BodyModel& body, CharacterSpec& spec) {
   }
 }
 
-BodyModel placed_body(const CharacterSpec& spec, const BodyModel& body) {
+PosedBody placed_body(const CharacterSpec& spec, PosedBody body) {
   if (spec.places.empty()) return body;
-  const Kinematics<double> start = start_kinematics(body);
+  const Kinematics<double> start = home_kinematics(body);
   std::vector<NodePlace> places;
   for (const auto& [name, at] : spec.places) {
-    for (const BodyNode& node : body.nodes()) {
+    for (const BodyNode& node : body.body.nodes()) {
       if (node.name != name) continue;
       places.push_back({name, transpose_times(start.link_rotation(node.link),
                                               at - start.link_origin(node.link))});
     }
   }
-  return with_places(body, std::move(places));
+  body.body = with_places(body.body, std::move(places));
+  return body;
 }
 
 void read_places(JsonReader& character, std::vector<std::pair<std::string, Vec3d>>& places) {

@@ -8,14 +8,14 @@
 
 namespace shigusa {
 
-// (nodes) m, world: positions of the rig's nodes in the body's start posture.
-[[nodiscard]] std::vector<Vec3d> start_places(const BodyModel& body, const Rig& rig);
+// (nodes) m, world: positions of the rig's nodes with the body at home.
+[[nodiscard]] std::vector<Vec3d> start_places(const PosedBody& body, const Rig& rig);
 
 // Computes `places` of a measured person's spec, from its rig and its body.
-void find_places(const BodyModel& body, CharacterSpec& spec);
+void find_places(const PosedBody& body, CharacterSpec& spec);
 
-// Copy of the body with the spec's places.
-[[nodiscard]] BodyModel placed_body(const CharacterSpec& spec, const BodyModel& body);
+// The body with the spec's places.
+[[nodiscard]] PosedBody placed_body(const CharacterSpec& spec, PosedBody body);
 
 // Reads the optional object `places_m` of a character.
 void read_places(JsonReader& character, std::vector<std::pair<std::string, Vec3d>>& places);

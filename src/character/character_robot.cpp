@@ -166,28 +166,26 @@ Result<void> load_robot(std::string_view bytes, CharacterSpec& spec,
   return {};
 }
 
-Result<BodyModel> build_robot_character(const CharacterSpec& spec) {
+Result<PosedBody> build_robot_character(const CharacterSpec& spec) {
   SHG_TRY_ASSIGN(Robot robot, parse_urdf(*spec.urdf, file_name(spec)));
   SHG_TRY(check_masses(robot, spec));
   SHG_TRY(take_keyframe(robot, spec));
   SHG_TRY_ASSIGN(const ReadRobot read,
                  read_robot(std::move(robot), spec).map_error(told_absent(spec)));
-  SHG_TRY_ASSIGN(const BodyModel body, build_robot(read.robot, read.map, spec.mass)
-                                           .map_error(within(spec.source))
-                                           .map_error(told_absent(spec)));
-  BodyDefinition standing = body.definition();
+  SHG_TRY_ASSIGN(PosedBody standing, build_robot(read.robot, read.map, spec.mass)
+                                         .map_error(within(spec.source))
+                                         .map_error(told_absent(spec)));
   standing.doubts.insert(standing.doubts.end(), spec.doubts.begin(), spec.doubts.end());
-  if (std::optional<Message> size = doubt_of_size(body.stature())) {
+  if (std::optional<Message> size = doubt_of_size(standing.body.stature())) {
     standing.doubts.push_back(std::move(*size));
   }
   if (spec.animation) {
-    SHG_TRY_ASSIGN(standing.start,
-                   keyframe_posture(body, read.robot, *spec.animation, standing.doubts)
-                       .map_error(within(spec.source)));
+    SHG_TRY(settle_at_keyframe(standing, read.robot, *spec.animation)
+                .map_error(within(spec.source)));
   } else {
-    standing.start = settled_posture(body, standing.doubts);
+    settle(standing);
   }
-  return BodyModel(std::move(standing));
+  return standing;
 }
 
 }  // namespace shigusa

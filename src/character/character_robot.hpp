@@ -18,7 +18,7 @@ namespace shigusa {
                                       const std::optional<std::filesystem::path>& folder);
 
 // Body of a robot that was read, standing on settled feet.
-[[nodiscard]] Result<BodyModel> build_robot_character(const CharacterSpec& spec);
+[[nodiscard]] Result<PosedBody> build_robot_character(const CharacterSpec& spec);
 
 // Lists the mapped bones with their node names, given by name_of(index).
 inline void list_bones(const HumanoidMap& map, const auto& name_of, CharacterSpec& spec) {

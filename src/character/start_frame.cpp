@@ -26,9 +26,9 @@ bool could_hold(CharacterSpec spec, const Landmarks& start, double stature, cons
   spec.landmarks = start;
   spec.seat = std::nullopt;
   spec.heels = false;
-  const Result<BodyModel> body = build_character(spec);
+  const Result<PosedBody> body = build_character(spec);
   if (!body) return true;  // reported where the body is built
-  const Motion held = held_still(*body, start_state(*body));
+  const Motion held = held_still(body->body, body->home);
   for (const JointLoad& load : joint_loads(*body, held)) {
     if (load.share > hold.share) return false;
   }

@@ -5,6 +5,7 @@
 #include <shigusa/criteria.hpp>
 #include <vector>
 
+#include "body/load.hpp"
 #include "criteria/motion_frame.hpp"
 #include "criteria/posture_points.hpp"
 
@@ -38,7 +39,7 @@ class Coordination {
       : points_(posture_points(body, context.start)),
         hands_(goal_hands(body, context)),
         per_angle_(1.0 / angle),
-        of_trunk_(kKneeOfTrunk * (1.0 + kKneesOfLoad * body.load())),
+        of_trunk_(kKneeOfTrunk * (1.0 + kKneesOfLoad * heaviest_load(context.start))),
         per_ahead_(body.stature() > 0.0 ? 1.0 / (kHandAhead * body.stature()) : 0.0) {
     for (const int d : body.dofs_of(JointKind::knee, FreedomKind::flexion)) {
       knees_.push_back(static_cast<std::size_t>(d));

@@ -147,8 +147,8 @@ HandPlay hand_play(const Task& task) {
 
 std::vector<LocalTransform> node_motion(const CharacterSpec& character, const Task& task,
                                         const Clip& clip) {
-  if (!character.rig) return node_motion(character, task.body, clip);
-  return rig_motion(task.body, clip, character.rig->rig, hand_play(task)).local;
+  if (!character.rig) return node_motion(character, static_cast<const PosedBody&>(task), clip);
+  return rig_motion(task, clip, character.rig->rig, hand_play(task)).local;
 }
 
 std::string vrma_bone(const CharacterRig& character, int node, bool fingers) {
@@ -178,14 +178,14 @@ std::string free_animation(const CharacterSpec& character, const std::string& pl
   return name;
 }
 
-RigMotion CharacterExporter::motion_of(const BodyModel& body, const Clip& clip,
+RigMotion CharacterExporter::motion_of(const PosedBody& body, const Clip& clip,
                                        const Rig& rig) const {
   RigMotion motion = rig_motion(body, clip, rig, hands_);
   if (settings_.in_place) stay_in_place(rig, motion);
   return motion;
 }
 
-std::string CharacterExporter::bvh(const BodyModel& body, const Clip& clip) const {
+std::string CharacterExporter::bvh(const PosedBody& body, const Clip& clip) const {
   const bool own = character_.format == FileFormat::bvh;
   const Rig rig = own ? character_.rig : unturned(character_);
   const RigMotion moved = motion_of(body, clip, rig);
@@ -197,7 +197,7 @@ std::string CharacterExporter::bvh(const BodyModel& body, const Clip& clip) cons
   return format_bvh(motion, {.unit = unit, .channels = character_.channels});
 }
 
-GltfAnimation CharacterExporter::animation(const BodyModel& body, const Clip& clip,
+GltfAnimation CharacterExporter::animation(const PosedBody& body, const Clip& clip,
                                            const std::string& name) const {
   GltfAnimation animation =
       animation_of(character_.rig, character_.places, motion_of(body, clip, character_.rig), name);
@@ -213,7 +213,7 @@ Result<std::string> CharacterExporter::glb(std::span<const GltfAnimation> animat
   return add_animations(*character_.bytes, character_.file.filename().string(), animations, own);
 }
 
-Result<std::string> CharacterExporter::vrma(const BodyModel& body, const Clip& clip,
+Result<std::string> CharacterExporter::vrma(const PosedBody& body, const Clip& clip,
                                             const std::string& name) const {
   VrmSkeleton skeleton(character_, hands_.fingers);
   if (!skeleton.beside.empty()) {

@@ -20,11 +20,11 @@ class CharacterExporter final : public GlbExporter {
 
   // BVH text with the nodes of the character's file. A character from a BVH file keeps its channels
   // and unit; others are in centimetres.
-  [[nodiscard]] std::string bvh(const BodyModel& body, const Clip& clip) const;
+  [[nodiscard]] std::string bvh(const PosedBody& body, const Clip& clip) const;
 
   // Animation tracks: rotations of the nodes that turn, the translation of the hips, and the nodes
   // whose start frame differs from the rest pose.
-  [[nodiscard]] GltfAnimation animation(const BodyModel& body, const Clip& clip,
+  [[nodiscard]] GltfAnimation animation(const PosedBody& body, const Clip& clip,
                                         const std::string& name) const override;
 
   // The character's glTF file with the animations added before its own, or replacing them.
@@ -32,11 +32,11 @@ class CharacterExporter final : public GlbExporter {
 
   // VRM animation of the character's VRM bones. Eyes and jaw are left out, and so are fingers that
   // do not move.
-  [[nodiscard]] Result<std::string> vrma(const BodyModel& body, const Clip& clip,
+  [[nodiscard]] Result<std::string> vrma(const PosedBody& body, const Clip& clip,
                                          const std::string& name) const;
 
  private:
-  [[nodiscard]] RigMotion motion_of(const BodyModel& body, const Clip& clip, const Rig& rig) const;
+  [[nodiscard]] RigMotion motion_of(const PosedBody& body, const Clip& clip, const Rig& rig) const;
 
   const CharacterRig& character_;
   HandPlay hands_;

@@ -191,8 +191,8 @@ Result<RecordedMotion> on_its_person(MotionFile file, const std::string& name,
     character.doubts.insert(character.doubts.end(), found->begin(), found->end());
   }
   auto rig = std::make_shared<const Rig>(rig_of(file.motion, frame, measured));
-  SHG_TRY_ASSIGN(BodyModel body, build_character(character));
-  return RecordedMotion{std::move(file.motion), std::move(rig), std::move(body)};
+  SHG_TRY_ASSIGN(PosedBody body, build_character(character));
+  return RecordedMotion{std::move(body), std::move(file.motion), std::move(rig)};
 }
 
 // The motion on another body. The file is scaled to its stature, by the person measured in the
@@ -200,12 +200,12 @@ Result<RecordedMotion> on_its_person(MotionFile file, const std::string& name,
 Result<RecordedMotion> on_another_body(MotionFile file, const std::string& name,
                                        CharacterSpec character, int first) {
   SHG_TRY(measure_character(character, {}));
-  SHG_TRY_ASSIGN(BodyModel body, build_character(character));
-  SHG_TRY_ASSIGN(const MeasuredFile measured, measure(file, first, {}, {body.stature()}, name));
+  SHG_TRY_ASSIGN(PosedBody body, build_character(character));
+  SHG_TRY_ASSIGN(const MeasuredFile measured, measure(file, first, {}, {body.body.stature()}, name));
   Rig rig = rig_of(file.motion, first, measured);
   rig.start = start_of(character, body);
-  return RecordedMotion{std::move(file.motion), std::make_shared<const Rig>(std::move(rig)),
-                        std::move(body)};
+  return RecordedMotion{std::move(body), std::move(file.motion),
+                        std::make_shared<const Rig>(std::move(rig))};
 }
 
 void doubt(const ScoreSettings& settings, ClipScore& result) {
@@ -290,12 +290,12 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   const int around = static_cast<int>(min(kAround / clip.frame_time, 1000.0)) + 1;
   ClipScore result;
   result.fit =
-      fit_clip(recorded.body, *recorded.rig, recorded.motion, {settings.first, last, around});
+      fit_clip(recorded, *recorded.rig, recorded.motion, {settings.first, last, around});
   Clip smooth = result.fit.clip;
   if (settings.cutoff > 0.0) low_pass(smooth, settings.cutoff);
   const int first = result.fit.before;
   const CriteriaContext context{
-      .start = start_state(recorded.body),
+      .start = recorded.home,
       .effectors = reaching_hands(recorded.body, smooth, first, first + last - settings.first)};
   ClipPlayer player(recorded.body, context, settings.criteria);
   result.motion = player.play(smooth, first, first + last - settings.first);
@@ -303,7 +303,7 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   result.measures = measure_motion(recorded.body, result.motion, context);
   // the player's meter saw the surrounding frames too
   result.measures.support = player.support().margins();
-  PostureMeter meter(recorded.body);
+  PostureMeter meter(recorded.body, recorded.home);
   result.final_posture = meter.measure(result.motion.clip.frame(result.motion.clip.frames - 1), 0);
   doubt(settings, result);
   return result;

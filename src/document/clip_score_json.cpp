@@ -68,7 +68,7 @@ std::string format_clip_score(const std::string& clip, const RecordedMotion& rec
   json["follows"] = follows_to_json(score.fit, settings.first);
   json["feet"] = feet_to_json(recorded, score.fit);
   add_measures(recorded.body, score.measures, score.final_posture, json);
-  json["doubts"] = texts_to_json(recorded.body.doubts());
+  json["doubts"] = texts_to_json(recorded.doubts);
   for (const Message& doubt : score.doubts) json["doubts"].push_back(doubt.text);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -57,8 +57,8 @@ Json preset_to_json(const PresetTraits& traits) {
 Json bodies_to_json() {
   Json list = Json::array();
   for (const std::string_view name : kBuiltInCharacters) {
-    const Result<BodyModel> body = build_character({.source = std::string(name)});
-    list.push_back({{"name", name}, {"dof", body.value().dof_count()}});
+    const Result<PosedBody> body = build_character({.source = std::string(name)});
+    list.push_back({{"name", name}, {"dof", body.value().body.dof_count()}});
   }
   return list;
 }

@@ -19,7 +19,7 @@ class GlbExporter {
   virtual ~GlbExporter() = default;
 
   // The animation to pass to glb().
-  [[nodiscard]] virtual GltfAnimation animation(const BodyModel& body, const Clip& clip,
+  [[nodiscard]] virtual GltfAnimation animation(const PosedBody& body, const Clip& clip,
                                                 const std::string& name) const = 0;
   // The GLB file with these animations.
   [[nodiscard]] virtual Result<std::string> glb(

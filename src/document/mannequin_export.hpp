@@ -18,7 +18,7 @@ class MannequinExporter final : public GlbExporter {
                     const FileSettings& settings);
 
   // Animation tracks: rotations of the nodes that turn and the translation of the hips.
-  [[nodiscard]] GltfAnimation animation(const BodyModel& body, const Clip& clip,
+  [[nodiscard]] GltfAnimation animation(const PosedBody& body, const Clip& clip,
                                         const std::string& name) const override;
   [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const override;
 

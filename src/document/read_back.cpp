@@ -89,8 +89,8 @@ std::vector<Transformd> played(const CharacterRig& rig, const std::vector<int>& 
 
 ReadBackCheck::ReadBackCheck(const CharacterSpec& character, const Task& task,
                              const Candidate& candidate, const Clip& clip, bool in_place)
-    : character_(character), body_(task.body), clip_(clip), in_place_(in_place) {
-  if (character.rig) start_ = start_places(body_, character.rig->rig);
+    : character_(character), task_(task), body_(task.body), clip_(clip), in_place_(in_place) {
+  if (character.rig) start_ = start_places(task, character.rig->rig);
   for (const GoalResult& goal : candidate.goals) {
     add_mark(goal.asked.effector, goal.node, false, goal.turn.error.has_value());
   }
@@ -137,7 +137,7 @@ ReadBackCheck::Mark ReadBackCheck::hips() const {
 }
 
 Vec3d ReadBackCheck::in_link(int link, const Vec3d& at_start) const {
-  const Kinematics<double> start = start_kinematics(body_);
+  const Kinematics<double> start = home_kinematics(task_);
   return transpose_times(start.link_rotation(link), at_start - start.link_origin(link));
 }
 
@@ -258,7 +258,7 @@ Result<ReadBack> ReadBackCheck::compare(const FileMotion& file,
   }
   ReadBack back;
   Kinematics<double> now(body_);
-  const Kinematics<double> start = start_kinematics(body_);
+  const Kinematics<double> start = home_kinematics(task_);
   Places first;
   const Mark root = hips();
   const Vec3d begins = start.point(root.link, root.point);

@@ -81,6 +81,7 @@ class ReadBackCheck {
   [[nodiscard]] Mark hips() const;
 
   const CharacterSpec& character_;
+  const PosedBody& task_;
   const BodyModel& body_;
   const Clip& clip_;
   std::vector<Vec3d> start_;  // (nodes of the rig) m, world

@@ -286,7 +286,7 @@ std::string format_result(const FinishedRun& run, const ResultFiles& files) {
   }
   if (!files.notes.empty()) json["file_notes"] = texts_to_json(files.notes);
   json["search_detail"] = search_to_json(generation);
-  json["doubts"] = texts_to_json(task.body.doubts());
+  json["doubts"] = texts_to_json(task.doubts);
   json["task"] = task_to_json(played_task(file, generation));
   // names from files may hold any bytes; invalid UTF-8 is replaced
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -308,8 +308,8 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   SHG_TRY(check_character(result.task.character, place + ": task.character"));
   const Json& candidates = json["candidates"];
   SHG_TRY(check_count(candidates, place));
-  SHG_TRY_ASSIGN(const BodyModel body, build_body(result.task));
-  const Result<ParameterList> list = parameter_list(body, start_state(body), result.task);
+  SHG_TRY_ASSIGN(const PosedBody body, build_body(result.task));
+  const Result<ParameterList> list = parameter_list(body, body.home, result.task);
   if (!list) return fail(ErrorCode::parse, list.error().to_message(), place + ": task");
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const std::string at = fmt::format("{}: candidates[{}]", place, i);

@@ -87,7 +87,7 @@ std::string format_task(const TaskFile& task) {
   return task_to_json(task).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Result<BodyModel> build_body(const TaskFile& file) {
+Result<PosedBody> build_body(const TaskFile& file) {
   const auto is_right_foot = [](const std::string& name) {
     const JointPlace part = parse_joint_name(name);
     return part.side == Side::right &&
@@ -107,7 +107,7 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
   if (file.character.landmarks && !file.character.extent) {
     file.character.extent = usual_extent(file.preset);
   }
-  SHG_TRY_ASSIGN(BodyModel body, build_body(file));
+  SHG_TRY_ASSIGN(PosedBody body, build_body(file));
   Task task(std::move(body), file);
   const ParameterList list = parameter_list(whole_body_plan(task.body, task.start, task.supports));
   for (const std::string& assignment : file.fixed_assignments) {

@@ -21,8 +21,8 @@ constexpr std::array kPoseNames{"root.x [m]", "root.y [m]", "root.z [m]", "root.
                                 "root.qy",    "root.qz",    "root.qw"};
 
 // (frames) placements of the root.
-std::vector<Transformd> root_places(const BodyModel& body, const Clip& clip) {
-  const RobotFrame& robot = *body.robot();
+std::vector<Transformd> root_places(const BodyModel& body, const RobotFrame& robot,
+                                    const Clip& clip) {
   Kinematics<double> kinematics(body);
   std::vector<Transformd> places;
   for (int f = 0; f < clip.frames; ++f) {
@@ -67,11 +67,11 @@ void add_pose(const std::vector<Transformd>& places, std::vector<CsvColumn>& col
 // "JOINT [m]" for sliding joints) for all joints that move, in the file's order, then "JOINT torque
 // [N m]" for those that take part. If six joints attach the root to a world link, they drive it,
 // and root.* is the placement of the world link.
-void add_robot_columns(const BodyModel& body, const Motion& motion,
+void add_robot_columns(const PosedBody& body, const Motion& motion,
                        std::vector<CsvColumn>& columns) {
   const Clip& clip = motion.clip;
-  const RobotFrame& robot = *body.robot();
-  std::vector<Transformd> root = root_places(body, clip);
+  const RobotFrame& robot = *body.robot;
+  std::vector<Transformd> root = root_places(body.body, robot, clip);
   const std::vector<RootValues> ways = carried(robot, root);
   if (!ways.empty()) root.assign(root.size(), robot.world);
   add_pose(root, columns);
@@ -95,17 +95,17 @@ void add_robot_columns(const BodyModel& body, const Motion& motion,
       columns[first + robot.carriers[k].joint].values[f] += ways[f][k];
     }
   }
-  for (const RobotJoint& joint : body.robot()->joints) {
+  for (const RobotJoint& joint : robot.joints) {
     if (joint.dof < 0) continue;
     columns.push_back({joint.name + " torque [N m]", of_dof(joint, motion.torques)});
   }
 }
 
-void add_body_columns(const BodyModel& body, const Motion& motion,
+void add_body_columns(const PosedBody& body, const Motion& motion,
                       std::vector<CsvColumn>& columns) {
   const auto dofs = static_cast<std::size_t>(motion.clip.dofs);
   const auto add = [&](std::size_t d, const char* unit, const std::vector<double>& values) {
-    CsvColumn column{fmt::format("{} {}", body.dofs()[d].name, unit), {}};
+    CsvColumn column{fmt::format("{} {}", body.body.dofs()[d].name, unit), {}};
     for (std::size_t i = d; i < values.size(); i += dofs) column.values.push_back(values[i]);
     columns.push_back(std::move(column));
   };
@@ -124,12 +124,12 @@ void add_point_columns(const std::string& name, const std::vector<Vec3d>& points
 
 Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
   const Motion& motion = candidate.motion;
-  const bool robot = task.body.robot().has_value();
+  const bool robot = task.robot.has_value();
   std::vector<CsvColumn> columns{{"time [s]", {}}};
   for (int f = 0; f < motion.clip.frames; ++f) {
     columns[0].values.push_back(f * motion.clip.frame_time);
   }
-  (robot ? add_robot_columns : add_body_columns)(task.body, motion, columns);
+  (robot ? add_robot_columns : add_body_columns)(task, motion, columns);
   const auto add_points = [&](const std::string& name, std::vector<Vec3d> points) {
     if (robot) std::transform(points.begin(), points.end(), points.begin(), in_robot_world);
     add_point_columns(name, points, columns);

@@ -63,7 +63,7 @@ std::unique_ptr<GlbExporter> glb_exporter(const CharacterSpec& character, const 
 template <>
 Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
   const std::shared_ptr<const CharacterRig>& rig = request.character.rig;
-  const BodyModel& body = request.task.body;
+  const PosedBody& body = request.task;
   const FileSettings& settings = request.settings;
   const auto make = [&](const Clip& clip) -> Result<std::string> {
     if (rig) return exporter_of(request).bvh(body, clip);
@@ -84,7 +84,7 @@ Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
   const auto exporter = glb_exporter(request.character, request.task, request.settings);
   const std::string& name = request.settings.animation;
   const auto make = [&](const Clip& clip) {
-    return exporter->glb(std::vector{exporter->animation(request.task.body, clip, name)});
+    return exporter->glb(std::vector{exporter->animation(request.task, clip, name)});
   };
   return checked_file(request, make, [&](const ReadBackCheck& check, const std::string& bytes) {
     return check.glb(bytes, name);
@@ -95,7 +95,7 @@ template <>
 Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request) {
   const CharacterExporter exporter = exporter_of(request);
   const auto make = [&](const Clip& clip) {
-    return exporter.vrma(request.task.body, clip, request.settings.animation);
+    return exporter.vrma(request.task, clip, request.settings.animation);
   };
   return checked_file(request, make, [](const ReadBackCheck& check, const std::string& bytes) {
     return check.vrma(bytes);
@@ -117,7 +117,7 @@ Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
         settings.animation.empty()
             ? candidate_animation(character, i + 1)
             : free_animation(character, fmt::format("{} {}", settings.animation, i + 1));
-    animations.push_back(exporter->animation(task.body, clips.back(), name));
+    animations.push_back(exporter->animation(task, clips.back(), name));
   }
   SHG_TRY_ASSIGN(std::string bytes, exporter->glb(animations));
   MadeGlb made{std::move(bytes), {}};

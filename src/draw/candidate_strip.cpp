@@ -39,13 +39,13 @@ std::vector<Vec3d> corners_of(const Obstacle& box) {
 
 // Corners of the seat block under a seated person's thighs, down to the floor; empty if standing.
 // Sole corners are part of a thigh's contact outline and are left out.
-std::vector<Vec3d> seat_corners(const BodyModel& body) {
+std::vector<Vec3d> seat_corners(const PosedBody& posed) {
   constexpr double kAboveSoles = 0.08;  // m; seats are higher than that
-  const Kinematics<double> start = start_kinematics(body);
+  const Kinematics<double> start = home_kinematics(posed);
   Vec3d low{};
   Vec3d high{};
   bool any = false;
-  for (const Foot& foot : body.feet()) {
+  for (const Foot& foot : posed.body.feet()) {
     if (!is_on_seat(foot)) continue;
     for (const Vec3d& corner : foot.outline) {
       const Vec3d at = start.point(foot.link, corner);
@@ -68,7 +68,7 @@ std::vector<Vec3d> seat_corners(const BodyModel& body) {
 std::vector<StripThing> things_around(const Task& task) {
   std::vector<StripThing> things;
   for (const Obstacle& box : task.obstacles) things.push_back({corners_of(box), box.radius});
-  if (std::vector<Vec3d> seat = seat_corners(task.body); !seat.empty()) {
+  if (std::vector<Vec3d> seat = seat_corners(task); !seat.empty()) {
     things.push_back({std::move(seat)});
   }
   return things;

@@ -12,7 +12,8 @@ Result<TaskFile> mirrored(TaskFile task) {
   if (is_robot(task.character)) {
     return fail(ErrorCode::unsupported, say("robot_mirror", task.character.source));
   }
-  SHG_TRY_ASSIGN(const BodyModel body, build_character(task.character));
+  SHG_TRY_ASSIGN(const PosedBody built, build_character(task.character));
+  const BodyModel& body = built.body;
   for (const Dof& dof : body.dofs()) {
     if (body.find_dof(mirrored_name(dof.name))) continue;
     return fail(ErrorCode::unsupported,

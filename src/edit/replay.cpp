@@ -62,10 +62,10 @@ Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,
 }
 
 Result<void> mirror_result(StoredResult& stored) {
-  SHG_TRY_ASSIGN(const BodyModel body, build_body(stored.task));
+  SHG_TRY_ASSIGN(const PosedBody body, build_body(stored.task));
   SHG_TRY_ASSIGN(TaskFile image, mirrored(stored.task));
   SHG_TRY_ASSIGN(const Task task, make_task(image, {}));
-  SHG_TRY_ASSIGN(const ParameterList own, parameter_list(body, start_state(body), stored.task));
+  SHG_TRY_ASSIGN(const ParameterList own, parameter_list(body, body.home, stored.task));
   SHG_TRY_ASSIGN(const ParameterList other, parameter_list(task.body, task.start, task));
   stored.task = std::move(image);
   for (Parameters& values : stored.candidates) {

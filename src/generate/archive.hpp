@@ -39,7 +39,7 @@ class Archive {
   static constexpr std::size_t kPerCell = 4;
 
   // The body outlives the archive.
-  explicit Archive(const BodyModel& body);
+  explicit Archive(const PosedBody& body);
 
   // Adds points (motions × genes) with their scores (motions) and postures (motions × dofs).
   // Motions with a score of `worst` or above are skipped: they violate a constraint.

@@ -166,7 +166,8 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
   candidate.judgement = judge(body, rolled.motion, candidate.measures);
   const Clip& clip = rolled.motion.clip;
   candidate.final_posture =
-      PostureMeter(body).measure(clip.frame(clip.frames - 1), approach.goals.front().effector);
+      PostureMeter(body, task.home)
+          .measure(clip.frame(clip.frames - 1), approach.goals.front().effector);
   candidate.motion = std::move(rolled.motion);
   return candidate;
 }

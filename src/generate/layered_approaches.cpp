@@ -54,7 +54,7 @@ LayeredProblem in_layers(const ReachProblem& reach, const Plan& plan) {
   LayeredProblem problem{.reach = reach,
                          .in_reach = true,
                          .layers = plan,
-                         .limbs = find_limbs(body).value(),
+                         .limbs = find_limbs(body, reach.start()).value(),
                          .arms = {},
                          .arm_bodies = {}};
   for (const ReachGoal& goal : problem.reach.goals) {
@@ -62,7 +62,7 @@ LayeredProblem in_layers(const ReachProblem& reach, const Plan& plan) {
       if (problem.limbs.arms[a].effector != goal.effector) continue;
       problem.arms.push_back(static_cast<int>(a));
       const bool turning = goal.turn.kind != Turning::free;
-      problem.arm_bodies.push_back(arm_body(body, problem.limbs.arms[a], turning));
+      problem.arm_bodies.push_back(arm_body(body, reach.start(), problem.limbs.arms[a], turning));
     }
   }
   // The hand goes straight or around the body; out of reach it follows its path to the closest

@@ -58,7 +58,7 @@ PointScorer::PointScorer(const Problem& problem, const ReachProblem& approach,
       space_(space),
       threads_(threads),
       batch_(approach, criteria, {.simd = task_.batch.simd, .threads = threads}),
-      archive_(task_.body),
+      archive_(task_),
       squat_(SquatTarget::of(problem)) {}
 
 void PointScorer::score(std::span<const double> points, std::span<double> scores) {

@@ -35,12 +35,11 @@ double mean_knee(const BodyModel& body, std::span<const double> angles) {
 
 }  // namespace
 
-PostureMeter::PostureMeter(const BodyModel& body)
-    : body_(body), kinematics_(body), sits_(sits(body)) {
+PostureMeter::PostureMeter(const BodyModel& body, const State& home)
+    : body_(body), kinematics_(placed(body, home)), sits_(sits(body)) {
   for (std::size_t p = 0; p < kPlaces; ++p) {
     nodes_[p] = body.find_node(humanoid_bone_name(kPlaceBones[p]));
   }
-  forward_kinematics<double>(body_, body_.start(), kinematics_);
   hip_height_ = between(kLeftHip).y;
   shoulder_height_ = between(kLeftShoulder).y;
   heading_ = heading();

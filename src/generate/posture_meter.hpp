@@ -11,10 +11,10 @@
 
 namespace shigusa {
 
-// Measures postures of one body relative to its start posture. The body outlives it.
+// Measures postures of one body relative to its home. The body outlives it.
 class PostureMeter {
  public:
-  explicit PostureMeter(const BodyModel& body);
+  PostureMeter(const BodyModel& body, const State& home);
 
   // Measures angles (dofs, rad); `effector` is the index of the hand whose elbow is measured.
   [[nodiscard]] FinalPosture measure(std::span<const double> angles, int effector);
@@ -37,9 +37,9 @@ class PostureMeter {
   std::array<const BodyNode*, kPlaces> nodes_{};
   Kinematics<double> kinematics_;
   bool sits_ = false;
-  double hip_height_ = 0.0;       // m, at the start
-  double shoulder_height_ = 0.0;  // m, at the start
-  double heading_ = 0.0;          // rad, at the start
+  double hip_height_ = 0.0;       // m, at home
+  double shoulder_height_ = 0.0;  // m, at home
+  double heading_ = 0.0;          // rad, at home
 };
 
 // Whether a final posture is unnatural: folded over straight knees, crouching with the shoulders

@@ -107,11 +107,12 @@ std::vector<const StartRow*> nearest_rows(const StartTable& table, const Vec3d& 
 
 }  // namespace
 
-std::optional<Vec3d> start_place(const BodyModel& body, int effector, const Vec3d& goal) {
+std::optional<Vec3d> start_place(const BodyModel& body, const State& home, int effector,
+                                 const Vec3d& goal) {
   if (index(effector) >= body.effectors().size() || body.stature() <= 0.0) return std::nullopt;
   const Effector& hand = body.effector(effector);
   if (hand.part.limb != LimbKind::arm || !hand.part.side) return std::nullopt;
-  const Kinematics<double> start = start_kinematics(body);
+  const Kinematics<double> start = placed(body, home);
   const Vec3d shoulder = start.origin[index(hand.limb_root)];
   const double arm = arm_length(body, hand, start);
   if (arm <= 0.0) return std::nullopt;
@@ -150,7 +151,7 @@ std::vector<double> nearest_starts(const ReachProblem& problem, const ParameterS
   std::vector<double> counts(genes, 0.0);
   for (const ReachGoal& goal : problem.goals) {
     const BodyModel& body = *problem.body;
-    const std::optional<Vec3d> place = start_place(body, goal.effector, goal.path.goal);
+    const std::optional<Vec3d> place = start_place(body, problem.home, goal.effector, goal.path.goal);
     if (!place) continue;
     const bool left = body.effector(goal.effector).part.side == Side::left;
     const StartTable* table = table_of(space, body.feet().size(), left);

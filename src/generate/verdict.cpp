@@ -82,7 +82,7 @@ Judgement judge(const BodyModel& body, const MotionMeasures& measures) {
   Reasons reasons;
   for (const JointLoad& load : measures.loads) {
     const Dof& dof = body.dof(load.dof);
-    reasons.add(body.robot() ? kEffortBounds : kStrengthBounds,
+    reasons.add(body.is_robot() ? kEffortBounds : kStrengthBounds,
                 {.kind = ReasonKind::strength,
                  .amount = load.share,
                  .subject = dof.name,

@@ -37,7 +37,7 @@ WholeBodySearch::WholeBodySearch(const Problem& problem, const ReachProblem& app
       approach_(approach),
       run_(run),
       space_(approach, *problem.parameters, gene_code(problem.task), problem.task.fixed),
-      archive_(problem.task.body),
+      archive_(problem.task),
       budget_(run.evaluations.value_or(usual_evaluations(problem.task))),
       part_(style_part(problem.task, budget_)),
       threads_(problem.task.batch.threads),

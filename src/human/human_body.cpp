@@ -31,9 +31,9 @@ HumanBuilder::HumanBuilder(const Landmarks& person, const HumanSettings& setting
       settings_(settings),
       frames_(human_frames(person)),
       table_(segment_table(settings.sex)),
-      masses_(person, frames_, table_, settings.mass, settings.stature) {
+      masses_(person, frames_, table_, settings.mass, settings.stature),
+      doubts_(std::move(doubts)) {
   SHG_CHECK(!settings.heels || (whole() && !settings.sits), "heels lift of who stands, all joints");
-  body_.doubts = std::move(doubts);
   const double right_above = person.right_leg.ankle.y - person.left_leg.ankle.y;
   const bool both = settings.extent != BodyExtent::half;
   other_stands_ = both && (settings.on_both || abs(right_above) <= kLiftedFoot);
@@ -44,7 +44,7 @@ HumanBuilder::HumanBuilder(const Landmarks& person, const HumanSettings& setting
   if (!both) leg_strength_ = 2.0;
 }
 
-BodyModel HumanBuilder::build() {
+PosedBody HumanBuilder::build() {
   body_.name = settings_.name;
   body_.stature = settings_.stature;
   body_.lumbar_part = settings_.sex == Sex::female ? kWomensBack : 1.0;
@@ -55,14 +55,14 @@ BodyModel HumanBuilder::build() {
     add_arm(Side::left);
     add_leg(other(base_side_));
     if (!other_stands_ && !settings_.sits) {
-      body_.doubts.push_back(say("foot_lifted", base_side_ == Side::left ? "right " : "left "));
+      doubts_.push_back(say("foot_lifted", base_side_ == Side::left ? "right " : "left "));
     }
   }
   add_nodes();
   hold_start_posture();
   body_.mass = body_.base_mass.mass;
   for (const MassProperties& link : body_.masses) body_.mass += link.mass;
-  return BodyModel(std::move(body_));
+  return {BodyModel(std::move(body_)), {.angles = std::move(home_)}, std::move(doubts_)};
 }
 
 HumanBuilder::Part HumanBuilder::add_joint(const std::string& joint, const Part& on,
@@ -84,7 +84,7 @@ HumanBuilder::Part HumanBuilder::add_joint(const std::string& joint, const Part&
                           .torque_negative = f.limits.torque_negative * strength,
                           .give = f.give});
     body_.masses.emplace_back();
-    body_.start.push_back(f.start);
+    home_.push_back(f.start);
     part.link = static_cast<int>(body_.dofs.size()) - 1;
     offset = {};
   }
@@ -243,20 +243,20 @@ void HumanBuilder::hold_start_posture() {
     double upper = dof.upper;
     for (const LimitCoupling& c : body_.couplings) {
       if (c.dof != static_cast<int>(i)) continue;
-      const double driver = body_.start[index(c.driver)];
+      const double driver = home_[index(c.driver)];
       upper += c.gain * clamp(driver / c.driver_full, 0.0, 1.0);
     }
-    const double over = max(body_.start[i] - upper, 0.0);
-    const double under = max(dof.lower - body_.start[i], 0.0);
+    const double over = max(home_[i] - upper, 0.0);
+    const double under = max(dof.lower - home_[i], 0.0);
     if (max(over, under) <= 0.0) continue;
     dof.upper += over;
     dof.lower -= under;
     if (max(over, under) < radians(1.0)) continue;
-    body_.doubts.push_back(say("start_outside", dof.name, degrees(body_.start[i])));
+    doubts_.push_back(say("start_outside", dof.name, degrees(home_[i])));
   }
 }
 
-BodyModel build_human(const Landmarks& landmarks, const HumanSettings& settings,
+PosedBody build_human(const Landmarks& landmarks, const HumanSettings& settings,
                       std::vector<Message> doubts) {
   return HumanBuilder(landmarks, settings, std::move(doubts)).build();
 }
@@ -276,19 +276,19 @@ const BodyBuild& checked(const BodyBuild& build) {
 
 }  // namespace
 
-BodyModel half_body(const BodyBuild& build) {
+PosedBody half_body(const BodyBuild& build) {
   const BodyBuild& s = checked(build);
   return build_human(standing_landmarks(s.stature, 0.0),
                      {"half_body", BodyExtent::half, s.stature, s.mass, s.sex});
 }
 
-BodyModel full_body(const BodyBuild& build) {
+PosedBody full_body(const BodyBuild& build) {
   const BodyBuild& s = checked(build);
   return build_human(standing_landmarks(s.stature, kStandingToeOut),
                      {"full_body", BodyExtent::full, s.stature, s.mass, s.sex, s.base});
 }
 
-BodyModel human_body(const BodyBuild& build) {
+PosedBody human_body(const BodyBuild& build) {
   const BodyBuild& s = checked(build);
   return build_human(standing_landmarks(s.stature, kStandingToeOut), {.name = "human",
                                                                       .extent = BodyExtent::human,

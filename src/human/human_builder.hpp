@@ -20,7 +20,7 @@ namespace shigusa {
 class HumanBuilder {
  public:
   HumanBuilder(const Landmarks& person, const HumanSettings& settings, std::vector<Message> doubts);
-  BodyModel build();
+  PosedBody build();
 
  private:
   // A link in the start posture.
@@ -98,6 +98,8 @@ class HumanBuilder {
   const SegmentTable& table_;
   SegmentMasses masses_;
   BodyDefinition body_;
+  std::vector<double> home_;  // (dofs) rad
+  std::vector<Message> doubts_;
   Side base_side_ = Side::right;
   bool other_stands_ = false;
   double strength_ = 1.0;

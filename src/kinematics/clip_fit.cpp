@@ -32,18 +32,18 @@ Vec3d turn_of(const Mat3d& rotation) {
 
 class ClipFitter {
  public:
-  ClipFitter(const BodyModel& body, const Rig& rig)
-      : body_(body),
+  ClipFitter(const PosedBody& posed, const Rig& rig)
+      : body_(posed.body),
         rig_(rig),
         axes_(transpose(Mat3d{rig.placement.left, rig.placement.up, rig.placement.ahead})),
         rest_(at_rest(rig)),
-        placed_(body),
-        angles_(body.start().begin(), body.start().end()),
+        placed_(body_),
+        angles_(posed.home.angles),
         tried_(angles_),
         step_(angles_),
         normal_(std::make_unique<SmallSymmetric<double, kMaxDofs>>()) {
-    SHG_CHECK(body.dof_count() <= kMaxDofs, "a body of at most 128 freedoms");
-    find_targets();
+    SHG_CHECK(body_.dof_count() <= kMaxDofs, "a body of at most 128 freedoms");
+    find_targets(home_kinematics(posed));
   }
 
   ClipFit fit(const SkeletonMotion& recorded, const FitFrames& frames) {
@@ -93,10 +93,9 @@ class ClipFitter {
     Mat3d rotation{};                    // of the link, as recorded
   };
 
-  void find_targets() {
+  void find_targets(const Kinematics<double>& standing) {
     const HumanFrames rest = human_frames(rig_.rest);
     const HumanFrames start = human_frames(rig_.start);
-    const Kinematics<double> standing = start_kinematics(body_);
     std::vector<bool> given(body_.dofs().size(), false);
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const auto bone = static_cast<HumanoidBone>(b);
@@ -280,7 +279,7 @@ class ClipFitter {
 
 }  // namespace
 
-ClipFit fit_clip(const BodyModel& body, const Rig& rig, const SkeletonMotion& recorded,
+ClipFit fit_clip(const PosedBody& body, const Rig& rig, const SkeletonMotion& recorded,
                  const FitFrames& frames) {
   return ClipFitter(body, rig).fit(recorded, frames);
 }

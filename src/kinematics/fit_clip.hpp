@@ -22,13 +22,13 @@ struct FitFrames {
 //   min over q of  Σ_bones |p_bone(q) - p_recorded|² + l² |turn from R_link(q) to R_recorded|²,
 //
 // by Levenberg's damped Gauss-Newton steps from the neighbouring frame, for the first frame from
-// the start posture. Among bones on one link the first determines its turn; l is 3 cm, so that
+// the body's home. Among bones on one link the first determines its turn; l is 3 cm, so that
 // turns decide only the dofs left open by the joints (a forearm's rotation, a straight arm's). A
 // motion of the body itself is recovered exactly. Limits are ignored: people exceed them.
 //
 // The body's base is fixed. If the recorded one moves, the other joints follow as far as possible.
 // Source: D. W. Marquardt, J. SIAM 11 (1963) 431-441.
-[[nodiscard]] ClipFit fit_clip(const BodyModel& body, const Rig& rig,
+[[nodiscard]] ClipFit fit_clip(const PosedBody& body, const Rig& rig,
                                const SkeletonMotion& recorded, const FitFrames& frames);
 
 }  // namespace shigusa

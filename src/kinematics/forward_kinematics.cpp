@@ -12,8 +12,8 @@ Kinematics<double> placed(const BodyModel& body, const State& state) {
   return kinematics;
 }
 
-Kinematics<double> start_kinematics(const BodyModel& body) {
-  return placed(body, start_state(body));
+Kinematics<double> home_kinematics(const PosedBody& body) {
+  return placed(body.body, body.home);
 }
 
 }  // namespace shigusa

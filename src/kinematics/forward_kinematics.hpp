@@ -125,7 +125,7 @@ void forward_kinematics(const BodyModel& body, std::span<const S> q, Kinematics<
 // Placement of the body in a state.
 [[nodiscard]] Kinematics<double> placed(const BodyModel& body, const State& state);
 // Placement of the body in its start posture.
-[[nodiscard]] Kinematics<double> start_kinematics(const BodyModel& body);
+[[nodiscard]] Kinematics<double> home_kinematics(const PosedBody& body);
 
 // Velocity (m/rad, world) of the world point `at`, carried by the dof's link, per unit of the
 // dof's speed: column of the position Jacobian.

@@ -36,29 +36,29 @@ struct NodeDriver {
 
 class RigMover {
  public:
-  RigMover(const BodyModel& body, const Rig& rig, const HandPlay& hands)
-      : RigMover(body, rig, hands, human_frames(rig.rest), human_frames(rig.start)) {}
+  RigMover(const PosedBody& posed, const Rig& rig, const HandPlay& hands)
+      : RigMover(posed, rig, hands, human_frames(rig.rest), human_frames(rig.start)) {}
 
-  RigMover(const BodyModel& body, const Rig& rig, const HandPlay& hands, const HumanFrames& rest,
+  RigMover(const PosedBody& posed, const Rig& rig, const HandPlay& hands, const HumanFrames& rest,
            const HumanFrames& start)
-      : body_(body),
+      : body_(posed.body),
         rig_(rig),
-        start_(start_kinematics(body)),
-        now_(body),
-        twists_(body, rig, rest, start, start_),
+        start_(home_kinematics(posed)),
+        now_(body_),
+        twists_(body_, rig, rest, start, start_),
         fingers_(rig, hands),
         driver_(rig.nodes.size(), -1) {
     for (int b = 0; b < kHumanoidBoneCount; ++b) {
       const int node = rig.bones.node[index(b)];
       if (node < 0) continue;
-      const auto driver = bone_driver(static_cast<Bone>(b), body, rig, rest, start);
+      const auto driver = bone_driver(static_cast<Bone>(b), body_, rig, rest, start);
       if (!driver) continue;
       const bool apart = untwisted(rig.twists, static_cast<Bone>(b));
       drive(node, {*driver, apart ? twists_.find(static_cast<Bone>(b)) : -1});
     }
     for (const TwistBone& twist : rig.twists) {
       const int limb = twists_.find(twist.bone);
-      auto driver = bone_driver(twist.bone, body, rig, rest, start);
+      auto driver = bone_driver(twist.bone, body_, rig, rest, start);
       if (limb < 0 || !driver) continue;
       // a twist bone below the limb is carried by it
       driver->carries = !hangs_on(twist.node, rig.bones[twist.bone]);
@@ -69,7 +69,7 @@ class RigMover {
       const int grip = rig.grips[static_cast<std::size_t>(side)];
       const auto hand = side == Side::left ? Bone::left_hand : Bone::right_hand;
       if (grip < 0 || driver_[index(grip)] >= 0) continue;
-      if (const auto driver = bone_driver(hand, body, rig, rest, start)) drive(grip, {*driver});
+      if (const auto driver = bone_driver(hand, body_, rig, rest, start)) drive(grip, {*driver});
     }
     find_places();
   }
@@ -196,7 +196,7 @@ class RigMover {
 
 }  // namespace
 
-RigMotion rig_motion(const BodyModel& body, const Clip& clip, const Rig& rig,
+RigMotion rig_motion(const PosedBody& body, const Clip& clip, const Rig& rig,
                      const HandPlay& hands) {
   return RigMover(body, rig, hands).play(clip);
 }

@@ -68,7 +68,7 @@ struct RigMotion {
 // translations still place joints and grips exactly.
 //
 // Finger turns are added, see rig_fingers.hpp: no goal and no criterion depends on them.
-[[nodiscard]] RigMotion rig_motion(const BodyModel& body, const Clip& clip, const Rig& rig,
+[[nodiscard]] RigMotion rig_motion(const PosedBody& body, const Clip& clip, const Rig& rig,
                                    const HandPlay& hands = {});
 
 }  // namespace shigusa

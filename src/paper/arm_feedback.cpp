@@ -79,7 +79,7 @@ ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const 
                        .obstacles = {},
                        .limb = {}};
   // the arm's links are numbered from its shoulder on; its elbow holds all links beyond its dofs
-  const auto dofs = arm_dofs(arm, feedback.arm->dof_count() == kTurningArmDofs);
+  const auto dofs = arm_dofs(arm, feedback.arm->body.dof_count() == kTurningArmDofs);
   for (const Capsule& capsule : body.capsules()) {
     if (capsule.link != arm.hinge && !body.moves(arm.hinge, capsule.link)) continue;
     const auto own = std::find(dofs.begin(), dofs.end(), capsule.link);
@@ -88,7 +88,7 @@ ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const 
       feedback.limb.back().link = static_cast<int>(own - dofs.begin());
       continue;
     }
-    const Transformd held = held_place(body, arm.hinge, capsule.link);
+    const Transformd held = held_place(body, problem.reach.start(), arm.hinge, capsule.link);
     Capsule with_elbow = capsule;
     with_elbow.link = kArmDofs - 1;
     with_elbow.from = held * capsule.from;
@@ -114,7 +114,7 @@ ArmFeedback arm_feedback(const LayeredProblem& problem, std::size_t goal, const 
 
 double unavoidable_depth(const ArmFeedback& feedback) {
   // the hand's point moves with the limb, at a fixed distance from the limb's axis
-  const Vec3d& hand = feedback.arm->effectors()[0].point;
+  const Vec3d& hand = feedback.arm->body.effectors()[0].point;
   double at_start = 0.0;
   double deepest = -1e9;
   for (std::size_t f = 0; f < feedback.path.size(); ++f) {

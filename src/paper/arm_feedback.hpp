@@ -24,7 +24,7 @@ inline constexpr double kCollisionGrowth = 4.0;
 
 // One motion of the upper layer, as input to the lower layer's search of one arm.
 struct ArmFeedback {
-  const BodyModel* arm = nullptr;  // an arm_body
+  const PosedBody* arm = nullptr;  // an arm_body
   HandPath path;
   HandTurn<double> turn{};  // of the hand at the end
   double duration = 1.0;    // s

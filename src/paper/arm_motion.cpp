@@ -10,11 +10,11 @@ namespace shigusa {
 namespace {
 
 // The mass of the elbow's link with all links beyond it.
-MassProperties held_mass(const BodyModel& body, int elbow) {
+MassProperties held_mass(const BodyModel& body, const State& start, int elbow) {
   LinkMass sum = link_mass(body.link_mass(elbow));
   for (int link = elbow + 1; link < body.dof_count(); ++link) {
     if (!body.moves(elbow, link)) continue;
-    const Transformd back = inverse(held_place(body, elbow, link));
+    const Transformd back = inverse(held_place(body, start, elbow, link));
     sum.add(link_mass(link_mass(body.link_mass(link)).in_frame(back.rotation, back.translation)));
   }
   return sum.in_frame(Mat3d{}, {});
@@ -34,8 +34,9 @@ std::vector<int> arm_dofs(const BodyLimb& arm, bool turning) {
   return dofs;
 }
 
-BodyModel arm_body(const BodyModel& body, const BodyLimb& arm, bool turning) {
+PosedBody arm_body(const BodyModel& body, const State& start, const BodyLimb& arm, bool turning) {
   BodyDefinition alone;
+  State home;
   alone.name = arm.name;
   alone.stature = body.stature();
   int parent = kBaseLink;
@@ -45,16 +46,16 @@ BodyModel arm_body(const BodyModel& body, const BodyLimb& arm, bool turning) {
     if (dof == arm.flexion) copy.offset = {};
     alone.dofs.push_back(copy);
     const bool holds = !turning && dof == arm.hinge && holds_more(body, dof);
-    alone.masses.push_back(holds ? held_mass(body, dof) : body.link_mass(dof));
+    alone.masses.push_back(holds ? held_mass(body, start, dof) : body.link_mass(dof));
     alone.mass += alone.masses.back().mass;
-    alone.start.push_back(body.start()[static_cast<std::size_t>(dof)]);
+    home.angles.push_back(start.angles[static_cast<std::size_t>(dof)]);
   }
   Effector hand = body.effectors()[static_cast<std::size_t>(arm.effector)];
-  if (!turning) hand.point = held_place(body, arm.hinge, hand.link) * hand.point;
+  if (!turning) hand.point = held_place(body, start, arm.hinge, hand.link) * hand.point;
   hand.link = static_cast<int>(alone.dofs.size()) - 1;
   hand.limb_root = 0;
   alone.effectors = {hand};
-  return BodyModel(std::move(alone));
+  return {BodyModel(std::move(alone)), std::move(home)};
 }
 
 std::vector<double> inverse_weights(const ArmWeights& weights) {

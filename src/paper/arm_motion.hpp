@@ -15,10 +15,11 @@ namespace shigusa {
 inline constexpr int kTurningArmDofs = 7;
 
 // An arm alone, on an upright, fixed trunk: the body of the layer below. The base's frame is that
-// of the link that carries it, with the origin in the shoulder; the start posture is the body's. It
+// of the link that carries it, with the origin in the shoulder; its home is the body's start. It
 // has kArmDofs, and links beyond the elbow keep their start posture; with `turning`, for an arm
 // with a wrist, kTurningArmDofs.
-[[nodiscard]] BodyModel arm_body(const BodyModel& body, const BodyLimb& arm, bool turning = false);
+[[nodiscard]] PosedBody arm_body(const BodyModel& body, const State& start, const BodyLimb& arm,
+                                 bool turning = false);
 
 // The body's dofs for those of an arm_body, in its order.
 [[nodiscard]] std::vector<int> arm_dofs(const BodyLimb& arm, bool turning);
@@ -29,8 +30,9 @@ inline constexpr int kTurningArmDofs = 7;
 template <class S>
 class ArmRollout {
  public:
-  explicit ArmRollout(const BodyModel& arm) : arm_(&arm), placed_(arm), ik_(arm), q_(kArmDofs) {
-    SHG_CHECK(arm.dof_count() == kArmDofs, "an arm has four freedoms");
+  explicit ArmRollout(const PosedBody& arm)
+      : arm_(&arm.body), start_(arm.home.angles), placed_(*arm_), ik_(*arm_), q_(kArmDofs) {
+    SHG_CHECK(arm_->dof_count() == kArmDofs, "an arm has four freedoms");
   }
 
   // Moves the hand along a path. path (frames) m, of the hand from the shoulder in the trunk's
@@ -42,7 +44,7 @@ class ArmRollout {
     Constraint<S> target{.link = hand.link, .point = to_scalar<Element<S>>(hand.point)};
     const IkSettings settings;
     angles.resize(path.size() * q_.size());
-    for (std::size_t d = 0; d < q_.size(); ++d) angles[d] = q_[d] = S(arm_->start()[d]);
+    for (std::size_t d = 0; d < q_.size(); ++d) angles[d] = q_[d] = S(start_[d]);
     forward_kinematics<S>(*arm_, q_, placed_);
     S worst(0);
     for (std::size_t f = 1; f < path.size(); ++f) {
@@ -69,6 +71,7 @@ class ArmRollout {
   static constexpr int kStepsPerFrame = 3;
 
   const BodyModel* arm_;
+  std::span<const double> start_;  // (dofs) rad
   Kinematics<S> placed_;
   IkWorkspace<S> ik_;
   std::vector<S> q_;

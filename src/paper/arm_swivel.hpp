@@ -40,7 +40,7 @@ template <class S>
 class SwivelArm {
  public:
   // `limb` is the arm on the whole body.
-  SwivelArm(const BodyModel& arm, const BodyLimb& limb);
+  SwivelArm(const PosedBody& arm, const BodyLimb& limb);
 
   // Sets the path of all following runs. path: see ArmRollout::run; turn: of the hand, for an arm
   // with a wrist (kTurningArmDofs).
@@ -180,7 +180,7 @@ class SwivelArm {
   void turn_hand(const S& swivel) {
     const std::size_t end = lines_.size() - 1;
     const Vec3<S> axis = swivelled(end, swivel);
-    for (std::size_t d = 0; d < dofs(); ++d) last_[d] = S(arm_->start()[d]);
+    for (std::size_t d = 0; d < dofs(); ++d) last_[d] = S(start_[d]);
     const Dof& elbow = arm_->dof(kElbow);
     auto off = S(0) < S(1);
     for (int k = 0; k < kWristSteps && any(off); ++k) {
@@ -205,7 +205,7 @@ class SwivelArm {
   void turn_wrist(std::size_t frame) {
     const S share(schedule(frame));
     for (std::size_t d = kForearm; d < dofs(); ++d) {
-      const S start(arm_->start()[d]);
+      const S start(start_[d]);
       q_[d] = start + (last_[d] - start) * share;
     }
   }
@@ -221,6 +221,7 @@ class SwivelArm {
   }
 
   const BodyModel* arm_;
+  std::span<const double> start_;  // (dofs) rad
   BasicHingedLimb<S> segments_;  // with the wrist in its start posture
   double outwards_;              // sign of the turn about u that lifts the elbow outwards
   HandTurn<S> turn_;
@@ -231,20 +232,21 @@ class SwivelArm {
 };
 
 template <class S>
-SwivelArm<S>::SwivelArm(const BodyModel& arm, const BodyLimb& limb)
-    : arm_(&arm),
+SwivelArm<S>::SwivelArm(const PosedBody& arm, const BodyLimb& limb)
+    : arm_(&arm.body),
+      start_(arm.home.angles),
       segments_(limb.segments),
-      outwards_(arm.dof(1).sign),
-      q_(arm.dofs().size()),
+      outwards_(arm_->dof(1).sign),
+      q_(arm_->dofs().size()),
       last_(q_) {
-  SHG_CHECK(arm.dof_count() == kArmDofs || arm.dof_count() == kTurningArmDofs,
+  SHG_CHECK(arm_->dof_count() == kArmDofs || arm_->dof_count() == kTurningArmDofs,
             "an arm has four freedoms, or seven");
 }
 
 template <class S>
 void SwivelArm<S>::follow(std::span<const Vec3<S>> path, const HandTurn<S>& turn) {
   turn_ = turn;
-  for (std::size_t d = 0; d < dofs(); ++d) q_[d] = S(arm_->start()[d]);
+  for (std::size_t d = 0; d < dofs(); ++d) q_[d] = S(start_[d]);
   const auto angle = [&](int dof) { return S(arm_->dof(dof).sign) * q_[index(dof)]; };
   const Mat3<S> start = ball_rotation<S>({angle(0), angle(1), angle(2)});
   const Vec3<S> hand = hand_at(segments_, q_[kElbow]);
@@ -272,7 +274,7 @@ template <class S>
 S SwivelArm<S>::run(const S& swivel, std::vector<S>& angles) {
   angles.resize(lines_.size() * dofs());
   if (turns()) turn_hand(swivel);
-  for (std::size_t d = 0; d < dofs(); ++d) angles[d] = q_[d] = S(arm_->start()[d]);
+  for (std::size_t d = 0; d < dofs(); ++d) angles[d] = q_[d] = S(start_[d]);
   S worst(0);
   for (std::size_t f = 1; f < lines_.size(); ++f) {
     if (turns()) turn_wrist(f);

@@ -74,9 +74,10 @@ void add_idle_arm(const BodyModel& body, const BodyLimb& arm, const Layer& alone
 
 }  // namespace
 
-Result<std::vector<Layer>> human_layers(const BodyModel& body, const CriteriaSettings& criteria,
+Result<std::vector<Layer>> human_layers(const BodyModel& body, const State& start,
+                                        const CriteriaSettings& criteria,
                                         LayerReading reading) {
-  SHG_TRY_ASSIGN(std::vector<Layer> layers, paper_layers(body, criteria, reading));
+  SHG_TRY_ASSIGN(std::vector<Layer> layers, paper_layers(body, start, criteria, reading));
   for (Delegate& handed : layers[0].delegates) {
     if (handed.by != DelegateMethod::limb_library) continue;
     handed.by = DelegateMethod::swivel;
@@ -87,7 +88,7 @@ Result<std::vector<Layer>> human_layers(const BodyModel& body, const CriteriaSet
   }
   Layer rest{
       .name = kRest, .body = {}, .parameters = {}, .criteria = rest_criteria(), .delegates = {}};
-  const BodyLimbs limbs = find_limbs(body).value();
+  const BodyLimbs limbs = find_limbs(body, start).value();
   for (std::size_t a = 0; a < limbs.arms.size(); ++a) {
     Layer& arm = layers[1 + a];
     add_idle_arm(body, limbs.arms[a], arm, rest);
@@ -97,15 +98,16 @@ Result<std::vector<Layer>> human_layers(const BodyModel& body, const CriteriaSet
   return layers;
 }
 
-Result<std::vector<Layer>> make_layers(const BodyModel& body, const LayerChoice& choice,
+Result<std::vector<Layer>> make_layers(const BodyModel& body, const State& start,
+                                       const LayerChoice& choice,
                                        const CriteriaSettings& criteria) {
   switch (choice.stack) {
     case LayerStack::paper:
-      return paper_layers(body, criteria, choice.reading);
+      return paper_layers(body, start, criteria, choice.reading);
     case LayerStack::human:
       break;
   }
-  return human_layers(body, criteria, choice.reading);
+  return human_layers(body, start, criteria, choice.reading);
 }
 
 bool searches(const Layer& layer, ParameterKind kind) {

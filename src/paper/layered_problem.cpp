@@ -20,15 +20,15 @@ LayeredSetup::LayeredSetup(const LayeredProblem& of_problem)
   std::size_t by_weights = 0;
   std::size_t by_swivel = 0;
   for (std::size_t g = 0; g < problem->arms.size(); ++g) {
-    const BodyModel& alone_body = problem->arm_bodies[g];
+    const PosedBody& alone_arm = problem->arm_bodies[g];
     ReachProblem& own = alone.emplace_back();
-    own.body = &alone_body;
-    own.context.start = start_state(alone_body);
+    own.body = &alone_arm.body;
+    own.context.start = alone_arm.home;
     own.duration = problem->reach.duration;
     own.steps = problem->reach.steps;
     alone_coarsely.push_back(own);
     alone_coarsely.back().steps /= kCoarseFrames;
-    moved.push_back(arm_dofs(arm(g), alone_body.dof_count() == kTurningArmDofs));
+    moved.push_back(arm_dofs(arm(g), alone_arm.body.dof_count() == kTurningArmDofs));
     const bool swivels = searches(problem->layers[1 + g], ParameterKind::swivel);
     arms.push_back({swivels, swivels ? by_swivel++ : by_weights++});
   }

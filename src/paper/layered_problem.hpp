@@ -17,7 +17,7 @@ struct LayeredProblem {
   std::vector<Layer> layers;  // the layers that lead to the goals (layers_to_goals)
   BodyLimbs limbs;
   std::vector<int> arms;              // (goals) index in limbs.arms
-  std::vector<BodyModel> arm_bodies;  // (goals)
+  std::vector<PosedBody> arm_bodies;  // (goals)
   // approaches of all joints of the whole body at once, to the goals or to the closest point
   std::vector<ReachProblem> body_approaches{};
 };

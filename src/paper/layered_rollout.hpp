@@ -116,7 +116,7 @@ class LayeredRollout {
   BasicReachOutcome<S> play(std::span<const S> finals, Visitor&& visit) {
     BasicReachOutcome<S> outcome;
     for (std::size_t d = 0; d < drawn_.size(); ++d) {
-      angles_[0][d] = angles_[1][d] = S(body_->start()[d]);
+      angles_[0][d] = angles_[1][d] = S(setup_->problem->reach.start().angles[d]);
     }
     now_ = 0;
     forward_kinematics<S>(*body_, angles_[1], now());

@@ -24,7 +24,8 @@ constexpr double kShoulderSlack = 0.05;
 // Increment (m) of the detour until the path is far enough out.
 constexpr double kDetourStep = 0.01;
 
-std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings) {
+std::uint64_t hash_of(const PosedBody& posed, const LimbLibrarySettings& settings) {
+  const BodyModel& arm = posed.body;
   Fnv1a hash;
   const auto add = [&hash](const Vec3d& v) {
     for (int k = 0; k < 3; ++k) hash.add(v[k]);
@@ -40,7 +41,7 @@ std::uint64_t hash_of(const BodyModel& arm, const LimbLibrarySettings& settings)
     add(dof.offset);
     hash.add(static_cast<std::uint64_t>(dof.axis));
     for (const double x : {dof.sign, dof.lower, dof.upper, dof.torque_positive, dof.torque_negative,
-                           arm.start()[index(d)], arm.link_mass(d).mass}) {
+                           posed.home.angles[index(d)], arm.link_mass(d).mass}) {
       hash.add(x);
     }
     const MassProperties& mass = arm.link_mass(d);
@@ -100,10 +101,11 @@ constexpr std::size_t kHeaderBytes = kMagic.size() + 4 + 8 + 4;
 
 }  // namespace
 
-LimbLibrary::LimbLibrary(BodyModel arm, const LimbLibrarySettings& settings)
-    : arm_(std::move(arm)),
+LimbLibrary::LimbLibrary(PosedBody arm, const LimbLibrarySettings& settings)
+    : arm_(arm.body),
+      home_(arm.home),
       settings_(settings),
-      hash_(hash_of(arm_, settings)),
+      hash_(hash_of(arm, settings)),
       cells_(index(kLimbCells)) {
   SHG_CHECK(arm_.dof_count() == kArmDofs, "an arm has four freedoms");
   SHG_CHECK(settings.criteria.user.empty(), "a library is scored by built-in criteria");
@@ -112,7 +114,7 @@ LimbLibrary::LimbLibrary(BodyModel arm, const LimbLibrarySettings& settings)
   const HingedLimb segments(elbow.offset, hand.point, elbow.sign);
   const double plane = segments.length(kLeastBend);
   longest_ = sqrt(plane * plane + segments.across() * segments.across());
-  const Kinematics<double> placed = start_kinematics(arm_);
+  const Kinematics<double> placed = shigusa::placed(arm_, home_);
   hanging_ = placed.point(hand.link, hand.point);
 }
 
@@ -177,7 +179,7 @@ void LimbLibrary::build(int cell) {
   if (entry.built) return;
   ReachProblem problem;
   problem.body = &arm_;
-  problem.context.start = start_state(arm_);
+  problem.context.start = home_;
   problem.goals = {{0, path_to(cell)}};
   problem.duration = reach_duration(norm(goal_of(cell) - hanging_), false);
   BatchRollout batch(problem, settings_.criteria, settings_.batch);

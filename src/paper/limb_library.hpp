@@ -37,7 +37,7 @@ struct LimbLibrarySettings {
 class LimbLibrary {
  public:
   // Makes a library of an arm_body.
-  explicit LimbLibrary(BodyModel arm, const LimbLibrarySettings& settings = {});
+  explicit LimbLibrary(PosedBody arm, const LimbLibrarySettings& settings = {});
 
   // The cell nearest to a hand's position (m, from the shoulder, in the trunk's frame).
   [[nodiscard]] int cell_of(const Vec3d& hand) const;
@@ -72,6 +72,7 @@ class LimbLibrary {
   };
 
   BodyModel arm_;
+  State home_;
   LimbLibrarySettings settings_;
   double longest_ = 0.0;  // m
   Vec3d hanging_{};       // m, the hand in the start posture

@@ -12,9 +12,8 @@ namespace {
 // Builds the reduced body from the start posture of the whole one.
 class Reducer {
  public:
-  Reducer(const BodyModel& body, const BodyLimbs& limbs)
-      : body_(body), limbs_(limbs), placed_(body) {
-    forward_kinematics<double>(body, body.start(), placed_);
+  Reducer(const BodyModel& body, const State& start, const BodyLimbs& limbs)
+      : body_(body), start_(start.angles), limbs_(limbs), placed_(placed(body, start)) {
     reduced_.base = body.base();
   }
 
@@ -68,7 +67,7 @@ class Reducer {
   // Gives a reduced dof the limits of the body's, widened to its start.
   void hold_to_limits(int dof, int reduced) {
     const Dof& from = body_.dof(dof);
-    const double start = body_.start()[static_cast<std::size_t>(dof)];
+    const double start = start_[static_cast<std::size_t>(dof)];
     ReducedDof& to = reduced_.dofs[static_cast<std::size_t>(reduced)];
     to.lower = std::min(from.lower, start);
     to.upper = std::max(from.upper, start);
@@ -91,7 +90,7 @@ class Reducer {
   // Adds a dof of the spine or of a clavicle.
   void add_joint(int dof) {
     const Dof& from = body_.dof(dof);
-    const double start = body_.start()[static_cast<std::size_t>(dof)];
+    const double start = start_[static_cast<std::size_t>(dof)];
     const int joint = add_like(dof, reduced_link(from.parent), from.offset, start);
     hold_to_limits(dof, joint);
     ReducedDof& added = reduced_.dofs.back();
@@ -120,8 +119,8 @@ class Reducer {
     double length;
   };
   [[nodiscard]] LegLine leg_line(const BodyLimb& leg) const {
-    const double knee = body_.start()[static_cast<std::size_t>(leg.hinge)];
-    const double ankle = body_.start()[static_cast<std::size_t>(leg.ankle)];
+    const double knee = start_[static_cast<std::size_t>(leg.hinge)];
+    const double ankle = start_[static_cast<std::size_t>(leg.ankle)];
     return {ankle + leg.segments.direction(knee), leg.segments.length(knee)};
   }
 
@@ -129,7 +128,7 @@ class Reducer {
   // rotation.
   [[nodiscard]] std::vector<double> ball_starts(const BodyLimb& leg, const Mat3d& line) const {
     const Mat3d& trunk = placed_.link_rotation(limbs_.trunk);
-    std::vector<double> angles(body_.start().begin(), body_.start().end());
+    std::vector<double> angles = start_;
     const BallTurns near = leg.turns_of<double>(body_, angles);
     leg.put_turns<double>(body_, ball_turns(transpose(trunk) * line, near), angles);
     return angles;
@@ -142,7 +141,7 @@ class Reducer {
     return foot * rotation(Axis::z, leg.carries ? turn : -turn);
   }
   [[nodiscard]] double inversion_of(const BodyLimb& leg) const {
-    return body_.start()[static_cast<std::size_t>(leg.inversion)];
+    return start_[static_cast<std::size_t>(leg.inversion)];
   }
 
   void add_carrying_leg(const BodyLimb& leg) {
@@ -217,6 +216,7 @@ class Reducer {
   }
 
   const BodyModel& body_;
+  const std::vector<double>& start_;  // (dofs) rad
   const BodyLimbs& limbs_;
   Kinematics<double> placed_;
   ReducedBody reduced_;
@@ -224,8 +224,8 @@ class Reducer {
 
 }  // namespace
 
-ReducedBody reduced_body(const BodyModel& body, const BodyLimbs& limbs) {
-  return Reducer(body, limbs).reduce();
+ReducedBody reduced_body(const BodyModel& body, const State& start, const BodyLimbs& limbs) {
+  return Reducer(body, start, limbs).reduce();
 }
 
 }  // namespace shigusa

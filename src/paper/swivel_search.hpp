@@ -32,8 +32,8 @@ class SwivelSearch {
   SwivelSearch(const LayeredSetup& setup, std::size_t goal, Pace pace = Pace::each_frame)
       : pace_(pace),
         range_(&setup.problem->layers[1 + goal].parameters.front()),
-        body_(&setup.problem->arm_bodies[goal]),
-        moved_(*body_, setup.arm(goal)),
+        body_(&setup.problem->arm_bodies[goal].body),
+        moved_(setup.problem->arm_bodies[goal], setup.arm(goal)),
         placed_(*body_),
         dynamics_(pace == Pace::each_frame ? setup.alone[goal] : setup.alone_coarsely[goal]),
         criteria_(*body_, setup.alone[goal].context, setup.problem->layers[1 + goal].criteria),

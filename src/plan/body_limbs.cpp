@@ -89,7 +89,7 @@ std::optional<BodyLimb> planted_leg(const BodyModel& body, std::span<const int> 
 }
 
 // The arm of a chain that begins at the shoulder.
-std::optional<BodyLimb> arm_of(const BodyModel& body, std::span<const int> chain,
+std::optional<BodyLimb> arm_of(const BodyModel& body, const State& start, std::span<const int> chain,
                                const Effector& effector) {
   if (chain.size() != kArmToElbow && chain.size() != kArmToHand) return std::nullopt;
   BodyLimb arm{.name = side_of(body.dof(chain[0])) + "_arm",
@@ -112,27 +112,27 @@ std::optional<BodyLimb> arm_of(const BodyModel& body, std::span<const int> chain
     }
   }
   arm.root = body.dof(arm.flexion).offset;
-  const Vec3d hand = held_place(body, arm.hinge, effector.link) * effector.point;
+  const Vec3d hand = held_place(body, start, arm.hinge, effector.link) * effector.point;
   arm.segments = HingedLimb(elbow.offset, hand, elbow.sign);
   return arm;
 }
 
 }  // namespace
 
-Transformd held_place(const BodyModel& body, int carrier, int link) {
+Transformd held_place(const BodyModel& body, const State& start, int carrier, int link) {
   if (link == carrier) return {};
   SHG_CHECK(link != kBaseLink, "a link that the other one carries");
   const Dof& dof = body.dof(link);
-  const double angle = dof.sign * body.start()[static_cast<std::size_t>(link)];
-  return held_place(body, carrier, dof.parent) * Transformd{rotation(dof.axis, angle), dof.offset};
+  const double angle = dof.sign * start.angles[static_cast<std::size_t>(link)];
+  return held_place(body, start, carrier, dof.parent) * Transformd{rotation(dof.axis, angle), dof.offset};
 }
 
-Result<BodyLimbs> find_limbs(const BodyModel& body) {
+Result<BodyLimbs> find_limbs(const BodyModel& body, const State& start) {
   const auto refuse = [&body](const Message& what) {
     return fail(ErrorCode::unsupported, say("layers_bodies", what), body.name());
   };
   BodyLimbs limbs;
-  if (body.robot()) return refuse(say("robot_has_others"));
+  if (body.is_robot()) return refuse(say("robot_has_others"));
   if (body.effectors().empty()) return refuse(say("has_no_hand"));
   const int shoulder = body.effectors()[0].limb_root;
   const auto trunk_chain = leg_of(body, body.chain(body.dof(shoulder).parent));
@@ -157,7 +157,7 @@ Result<BodyLimbs> find_limbs(const BodyModel& body) {
     const auto carrier = body.chain(body.dof(effector.limb_root).parent);
     const auto chain = body.chain(effector.link);
     if (!begins_with(carrier, trunk_chain)) return refuse(say("limb_differs", effector.name));
-    std::optional<BodyLimb> arm = arm_of(body, chain.subspan(carrier.size()), effector);
+    std::optional<BodyLimb> arm = arm_of(body, start, chain.subspan(carrier.size()), effector);
     if (!arm) return refuse(say("limb_differs", effector.name));
     arm->effector = static_cast<int>(e);
     limbs.arms.push_back(*arm);

@@ -81,9 +81,10 @@ struct BodyLimbs {
 // Finds the limbs by the shape of the body's tree: legs of 1 + 1 + 3 dofs, or 2 + 1 + 3 with an
 // ankle that inverts; a trunk that is rigid or has joints; arms of 3 + 1 dofs, or 3 + 2 + 2 with a
 // forearm that turns and a wrist. Fails for bodies with another tree.
-[[nodiscard]] Result<BodyLimbs> find_limbs(const BodyModel& body);
+[[nodiscard]] Result<BodyLimbs> find_limbs(const BodyModel& body, const State& start);
 
 // Placement of a link in the frame of another that carries it, in the start posture.
-[[nodiscard]] Transformd held_place(const BodyModel& body, int carrier, int link);
+[[nodiscard]] Transformd held_place(const BodyModel& body, const State& start, int carrier,
+                                    int link);
 
 }  // namespace shigusa

@@ -67,7 +67,7 @@ void add_contractions(Layer& layer, LayerReading reading) {
 }
 
 // The arm alone, attached to the trunk (paper, section 3.4): four hinges.
-Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
+Layer arm_layer(const BodyModel& body, const State& start, const BodyLimb& arm) {
   Layer layer{.name = arm.name, .body = {}, .parameters = {}, .criteria = {}, .delegates = {}};
   layer.criteria[CriterionKind::balance].weight =
       0.0;  // with a fixed trunk there is nothing to balance
@@ -79,7 +79,7 @@ Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
                                .offset = from.offset,
                                .axis = from.axis,
                                .sign = from.sign,
-                               .start = body.start()[static_cast<std::size_t>(dof)]});
+                               .start = start.angles[static_cast<std::size_t>(dof)]});
     parent = static_cast<int>(layer.body.dofs.size()) - 1;
     add_weight(layer, parent);
   }
@@ -88,11 +88,12 @@ Layer arm_layer(const BodyModel& body, const BodyLimb& arm) {
 
 }  // namespace
 
-Result<std::vector<Layer>> paper_layers(const BodyModel& body, const CriteriaSettings& criteria,
+Result<std::vector<Layer>> paper_layers(const BodyModel& body, const State& start,
+                                        const CriteriaSettings& criteria,
                                         LayerReading reading) {
-  SHG_TRY_ASSIGN(const BodyLimbs limbs, find_limbs(body));
+  SHG_TRY_ASSIGN(const BodyLimbs limbs, find_limbs(body, start));
   Layer upper{.name = "trunk_and_limb_lengths",
-              .body = reduced_body(body, limbs),
+              .body = reduced_body(body, start, limbs),
               .parameters = {},
               .criteria = criteria,
               .delegates = {}};
@@ -106,7 +107,7 @@ Result<std::vector<Layer>> paper_layers(const BodyModel& body, const CriteriaSet
                                leg ? "" : limb.name});
   }
   std::vector<Layer> layers{std::move(upper)};
-  for (const BodyLimb& arm : limbs.arms) layers.push_back(arm_layer(body, arm));
+  for (const BodyLimb& arm : limbs.arms) layers.push_back(arm_layer(body, start, arm));
   return layers;
 }
 

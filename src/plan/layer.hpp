@@ -71,7 +71,8 @@ struct ReducedBody {
 
 // The body of the upper layer: the trunk with its joints, in the start posture, and its limbs as
 // telescopic rods (paper, section 3.4).
-[[nodiscard]] ReducedBody reduced_body(const BodyModel& body, const BodyLimbs& limbs);
+[[nodiscard]] ReducedBody reduced_body(const BodyModel& body, const State& start,
+                                       const BodyLimbs& limbs);
 
 // Method by which a layer's result for a limb determines the limb's joints below.
 enum class DelegateMethod {
@@ -102,7 +103,7 @@ struct Layer {
 // by `criteria` after its limbs have been expanded; then one layer for each arm, scored by joint
 // range and torque. Fails for a body that is not a person's (find_limbs).
 [[nodiscard]] Result<std::vector<Layer>> paper_layers(
-    const BodyModel& body, const CriteriaSettings& criteria = {},
+    const BodyModel& body, const State& start, const CriteriaSettings& criteria = {},
     LayerReading reading = LayerReading::shared_contractions);
 
 // Range of an elbow's swivel relative to the hand's path alone (rad, outwards).
@@ -116,7 +117,7 @@ inline constexpr double kSwivelMax = radians(90.0);
 // and the free shoulder, and "rest" has only the free elbow; its arms have wrists, which turn the
 // hands. Fails as paper_layers does.
 [[nodiscard]] Result<std::vector<Layer>> human_layers(
-    const BodyModel& body, const CriteriaSettings& criteria = {},
+    const BodyModel& body, const State& start, const CriteriaSettings& criteria = {},
     LayerReading reading = LayerReading::shared_contractions);
 
 // The layers of a body, and the reading of the first.
@@ -124,7 +125,7 @@ struct LayerChoice {
   LayerStack stack = LayerStack::paper;
   LayerReading reading = LayerReading::shared_contractions;
 };
-[[nodiscard]] Result<std::vector<Layer>> make_layers(const BodyModel& body,
+[[nodiscard]] Result<std::vector<Layer>> make_layers(const BodyModel& body, const State& start,
                                                      const LayerChoice& choice,
                                                      const CriteriaSettings& criteria = {});
 

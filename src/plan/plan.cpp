@@ -84,10 +84,10 @@ void add_idle_layers(const BodyModel& body, std::span<const Layer> all, std::spa
 
 }  // namespace
 
-Result<Plan> layers_to_goals(const BodyModel& body, std::span<const Goal> goals,
-                             const LayerChoice& choice, const CriteriaSettings& criteria) {
-  SHG_TRY_ASSIGN(const Plan all, make_layers(body, choice, criteria));
-  const BodyLimbs limbs = find_limbs(body).value();
+Result<Plan> layers_to_goals(const BodyModel& body, const State& start,
+                             std::span<const Goal> goals, const LayerChoice& choice, const CriteriaSettings& criteria) {
+  SHG_TRY_ASSIGN(const Plan all, make_layers(body, start, choice, criteria));
+  const BodyLimbs limbs = find_limbs(body, start).value();
   std::vector<std::string> names;
   for (const Effector& effector : body.effectors()) names.push_back(effector.name);
   Plan layers{all[0]};

@@ -23,7 +23,8 @@ using Plan = std::vector<Layer>;
 // The upper layer of a body, then the layer of each goal's arm, then the layers of idle limbs, with
 // the parameters of those limbs alone. Fails for a body that is not a person's and for goals that
 // are not for arms.
-[[nodiscard]] Result<Plan> layers_to_goals(const BodyModel& body, std::span<const Goal> goals,
+[[nodiscard]] Result<Plan> layers_to_goals(const BodyModel& body, const State& start,
+                                           std::span<const Goal> goals,
                                            const LayerChoice& choice = {},
                                            const CriteriaSettings& criteria = {});
 

@@ -5,6 +5,7 @@
 #include <shigusa/request.hpp>
 #include <utility>
 
+#include "body/load.hpp"
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "kinematics/forward_kinematics.hpp"
@@ -65,7 +66,7 @@ Result<void> check_heels(const Task& task) {
 }
 
 Result<void> check_fingers(const Task& task) {
-  if (!task.body.robot() || task.finger_play == FingerPlay::grip) return {};
+  if (!task.body.is_robot() || task.finger_play == FingerPlay::grip) return {};
   return fail(ErrorCode::invalid_argument, say("robot_fingers", task.body.name()), "finger_play");
 }
 
@@ -220,6 +221,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   ReachProblem problem;
   problem.body = &body;
   problem.context = criteria_context(task);
+  problem.home = task.home;
   problem.duration = 0.0;
   std::vector<double> owns;  // (goals) s, duration of each alone
   for (const Goal& goal : task.goals) {
@@ -234,7 +236,7 @@ Result<ReachProblem> make_problem(const Task& task) {
       return fail(ErrorCode::invalid_argument, say("two_goals", goal.effector), "goal");
     }
     // the motion of the hand takes as long as without a late start
-    const double own = goal_duration(body, kinematics, reach) * load_factor(body.load());
+    const double own = goal_duration(body, kinematics, reach) * load_factor(heaviest_load(task.start));
     problem.duration = max(problem.duration, own / (1.0 - reach.path.begin));
     owns.push_back(own);
     problem.goals.push_back(std::move(reach));
@@ -265,7 +267,7 @@ Result<Plan> plan_of(const BodyModel& body, const State& start, const Request& r
   SHG_TRY(check_supports(request));
   const std::optional<LayerStack> stack = traits_of(request.preset).layers;
   if (!stack) return whole_body_plan(body, start, request.supports);
-  return layers_to_goals(body, request.goals, {*stack, request.layer_reading}, criteria);
+  return layers_to_goals(body, start, request.goals, {*stack, request.layer_reading}, criteria);
 }
 
 Result<ParameterList> parameter_list(const BodyModel& body, const State& start,

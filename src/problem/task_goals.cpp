@@ -170,11 +170,12 @@ Result<void> check_contacts(const Task& task) {
   return fail(ErrorCode::invalid_argument, say("foot_bears_contact", base->name), "contacts");
 }
 
-// Whether goals have loads, or feet do not stand.
+// Whether hands have loads that the body lacks, or feet do not stand.
 bool needs_preparing(const Task& task) {
   const auto loaded = [](const Goal& goal) { return goal.load != 0.0; };
   const auto feet = task.body.feet();
-  return task.contacts || std::any_of(task.goals.begin(), task.goals.end(), loaded) ||
+  return task.contacts || task.start.held != task.home.held ||
+         std::any_of(task.goals.begin(), task.goals.end(), loaded) ||
          std::any_of(feet.begin(), feet.end(),
                      [&](const Foot& foot) { return moves_foot(task, foot); });
 }
@@ -223,7 +224,8 @@ Result<void> check_start(const Task& task) {
     return fail(ErrorCode::invalid_argument, say("start_at_rest"), "start");
   }
   const PresetTraits& preset = traits_of(task.preset);
-  if (!preset.layers || task.start == start_state(task.body)) return {};
+  const bool home = task.start.angles == task.home.angles && task.start.velocities.empty();
+  if (!preset.layers || home) return {};
   return fail(ErrorCode::invalid_argument, say("start_of_layers", preset.word), "start");
 }
 
@@ -307,15 +309,24 @@ std::optional<Vec3d> gaze_of(const BodyModel& body, std::span<const Goal> goals)
   return count == 2 ? hands * 0.5 : first;
 }
 
+// Adds the loads of the start to the body, which holds those of its home.
+void take_loads(Task& task) {
+  for (std::size_t k = task.home.held.size(); k < task.start.held.size(); ++k) {
+    task.body = with_load(task.body, task.start.held[k]);
+  }
+  task.home.held = task.start.held;
+}
+
 Result<Task> standing(Task task) {
   SHG_TRY(check_start(task));
   if (!needs_preparing(task)) return task;
   for (Goal& goal : task.goals) {
     SHG_TRY_ASSIGN(const int effector, effector_index(task.body, goal));
     SHG_TRY(check_goal(goal));
-    if (goal.load > 0.0) task.body = with_load(task.body, effector, goal.load);
+    if (goal.load > 0.0) task.start.held.push_back({effector, goal.load});
     goal.load = 0.0;
   }
+  take_loads(task);
   SHG_TRY(stand(task));
   return task;
 }

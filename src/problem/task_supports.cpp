@@ -55,7 +55,7 @@ Result<void> check_free(const Task& task, const Support& support, int hand) {
 }
 
 const Capsule* thigh_of(const BodyModel& body, const Effector& hand) {
-  if (body.robot() || !hand.part.side) return nullptr;
+  if (body.is_robot() || !hand.part.side) return nullptr;
   const std::string_view name =
       body_part_name(*hand.part.side == Side::left ? BodyPart::left_thigh : BodyPart::right_thigh);
   for (const Capsule& capsule : body.capsules()) {

@@ -132,7 +132,7 @@ void mend_limits(Robot& robot);
 //   Rigidly connected links are one. Joints of toes, fingers and attachments of the head are fixed
 //   at their angles, with a doubt.
 // - Degrees of freedom have a person's names where the map and the axis determine them:
-//   "right_knee.flexion"; the sign is the anatomical one. `robot()` maps them to the joints of the
+//   "right_knee.flexion"; the sign is the anatomical one. The RobotFrame maps them to the joints of the
 //   file.
 // - Limits and strengths are the file's. A continuous joint has a person's limits if it is a
 //   person's joint; one without effort gets a person's strength, scaled by the robot's weight.
@@ -148,7 +148,7 @@ void mend_limits(Robot& robot);
 //
 // `mass`: kg, distributed over the links as a person's if none has a mass. Fails if the map's bones
 // are no chain of turning joints, or if no link has a mass and none is given.
-[[nodiscard]] Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map,
+[[nodiscard]] Result<PosedBody> build_robot(const Robot& robot, const HumanoidMap& map,
                                             std::optional<double> mass = std::nullopt);
 
 }  // namespace shigusa

@@ -61,11 +61,12 @@ Mat3d rotation_about(const Vec3d& axis, double angle) {
 
 }  // namespace
 
-Result<BodyModel> RobotBuilder::build() {
+Result<PosedBody> RobotBuilder::build() {
   SHG_TRY(understand());
   body_.name = robot_.name;
-  body_.doubts = map_.doubts;
-  body_.doubts.insert(body_.doubts.end(), robot_.doubts.begin(), robot_.doubts.end());
+  body_.robot = true;
+  doubts_ = map_.doubts;
+  doubts_.insert(doubts_.end(), robot_.doubts.begin(), robot_.doubts.end());
   find_groups();
   measure();
   add_links();
@@ -78,7 +79,8 @@ Result<BodyModel> RobotBuilder::build() {
   add_nodes();
   add_robot_frame();
   tell();
-  return BodyModel(std::move(body_));
+  return PosedBody{BodyModel(std::move(body_)), {.angles = std::move(home_)}, std::move(doubts_),
+                   std::move(frame_)};
 }
 
 Result<void> RobotBuilder::understand() {
@@ -241,7 +243,7 @@ void RobotBuilder::add_dof(Moving& moving, int group, int parent) {
   moving.dof = static_cast<int>(body_.dofs.size());
   link_of_[index(group)] = moving.dof;
   origins_.push_back(centre(person));
-  body_.start.push_back(clamp(0.0, dof.lower, dof.upper));
+  home_.push_back(clamp(0.0, dof.lower, dof.upper));
   body_.dofs.push_back(std::move(dof));
 }
 
@@ -307,7 +309,7 @@ int RobotBuilder::dof_of(const PersonJoint& joint) const {
   return moving_[index(of_joint_[index(joint.joint)])].dof;
 }
 
-Result<BodyModel> build_robot(const Robot& robot, const HumanoidMap& map,
+Result<PosedBody> build_robot(const Robot& robot, const HumanoidMap& map,
                               std::optional<double> mass) {
   return RobotBuilder(robot, map, mass).build();
 }

@@ -43,7 +43,7 @@ class RobotBuilder {
   RobotBuilder(const Robot& robot, const HumanoidMap& map, std::optional<double> mass)
       : robot_(robot), map_(map), spread_(mass) {}
 
-  [[nodiscard]] Result<BodyModel> build();
+  [[nodiscard]] Result<PosedBody> build();
 
  private:
   static constexpr std::size_t kRight = 1;  // index among left and right of the standing side
@@ -141,8 +141,8 @@ class RobotBuilder {
   void add_foot_nodes(std::size_t side);
   void add_robot_frame();
   // Finds a world link above the root: an ancestor in a chain of links without mass or shape.
-  void find_world(RobotFrame& frame);
-  void tell_of_world(RobotFrame& frame, const std::string& world, const std::string& bolt,
+  void find_world();
+  void tell_of_world(const std::string& world, const std::string& bolt,
                      const std::vector<std::string>& floating);
   void tell();
 
@@ -170,6 +170,9 @@ class RobotBuilder {
   std::vector<std::string> massless_;  // links
   std::vector<std::string> carrying_;  // joints between the world and the root
   BodyDefinition body_;
+  std::vector<double> home_;  // (dofs) rad
+  std::vector<Message> doubts_;
+  RobotFrame frame_;
 };
 
 }  // namespace shigusa

@@ -161,11 +161,10 @@ void RobotBuilder::add_foot_nodes(std::size_t side) {
 }
 
 void RobotBuilder::add_robot_frame() {
-  RobotFrame frame;
   for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
     const Robot::Joint& joint = robot_.joints[j];
     if (!joint.moves) continue;
-    RobotJoint& to = frame.joints.emplace_back();
+    RobotJoint& to = frame_.joints.emplace_back();
     to.name = joint.name;
     to.angle = still_[j];
     to.slides = joint.slides;
@@ -177,20 +176,19 @@ void RobotBuilder::add_robot_frame() {
     to.dof = m.dof;
     to.sign = m.person->sign;
   }
-  find_world(frame);
-  body_.robot = std::move(frame);
+  find_world();
 }
 
 void RobotBuilder::tell() {
-  doubt_about(still_names_, "joint_still", "joints_still", body_.doubts);
-  doubt_about(unlimited_, "joint_unlimited", "joints_unlimited", body_.doubts);
+  doubt_about(still_names_, "joint_still", "joints_still", doubts_);
+  doubt_about(unlimited_, "joint_unlimited", "joints_unlimited", doubts_);
   if (!weak_.empty()) {
-    body_.doubts.push_back(say("no_effort", weak_.size(), weak_[0]));
+    doubts_.push_back(say("no_effort", weak_.size(), weak_[0]));
   }
-  doubt_about(massless_, "link_massless", "links_massless", body_.doubts);
-  if (soles_[0].guessed || soles_[1].guessed) body_.doubts.push_back(say("soles_guessed"));
-  if (body_.feet.size() < 2) body_.doubts.push_back(say("foot_in_air"));
-  if (spread_) body_.doubts.push_back(say("mass_spread", *spread_));
+  doubt_about(massless_, "link_massless", "links_massless", doubts_);
+  if (soles_[0].guessed || soles_[1].guessed) doubts_.push_back(say("soles_guessed"));
+  if (body_.feet.size() < 2) doubts_.push_back(say("foot_in_air"));
+  if (spread_) doubts_.push_back(say("mass_spread", *spread_));
 }
 
 }  // namespace shigusa

@@ -45,7 +45,7 @@ bool carry(const RobotFrame& frame) {
 
 }  // namespace
 
-void RobotBuilder::find_world(RobotFrame& frame) {
+void RobotBuilder::find_world() {
   int root = 0;
   int world = 0;  // the link that the carriers begin at
   std::string bolt;
@@ -62,8 +62,8 @@ void RobotBuilder::find_world(RobotFrame& frame) {
     before = before * joint.origin;
     if (joint.moves) {
       const auto same = [&](const RobotJoint& each) { return each.name == joint.name; };
-      const auto found = std::find_if(frame.joints.begin(), frame.joints.end(), same);
-      frame.carriers.push_back({static_cast<std::size_t>(found - frame.joints.begin()), before,
+      const auto found = std::find_if(frame_.joints.begin(), frame_.joints.end(), same);
+      frame_.carriers.push_back({static_cast<std::size_t>(found - frame_.joints.begin()), before,
                                 joint.axis, joint.slides});
       before = {};
       carrying_.push_back(joint.name);
@@ -71,7 +71,7 @@ void RobotBuilder::find_world(RobotFrame& frame) {
     } else if (joint.floats || is_world(above.name)) {
       if (joint.floats) floating.push_back(joint.name);
       bolt = joint.floats ? "" : joint.name;
-      frame.carriers.clear();
+      frame_.carriers.clear();
       carrying_.clear();
       before = {};
       root = world = link;
@@ -79,31 +79,30 @@ void RobotBuilder::find_world(RobotFrame& frame) {
   }
   const Transformd& top = placed_.links[index(world)];
   const Mat3d& turn = top.rotation;
-  frame.world.rotation = {in_robot_world(turn.cx), in_robot_world(turn.cy),
+  frame_.world.rotation = {in_robot_world(turn.cx), in_robot_world(turn.cy),
                           in_robot_world(turn.cz)};
   const Transformd& at = placed_.links[index(root)];
-  frame.root = robot_.links[index(root)].name;
-  frame.link = link_of(root);
-  frame.root_in_link = {at.rotation, local(frame.link, at.translation)};
+  frame_.root = robot_.links[index(root)].name;
+  frame_.link = link_of(root);
+  frame_.root_in_link = {at.rotation, local(frame_.link, at.translation)};
   if (carrying_.empty() && floating.empty() && bolt.empty()) return;
-  tell_of_world(frame, robot_.links[index(world)].name, bolt, floating);
+  tell_of_world(robot_.links[index(world)].name, bolt, floating);
 }
 
 // Replaces doubts about the joints between the world and the root; other joints keep theirs.
-void RobotBuilder::tell_of_world(RobotFrame& frame, const std::string& world,
-                                 const std::string& bolt,
+void RobotBuilder::tell_of_world(const std::string& world, const std::string& bolt,
                                  const std::vector<std::string>& floating) {
   const bool bolted = carrying_.empty() && !bolt.empty();
-  if (bolted) body_.doubts.push_back(say("root_bolted", shown(bolt), shown(frame.root)));
-  if (!carrying_.empty() && carry(frame)) {
-    body_.doubts.push_back(
+  if (bolted) doubts_.push_back(say("root_bolted", shown(bolt), shown(frame_.root)));
+  if (!carrying_.empty() && carry(frame_)) {
+    doubts_.push_back(
         say("root_carried", carrying_.size(), shown(carrying_[0]), shown(world)));
   } else if (!carrying_.empty()) {
-    frame.carriers.clear();
-    body_.doubts.push_back(
-        say("root_not_carried", carrying_.size(), shown(carrying_[0]), shown(frame.root)));
+    frame_.carriers.clear();
+    doubts_.push_back(
+        say("root_not_carried", carrying_.size(), shown(carrying_[0]), shown(frame_.root)));
   }
-  std::erase_if(body_.doubts, [](const Message& doubt) {
+  std::erase_if(doubts_, [](const Message& doubt) {
     return doubt.key == "joint_slides" || doubt.key == "joints_slide";
   });
   std::vector<std::string> sliding;
@@ -113,7 +112,7 @@ void RobotBuilder::tell_of_world(RobotFrame& frame, const std::string& world,
       sliding.push_back(joint.name);
     }
   }
-  doubt_about(sliding, "joint_slides", "joints_slide", body_.doubts);
+  doubt_about(sliding, "joint_slides", "joints_slide", doubts_);
   std::erase_if(still_names_, [&](const std::string& name) { return contains(carrying_, name); });
 }
 

@@ -238,15 +238,14 @@ bool allowed(const BodyModel& body, const std::vector<double>& aim) {
 
 }  // namespace
 
-Result<std::vector<double>> keyframe_posture(const BodyModel& body, const Robot& robot,
-                                             const std::string& keyframe,
-                                             std::vector<Message>& doubts) {
+Result<void> settle_at_keyframe(PosedBody& robot, const Robot& file, const std::string& keyframe) {
   constexpr double kNoted = radians(1.0);
-  std::vector<double> aim(body.start().begin(), body.start().end());
-  for (const RobotJoint& joint : body.robot()->joints) {
+  const BodyModel& body = robot.body;
+  std::vector<double> aim = robot.home.angles;
+  for (const RobotJoint& joint : robot.robot.value().joints) {
     const auto same = [&](const Robot::Joint& each) { return each.name == joint.name; };
-    const auto found = std::find_if(robot.joints.begin(), robot.joints.end(), same);
-    if (joint.dof < 0 || found == robot.joints.end()) continue;
+    const auto found = std::find_if(file.joints.begin(), file.joints.end(), same);
+    if (joint.dof < 0 || found == file.joints.end()) continue;
     aim[index(joint.dof)] = joint.sign * found->rest;
   }
   std::vector<double> angles = aim;
@@ -260,29 +259,30 @@ Result<std::vector<double>> keyframe_posture(const BodyModel& body, const Robot&
   if (!settler.stands(angles) && !settler.walk(angles, std::vector<double>(angles))) {
     return fail(ErrorCode::unsupported, say("keyframe_feet", shown(keyframe)));
   }
-  if (apart(angles, aim) > kNoted) doubts.push_back(say("keyframe_near", shown(keyframe)));
-  return angles;
+  if (apart(angles, aim) > kNoted) robot.doubts.push_back(say("keyframe_near", shown(keyframe)));
+  robot.home.angles = std::move(angles);
+  return {};
 }
 
-std::vector<double> settled_posture(const BodyModel& body, std::vector<Message>& doubts) {
+void settle(PosedBody& robot) {
+  const BodyModel& body = robot.body;
   Settler settler(body);
-  const std::vector<double> zero(body.start().begin(), body.start().end());
-  std::vector<double> angles = zero;
+  const std::vector<double> zero = robot.home.angles;
+  std::vector<double>& angles = robot.home.angles;
   if (!settler.walk(angles, zero)) {
-    doubts.push_back(say("feet_not_flat"));
+    robot.doubts.push_back(say("feet_not_flat"));
   }
   for (const PostureMode& mode : posture_modes(body)) {
     if (mode.name != "squat") continue;
     std::vector<double> bent = angles;
     for (std::size_t d = 0; d < bent.size(); ++d) bent[d] += kStandingKnee * mode.direction[d];
     if (!allowed(body, bent) || !settler.walk(angles, bent)) {
-      doubts.push_back(say("straight_knees"));
+      robot.doubts.push_back(say("straight_knees"));
     }
   }
   const std::vector<Constraint<double>> arms = settler.hanging(angles);
   if (!arms.empty()) (void)settler.walk(angles, angles, arms);
   settler.bend_ahead(angles);
-  return angles;
 }
 
 }  // namespace shigusa

@@ -15,19 +15,16 @@ inline constexpr double kStandingKnee = radians(10.0);
 // Forward bend given to elbows that would bend sideways.
 inline constexpr double kStandingElbow = radians(10.0);
 
-// Start posture (dofs, rad) of a robot: standing as at zero angles, both feet flat, but with knees
-// bent by kStandingKnee, arms that stick out sideways, ahead or up hanging with elbows that bend
-// forwards, and every joint within its limits. Steps that the limits prevent are left out, with
-// doubts in `doubts`.
-[[nodiscard]] std::vector<double> settled_posture(const BodyModel& body,
-                                                  std::vector<Message>& doubts);
+// Brings a robot as build_robot made it home: it stands as at zero angles, both feet flat, but
+// with knees bent by kStandingKnee, arms that stick out sideways, ahead or up hanging with elbows
+// that bend forwards, and every joint within its limits. Steps that the limits prevent are left
+// out, with doubts.
+void settle(PosedBody& robot);
 
-// Start posture (dofs, rad) from a key frame (Joint::rest): exact if its feet are flat on one floor
-// and within its limits, else the nearest posture for which that holds, with a doubt. Fails if
+// Brings a robot to a key frame of its file (Joint::rest): exactly if its feet are flat on one floor
+// and within its limits, else to the nearest posture for which that holds, with a doubt. Fails if
 // the feet are too far off.
-[[nodiscard]] Result<std::vector<double>> keyframe_posture(const BodyModel& body,
-                                                           const Robot& robot,
-                                                           const std::string& keyframe,
-                                                           std::vector<Message>& doubts);
+[[nodiscard]] Result<void> settle_at_keyframe(PosedBody& robot, const Robot& file,
+                                              const std::string& keyframe);
 
 }  // namespace shigusa

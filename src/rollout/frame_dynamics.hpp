@@ -5,6 +5,7 @@
 
 #include "criteria/motion_frame.hpp"
 #include "dynamics/contact_forces.hpp"
+#include "body/load.hpp"
 #include "dynamics/hand_load.hpp"
 #include "rollout/reach_problem.hpp"
 
@@ -65,7 +66,7 @@ class FrameDynamics {
   // Applies the hands' forces of this frame, and returns the floor's wrench beside them.
   [[gnu::noinline]] Wrench<S> pressed(const Kinematics<S>& now, Wrench<S> ground) {
     const BodyModel& body = *problem_->body;
-    const double weight = (body.mass() - body.load()) * kGravity;
+    const double weight = (body.mass() - heaviest_load(problem_->start())) * kGravity;
     const double tau = static_cast<double>(frame_++) / problem_->steps;
     for (std::size_t k = 0; k < hands_.size(); ++k) {
       const HandSupport& support = problem_->supports[k];

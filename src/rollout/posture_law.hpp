@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "body/load.hpp"
 #include "body/anthropometry.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "motion/minimum_jerk.hpp"
@@ -241,7 +242,7 @@ class PostureLaw {
       back_.push_back(freedom(problem, *bend, kRanges[j].flexion));
     }
     pelvis_ = body.dof(static_cast<int>(back_.front().dof)).parent;
-    const double load = min(body.load(), kBackLoadMost);
+    const double load = min(heaviest_load(problem.start()), kBackLoadMost);
     back_bend_ = static_cast<T>(kBackBend * body.lumbar_part() * (1.0 + kBackOfLoad * load));
     // for a bent start posture, the law continues from there
     const double bent =

@@ -96,6 +96,7 @@ struct HandSupport {
 struct ReachProblem {
   const BodyModel* body = nullptr;  // outlives the problem
   CriteriaContext context{};        // with the start and the gaze target
+  State home{};                     // of the body; final postures are described relative to it
   std::vector<ReachGoal> goals;
   std::vector<HandSupport> supports{};
   double duration = 1.0;  // s

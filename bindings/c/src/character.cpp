@@ -40,7 +40,7 @@ shigusa_status shigusa_character_describe(const shigusa_character* character,
                                           shigusa_bytes** json) {
   return guarded([&]() -> Result<void> {
     SHG_TRY(need("character", character, "json", json));
-    SHG_TRY_ASSIGN(const BodyModel body, build_character(character->spec));
+    SHG_TRY_ASSIGN(const PosedBody body, build_character(character->spec));
     return give(format_character(character->spec, body), json);
   });
 }
