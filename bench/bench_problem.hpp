@@ -45,7 +45,7 @@ struct Measured {
   Measured(const Measured&) = delete;
   Measured& operator=(const Measured&) = delete;
 
-  static BodyModel build(const std::string& character) {
+  static PosedBody build(const std::string& character) {
     return character == "half_body" ? half_body() : full_body();
   }
 };

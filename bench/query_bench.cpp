@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kVrmBytes = 5'000'000;
 
 // generate() with default settings and a goal low front-left.
-void query(benchmark::State& state, const BodyModel& body, SimdSet simd, int threads) {
-  Task task(body, {.goals = {{"right_hand", {0.25, 0.55, 0.50}}}});
+void query(benchmark::State& state, const PosedBody& posed, SimdSet simd, int threads) {
+  Task task(posed, {.goals = {{"right_hand", {0.25, 0.55, 0.50}}}});
   task.batch = {simd, threads};
   for (auto _ : state) {
     const GenerateResult generation = generate(task).value();
@@ -59,9 +59,9 @@ void load_vrm(benchmark::State& state) {
     CharacterSpec spec;
     spec.source = "person.vrm";
     if (!load_character(bytes, spec)) state.SkipWithError("the file is refused");
-    const auto body = build_character(spec);
-    if (!body) state.SkipWithError("it gives no body");
-    benchmark::DoNotOptimize(body);
+    const auto posed = build_character(spec);
+    if (!posed) state.SkipWithError("it gives no body");
+    benchmark::DoNotOptimize(posed);
   }
   state.counters["bytes"] = static_cast<double>(bytes.size());
 }

@@ -34,8 +34,8 @@ constexpr int kSeeds = 32;
 constexpr int kLongBudget = 5000;
 constexpr std::uint64_t kShownSeed = 1;
 
-Task make(const BodyModel& body, const Vec3d& goal, std::uint64_t seed) {
-  Task task = with_preset(Task(body), Preset::paper);
+Task make(const PosedBody& posed, const Vec3d& goal, std::uint64_t seed) {
+  Task task = with_preset(Task(posed), Preset::paper);
   task.goals = {{"right_hand", goal}};
   task.seed = seed;
   task.batch.threads = 1;
@@ -71,10 +71,10 @@ double best_of_random(const Task& task, int count, std::uint64_t seed) {
   return best;
 }
 
-void single_runs(const BodyModel& body, const Experiment& experiment, std::string& page) {
+void single_runs(const PosedBody& posed, const Experiment& experiment, std::string& page) {
   std::vector<double> best, random, evaluations, milliseconds, candidates;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const Task task = make(body, experiment.goal, seed);
+    const Task task = make(posed, experiment.goal, seed);
     GenerateResult g;
     milliseconds.push_back(1e3 * seconds_of(task, g));
     best.push_back(g.best_seen_score);
@@ -84,7 +84,7 @@ void single_runs(const BodyModel& body, const Experiment& experiment, std::strin
   }
   page += fmt::format(
       "| {} | {} | {:.0f} | {:.3f} ({:.3f}–{:.3f}) | {:.3f} ({:.3f}–{:.3f}) | {:.0f} | {:.1f} |\n",
-      experiment.title, body.name(), quantile(evaluations, 0.5), quantile(best, 0.5),
+      experiment.title, posed.body.name(), quantile(evaluations, 0.5), quantile(best, 0.5),
       quantile(best, 0.25), quantile(best, 0.75), quantile(random, 0.5), quantile(random, 0.25),
       quantile(random, 0.75), quantile(candidates, 0.5), quantile(milliseconds, 0.5));
 }
@@ -115,16 +115,16 @@ std::string picture(const std::filesystem::path& docs, const Task& task, const C
   return fmt::format("\n![{}](images/results/{})\n", words, name);
 }
 
-void show(const std::filesystem::path& docs, const BodyModel& body, const Experiment& experiment,
+void show(const std::filesystem::path& docs, const PosedBody& posed, const Experiment& experiment,
           bool long_search, std::string& page) {
-  Task task = make(body, experiment.goal, kShownSeed);
+  Task task = make(posed, experiment.goal, kShownSeed);
   if (long_search) task.evaluations = kLongBudget;
   GenerateResult generation;
   const double seconds = seconds_of(task, generation);
   page += fmt::format(
       "\n### {}: {}, {}\n\nGoal ({:g}, {:g}, {:g}) m, seed {}: {} motions of {:.2f} s scored in "
       "{:.0f} ms on one core; {} final genomes missed, {} were near copies.\n\n",
-      experiment.title, body.name(),
+      experiment.title, posed.body.name(),
       long_search ? fmt::format("{} motions", kLongBudget) : "one run of the paper's search",
       experiment.goal.x, experiment.goal.y, experiment.goal.z, kShownSeed,
       generation.log.evaluations, generation.duration, 1e3 * seconds, generation.log.missed,
@@ -133,7 +133,7 @@ void show(const std::filesystem::path& docs, const BodyModel& body, const Experi
   const std::size_t shown =
       std::min<std::size_t>(long_search ? 2 : 1, generation.candidates.size());
   for (std::size_t i = 0; i < shown; ++i) {
-    const std::string name = fmt::format("{}-{}{}-{}.svg", experiment.file, body.name(),
+    const std::string name = fmt::format("{}-{}{}-{}.svg", experiment.file, posed.body.name(),
                                          long_search ? "" : "-one_run", i + 1);
     page += picture(docs, task, generation.candidates[i], name,
                     fmt::format("{}, candidate {}", experiment.title, i + 1));
@@ -153,14 +153,14 @@ std::string results_page(const std::filesystem::path& docs) {
       "of the whole search on one core, the test of reach included.\n\n"
       "| experiment | body | motions scored | best score | best of random | candidates | "
       "ms |\n|---|---|---|---|---|---|---|\n";
-  const BodyModel bodies[] = {half_body(), full_body()};
-  for (const BodyModel& body : bodies) {
-    for (const Experiment& experiment : kExperiments) single_runs(body, experiment, page);
+  const PosedBody bodies[] = {half_body(), full_body()};
+  for (const PosedBody& posed : bodies) {
+    for (const Experiment& experiment : kExperiments) single_runs(posed, experiment, page);
   }
   page += "\n## Candidates\n";
   for (const Experiment& experiment : kExperiments) {
     show(docs, bodies[0], experiment, false, page);
-    for (const BodyModel& body : bodies) show(docs, body, experiment, true, page);
+    for (const PosedBody& posed : bodies) show(docs, posed, experiment, true, page);
   }
   std::ifstream remarks(docs / "results_remarks.md");
   page += "\n";

@@ -40,17 +40,17 @@ struct Place {
   double score = 1e300;
 };
 
-bool in_reach(const BodyModel& body, const Vec3d& goal) {
-  const Task task = goal_task(body, goal, Preset::flat, default_criteria());
+bool in_reach(const PosedBody& posed, const Vec3d& goal) {
+  const Task task = goal_task(posed, goal, Preset::flat, default_criteria());
   return closest_reach(make_problem(task).value()).reached();
 }
 
-std::vector<Place> places_around(const BodyModel& body) {
+std::vector<Place> places_around(const PosedBody& posed) {
   std::vector<Place> places;
   for (double y = kLowest; y <= kHighest; y += kSpacing) {
     for (double z = kLeast; z <= kMost; z += kSpacing) {
       for (double x = kLeast; x <= kMost; x += kSpacing) {
-        if (in_reach(body, {x, y, z})) places.push_back({{x, y, z}});
+        if (in_reach(posed, {x, y, z})) places.push_back({{x, y, z}});
       }
     }
   }
@@ -58,9 +58,9 @@ std::vector<Place> places_around(const BodyModel& body) {
 }
 
 // Searches from the points (points × genes) for an improvement on the place's best.
-void search(const BodyModel& body, std::vector<double> starts, CmaEsSettings settings,
+void search(const PosedBody& posed, std::vector<double> starts, CmaEsSettings settings,
             Place& place) {
-  GoalSearch searched(body, place.goal);
+  GoalSearch searched(posed, place.goal);
   SearchProblem problem = searched.problem();
   const auto genes = static_cast<std::size_t>(problem.genes);
   if (!starts.empty()) {
@@ -77,7 +77,7 @@ void search(const BodyModel& body, std::vector<double> starts, CmaEsSettings set
   }
 }
 
-void sweep(const BodyModel& body, std::uint64_t seed, std::vector<Place>& places) {
+void sweep(const PosedBody& posed, std::uint64_t seed, std::vector<Place>& places) {
   const std::vector<Place> before = places;
   parallel_for(static_cast<int>(places.size()), 0, [&](int i, int) {
     Place& place = places[static_cast<std::size_t>(i)];
@@ -86,22 +86,22 @@ void sweep(const BodyModel& body, std::uint64_t seed, std::vector<Place>& places
       if (norm(other.goal - place.goal) > kNeighbour) continue;
       starts.insert(starts.end(), other.point.begin(), other.point.end());
     }
-    search(body, std::move(starts),
+    search(posed, std::move(starts),
            {.evaluations = kSweepEvaluations, .step = kSweepStep, .seed = seed}, place);
   });
 }
 
-std::vector<Place> searched_places(const BodyModel& body) {
-  std::vector<Place> places = places_around(body);
+std::vector<Place> searched_places(const PosedBody& posed) {
+  std::vector<Place> places = places_around(posed);
   parallel_for(static_cast<int>(places.size()), 0, [&](int i, int) {
-    search(body, {}, {.evaluations = kFirstEvaluations, .seed = 1},
+    search(posed, {}, {.evaluations = kFirstEvaluations, .seed = 1},
            places[static_cast<std::size_t>(i)]);
   });
   for (int k = 0; k < kSweeps; ++k) {
-    sweep(body, static_cast<std::uint64_t>(k) + 2, places);
+    sweep(posed, static_cast<std::uint64_t>(k) + 2, places);
     double sum = 0.0;
     for (const Place& place : places) sum += place.score;
-    std::cerr << fmt::format("{}: {} places, mean score {:.4f}\n", body.name(), places.size(),
+    std::cerr << fmt::format("{}: {} places, mean score {:.4f}\n", posed.body.name(), places.size(),
                              sum / static_cast<double>(places.size()));
   }
   return places;
@@ -114,14 +114,14 @@ std::string digits_of(const std::vector<double>& point) {
   return digits;
 }
 
-void print_table(const BodyModel& body) {
-  const std::vector<std::string> names = GoalSearch(body, {-0.2, 1.2, 0.4}).space().names();
+void print_table(const PosedBody& posed) {
+  const std::vector<std::string> names = GoalSearch(posed, {-0.2, 1.2, 0.4}).space().names();
   SHG_CHECK(names.size() <= kStartCoordinates, "too many coordinates for a row");
-  std::cout << fmt::format("table\t{}\t{}\t{}\n", body.name(), body.feet().size(),
+  std::cout << fmt::format("table\t{}\t{}\t{}\n", posed.body.name(), posed.body.feet().size(),
                            fmt::join(names, " "));
-  const int hand = body.find_effector("right_hand").value();
-  for (const Place& place : searched_places(body)) {
-    const Vec3d at = start_place(body, hand, place.goal).value() * 1000.0;
+  const int hand = posed.body.find_effector("right_hand").value();
+  for (const Place& place : searched_places(posed)) {
+    const Vec3d at = start_place(posed, hand, place.goal).value() * 1000.0;
     std::cout << fmt::format("{:.0f}\t{:.0f}\t{:.0f}\t{}\n", at.x, at.y, at.z,
                              digits_of(place.point));
   }
@@ -132,5 +132,5 @@ void print_table(const BodyModel& body) {
 int main() {
   std::cout << "# Start tables, see src/generate/start_table.hpp. Written by scripts/make_starts; "
                "change research/starts.cpp, not this file.\n";
-  for (const BodyModel& body : {half_body(), full_body(), human_body()}) print_table(body);
+  for (const PosedBody& posed : {half_body(), full_body(), human_body()}) print_table(posed);
 }

@@ -10,9 +10,9 @@ int complain(const shigusa::Error& error) {
 int main(int argc, char** argv) {
   const auto hero = shigusa::open_character({.source = argc > 1 ? argv[1] : "human"});
   if (!hero) return complain(hero.error());
-  for (const std::string& doubt : hero->spec.doubts) std::printf("note: %s\n", doubt.c_str());
+  for (const std::string& doubt : hero->doubts) std::printf("note: %s\n", doubt.c_str());
   const double stature = hero->body.stature();
-  shigusa::Task task(hero->body);
+  shigusa::Task task(*hero);
   task.goals = {{"right_hand", {-0.15 * stature, 0.4 * stature, 0.3 * stature}}};
   const auto result = shigusa::generate(task);
   if (!result) return complain(result.error());

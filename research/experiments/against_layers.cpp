@@ -58,7 +58,7 @@ struct Run {
 
 Task pairing_task(const Subject& subject, const Place& place, const Pairing& pairing,
                   Preset preset) {
-  Task task = goal_task(subject.body, place.position, preset, pairing.criteria());
+  Task task = goal_task(subject.posed, place.position, preset, pairing.criteria());
   task.search = pairing.method;
   // only the searches are compared: replay of candidates has a cost of its own
   task.candidates = 1;
@@ -159,8 +159,8 @@ void add_line(const Plan& plan, const Subject& subject, const Pairing& pairing, 
                                  [](const Place& place) { return place.name == "at the feet"; });
   const Compared& at_feet = compared[static_cast<std::size_t>(feet - subject.places.begin())];
   const auto ms = [&](auto value) { return fmt::format("{:.1f}", median(drawn(value))); };
-  table.add({pairing.criteria_name, subject.body.name(), pairing.name, std::to_string(evaluations),
-             spread(drawn([](auto& c) { return c.layers; })),
+  table.add({pairing.criteria_name, subject.posed.body.name(), pairing.name,
+             std::to_string(evaluations), spread(drawn([](auto& c) { return c.layers; })),
              spread(drawn([](auto& c) { return c.flat; })),
              spread(drawn([](auto& c) { return c.flat_in_time; })),
              spread(drawn([](auto& c) { return c.layers / c.flat; })),

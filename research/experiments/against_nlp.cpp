@@ -78,7 +78,7 @@ struct OfPlace {
 };
 
 OfPlace of_place(const Subject& subject, const Place& place) {
-  GoalSearch searched(subject.body, place.position);
+  GoalSearch searched(subject.posed, place.position);
   const SearchProblem problem = searched.problem();
   const std::vector<double> tuned =
       cma_es_search(problem, {.evaluations = kTuned, .seed = 1}).best_seen.point;
@@ -115,7 +115,7 @@ std::string against_nlp(const Plan& plan, std::span<const Subject> subjects) {
           rough.push_back(degrees(played.roughness));
           ratios.push_back(played.score / (of.*kind)[0].score);
         }
-        table.add({subject.body.name(), name, kGenerators[g].name, percent(met, plan.goals),
+        table.add({subject.posed.body.name(), name, kGenerators[g].name, percent(met, plan.goals),
                    spread(scores), fmt::format("{:.3f}", median(times)), spread(rough),
                    g == 0 ? "" : spread(ratios)});
       }

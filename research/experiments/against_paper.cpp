@@ -56,7 +56,7 @@ Series run(int seeds, const Subject& subject, Preset preset, const CriteriaSetti
   std::vector<Found> found(static_cast<std::size_t>(series.runs));
   parallel_for(series.runs, 0, [&](int i, int) {
     const auto place = static_cast<std::size_t>(i / seeds);
-    Task task = goal_task(subject.body, subject.places[place].position, preset, criteria);
+    Task task = goal_task(subject.posed, subject.places[place].position, preset, criteria);
     task.seed = static_cast<std::uint64_t>(i % seeds) + 1;
     task.evaluations = motions(place);
     found[static_cast<std::size_t>(i)] = find(task);
@@ -108,7 +108,7 @@ void add_lines(const Plan& plan, const Subject& subject, const CriteriaPreset& c
       return std::max(kPaperPopulation, static_cast<int>(budget.motions * share));
     });
     const std::vector<double> ratios = ratios_of(flat.scores, paper.scores);
-    std::vector<std::string> cells{std::string(criteria.name), subject.body.name(),
+    std::vector<std::string> cells{std::string(criteria.name), subject.posed.body.name(),
                                    std::to_string(budget.motions)};
     std::vector<std::string> line = cells;
     line.insert(line.end(),
@@ -126,7 +126,7 @@ void add_lines(const Plan& plan, const Subject& subject, const CriteriaPreset& c
     }
     tables.named.add(cells);
     if (budget.wanted == 0.0) continue;
-    dots.push_back({fmt::format("{}, {} motions", subject.body.name(), budget.motions),
+    dots.push_back({fmt::format("{}, {} motions", subject.posed.body.name(), budget.motions),
                     of_drawn(subject, paper.scores), of_drawn(subject, flat.scores)});
   }
 }

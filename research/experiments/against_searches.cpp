@@ -78,7 +78,7 @@ Runs measure(const Plan& plan, const Subject& subject, const std::vector<Searche
   parallel_for(static_cast<int>(all.size() * places), 0, [&](int i, int) {
     const std::size_t s = static_cast<std::size_t>(i) / places;
     const std::size_t p = static_cast<std::size_t>(i) % places;
-    runs[s][p] = run(all[s], plan, subject.body, subject.places[p].position);
+    runs[s][p] = run(all[s], plan, subject.posed, subject.places[p].position);
   });
   return runs;
 }
@@ -177,11 +177,11 @@ std::string against_searches(const Plan& plan, std::span<const Subject> subjects
       plan.seeds, pagmo_searches().empty() ? "; this program was built without pagmo" : "");
   for (const Subject& subject : subjects) {
     const Runs runs = measure(plan, subject, all);
-    const std::string name = "searches_" + subject.body.name();
+    const std::string name = "searches_" + subject.posed.body.name();
     page += fmt::format(
                 "\n{0}, {1} goals:\n\n![Best score against motions scored, {0}]"
                 "(images/experiments/{2}.svg)\n\n",
-                subject.body.name(), subject.drawn, name) +
+                subject.posed.body.name(), subject.drawn, name) +
             table_of(subject, all, runs);
     pictures.push_back({name, picture_of(subject, all, runs)});
   }

@@ -16,16 +16,17 @@ constexpr int kProbed = 256;
 
 }  // namespace
 
-Task goal_task(const BodyModel& body, const Vec3d& goal, Preset preset,
+Task goal_task(const PosedBody& posed, const Vec3d& goal, Preset preset,
                const CriteriaSettings& criteria) {
-  Task task = with_preset(Task(body, {.goals = {{"right_hand", goal}}}), preset);
+  Task task = with_preset(Task(posed, {.goals = {{"right_hand", goal}}}), preset);
   task.criteria = criteria;
   task.batch.threads = 1;
   return task;
 }
 
-GoalSearch::GoalSearch(const BodyModel& body, const Vec3d& goal, const GoalSearchSettings& settings)
-    : task_(goal_task(body, goal, Preset::flat, settings.criteria)),
+GoalSearch::GoalSearch(const PosedBody& posed, const Vec3d& goal,
+                       const GoalSearchSettings& settings)
+    : task_(goal_task(posed, goal, Preset::flat, settings.criteria)),
       reach_(make_problem(task_).value()),
       criteria_(task_.criteria),
       list_(parameter_list(task_.body, task_.start, task_).value()) {

@@ -22,7 +22,7 @@ struct GoalSearchSettings {
 // attracted to a posture at the goal; that posture alone.
 class GoalSearch {
  public:
-  GoalSearch(const BodyModel& body, const Vec3d& goal, const GoalSearchSettings& settings = {});
+  GoalSearch(const PosedBody& body, const Vec3d& goal, const GoalSearchSettings& settings = {});
   GoalSearch(const GoalSearch&) = delete;
   GoalSearch& operator=(const GoalSearch&) = delete;
 
@@ -47,7 +47,7 @@ class GoalSearch {
 };
 
 // Task of one goal for the right hand, on one thread.
-[[nodiscard]] Task goal_task(const BodyModel& body, const Vec3d& goal, Preset preset,
+[[nodiscard]] Task goal_task(const PosedBody& body, const Vec3d& goal, Preset preset,
                              const CriteriaSettings& criteria);
 
 // Best score among the first b evaluated points of a search, for each budget b.

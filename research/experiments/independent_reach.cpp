@@ -15,12 +15,14 @@ constexpr double kLeastCurvature = 1e-4;
 
 }  // namespace
 
-IndependentReach::IndependentReach(const BodyModel& body, std::string_view effector)
-    : body_(body),
-      size_(body.dofs().size(), 1.0),
-      angles_(body.start().begin(), body.start().end()),
-      placed_(body),
-      metric_(body.dof_count()) {
+IndependentReach::IndependentReach(const PosedBody& posed, std::string_view effector)
+    : body_(posed.body),
+      home_(posed.home.angles),
+      size_(home_.size(), 1.0),
+      angles_(home_),
+      placed_(body_),
+      metric_(body_.dof_count()) {
+  const BodyModel& body = posed.body;
   const auto index = body.find_effector(effector);
   SHG_CHECK(index.has_value(), "no effector " + std::string(effector));
   const Effector& hand = body.effectors()[static_cast<std::size_t>(*index)];
@@ -38,7 +40,7 @@ IndependentReach::IndependentReach(const BodyModel& body, std::string_view effec
 // An upper limit that depends on another angle is the lower of two planes; for negative angles the
 // slanting one is slightly stricter than the limit.
 void IndependentReach::add_limits() {
-  const std::span<const double> start = body_.start();
+  const std::vector<double>& start = home_;
   for (int d = 0; d < body_.dof_count(); ++d) {
     const Dof& dof = body_.dof(d);
     const auto k = static_cast<std::size_t>(d);
@@ -58,7 +60,7 @@ void IndependentReach::add_limits() {
 
 double IndependentReach::evaluate(std::span<const double> z, std::span<double> gradient) {
   for (std::size_t d = 0; d < z.size(); ++d) {
-    angles_[d] = body_.start()[d] + z[d];
+    angles_[d] = home_[d] + z[d];
     gradient[d] = 0.0;
   }
   forward_kinematics<double>(body_, angles_, placed_);
@@ -104,7 +106,7 @@ std::optional<std::vector<double>> IndependentReach::posture(const Vec3d& goal, 
   for (int s = 0; s <= starts; ++s) {
     for (std::size_t d = 0; d < z.size(); ++d) {
       const Dof& dof = body_.dof(static_cast<int>(d));
-      z[d] = s == 0 ? 0.0 : random.uniform(dof.lower, dof.upper) - body_.start()[d];
+      z[d] = s == 0 ? 0.0 : random.uniform(dof.lower, dof.upper) - home_[d];
     }
     if (descend(z)) return angles_;
   }

@@ -24,7 +24,7 @@ class IndependentReach : private SmoothFunction {
   static constexpr double kThere = 1e-4;
 
   // PreconditionError if the body has no effector of that name. The body must outlive this object.
-  IndependentReach(const BodyModel& body, std::string_view effector);
+  IndependentReach(const PosedBody& posed, std::string_view effector);
 
   // (dofs, rad) a posture within the limits that has the effector at the goal (m, world) and the
   // feet at their positions of the start posture: the first one found from the start posture and
@@ -45,6 +45,7 @@ class IndependentReach : private SmoothFunction {
   [[nodiscard]] bool descend(std::span<double> z);
 
   const BodyModel& body_;
+  std::vector<double> home_;         // (dofs) rad
   std::vector<Held> held_;           // the effector first
   std::vector<LinearLimit> limits_;  // of z, the angles less the start's
   std::vector<double> size_;         // (dofs) 1

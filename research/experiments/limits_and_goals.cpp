@@ -34,14 +34,14 @@ struct Judged {
 };
 
 // m, largest displacement of a foot's centre in any frame
-double slide_of(const BodyModel& body, const Clip& clip) {
-  Kinematics<double> placed(body);
+double slide_of(const PosedBody& posed, const Clip& clip) {
+  Kinematics<double> placed(posed);
   std::vector<Vec3d> stands;
   double most = 0.0;
   for (int f = 0; f < clip.frames; ++f) {
-    forward_kinematics<double>(body, clip.frame(f), placed);
-    for (std::size_t k = 0; k < body.feet().size(); ++k) {
-      const Vec3d at = placed.point(body.feet()[k].link, body.feet()[k].centre);
+    forward_kinematics<double>(posed, clip.frame(f), placed);
+    for (std::size_t k = 0; k < posed.body.feet().size(); ++k) {
+      const Vec3d at = placed.point(posed.body.feet()[k].link, posed.body.feet()[k].centre);
       if (f == 0) stands.push_back(at);
       most = std::max(most, norm(at - stands[k]));
     }
@@ -49,36 +49,37 @@ double slide_of(const BodyModel& body, const Clip& clip) {
   return most;
 }
 
-Judged judge(const BodyModel& body, const Vec3d& goal, std::uint64_t number) {
-  Task task = goal_task(body, goal, Preset::flat, default_criteria());
+Judged judge(const PosedBody& posed, const Vec3d& goal, std::uint64_t number) {
+  Task task = goal_task(posed, goal, Preset::flat, default_criteria());
   task.evaluations = kEvaluations;
   task.seed = number;
   const GenerateResult generation = generate(task).value();
   Judged judged{.goal = goal};
   judged.met = judged.said = generation.meets_goals();
-  Kinematics<double> placed(body);
+  Kinematics<double> placed(posed);
   const Effector& hand =
-      body.effectors()[static_cast<std::size_t>(body.find_effector("right_hand").value())];
+      posed.body
+          .effectors()[static_cast<std::size_t>(posed.body.find_effector("right_hand").value())];
   for (const Candidate& candidate : generation.candidates) {
     const Clip& clip = candidate.motion.clip;
     double excess = 0.0;
-    for (int f = 0; f < clip.frames; ++f) excess = max(excess, excess_of(body, clip.frame(f)));
+    for (int f = 0; f < clip.frames; ++f) excess = max(excess, excess_of(posed, clip.frame(f)));
     ++judged.motions;
     judged.over_limit += excess > kRounding ? 1 : 0;
     judged.excess = max(judged.excess, excess);
-    judged.feet_moved += slide_of(body, clip) > kReachTolerance ? 1 : 0;
-    forward_kinematics<double>(body, clip.frame(clip.frames - 1), placed);
+    judged.feet_moved += slide_of(posed, clip) > kReachTolerance ? 1 : 0;
+    forward_kinematics<double>(posed, clip.frame(clip.frames - 1), placed);
     const double miss = norm(placed.point(hand.link, hand.point) - goal);
     judged.met = judged.met && miss <= kReachTolerance;
   }
-  IndependentReach reach(body, "right_hand");
+  IndependentReach reach(posed, "right_hand");
   Random random(number, 5);
   judged.reachable = reach.posture(goal, judged.met ? kStarts : kManyStarts, random).has_value();
   return judged;
 }
 
 // until enough motions are delivered for enough goals
-std::vector<Judged> judge_many(const Plan& plan, const BodyModel& body, std::size_t goals) {
+std::vector<Judged> judge_many(const Plan& plan, const PosedBody& posed, std::size_t goals) {
   Random places(plan.goal_seed, 4);
   std::vector<Judged> all;
   int motions = 0;
@@ -89,7 +90,7 @@ std::vector<Judged> judge_many(const Plan& plan, const BodyModel& body, std::siz
     }
     parallel_for(static_cast<int>(all.size() - first), 0, [&](int i, int) {
       const std::size_t k = first + static_cast<std::size_t>(i);
-      all[k] = judge(body, all[k].goal, k);
+      all[k] = judge(posed, all[k].goal, k);
     });
     for (std::size_t k = first; k < all.size(); ++k) motions += all[k].motions;
   }
@@ -103,10 +104,10 @@ std::string limits_and_goals(const Plan& plan) {
                "reachable", "met of these", "wanted", "met, and found by none of the starts",
                "said to be met, and not"});
   std::string missed;
-  for (const BodyModel& body : {half_body(), full_body(), human_body()}) {
-    const bool whole = body.name() == "human";
+  for (const PosedBody& posed : {half_body(), full_body(), human_body()}) {
+    const bool whole = posed.body.name() == "human";
     const auto goals = static_cast<std::size_t>(whole ? plan.human_goals : 0);
-    const std::vector<Judged> all = judge_many(plan, body, goals);
+    const std::vector<Judged> all = judge_many(plan, posed, goals);
     Judged sum;
     int reachable = 0, met = 0, met_besides = 0, wrong = 0;
     for (const Judged& one : all) {
@@ -119,10 +120,10 @@ std::string limits_and_goals(const Plan& plan) {
       met_besides += !one.reachable && one.met ? 1 : 0;
       wrong += one.said && !one.met ? 1 : 0;
       if (!one.reachable || one.met) continue;
-      missed += fmt::format("- {} ({:.3f}, {:.3f}, {:.3f})\n", body.name(), one.goal.x, one.goal.y,
-                            one.goal.z);
+      missed += fmt::format("- {} ({:.3f}, {:.3f}, {:.3f})\n", posed.body.name(), one.goal.x,
+                            one.goal.y, one.goal.z);
     }
-    table.add({body.name(), std::to_string(all.size()), std::to_string(sum.motions),
+    table.add({posed.body.name(), std::to_string(all.size()), std::to_string(sum.motions),
                std::to_string(sum.over_limit), fmt::format("{:.4f}", degrees(sum.excess)),
                std::to_string(sum.feet_moved), std::to_string(reachable),
                percent(met, reachable, 2), whole ? "≥ 99 %" : "≥ 99.5 %",

@@ -42,9 +42,9 @@ Vec3d place_in_front(Random& random) {
   return {x, y, random.uniform(0.05, 0.9)};
 }
 
-std::vector<Vec3d> goals_of(const GoalSet& set, const BodyModel& body, int count) {
-  if (set.around) return reachable_goals(body, count, set.seed);
-  IndependentReach reach(body, "right_hand");
+std::vector<Vec3d> goals_of(const GoalSet& set, const PosedBody& posed, int count) {
+  if (set.around) return reachable_goals(posed, count, set.seed);
+  IndependentReach reach(posed, "right_hand");
   Random places(set.seed, 1);
   Random starts(set.seed, 2);
   std::vector<Vec3d> goals;
@@ -55,8 +55,8 @@ std::vector<Vec3d> goals_of(const GoalSet& set, const BodyModel& body, int count
   return goals;
 }
 
-Task search_task(const BodyModel& body, const Vec3d& goal, int evaluations, std::uint64_t seed) {
-  Task task = goal_task(body, goal, Preset::flat, default_criteria());
+Task search_task(const PosedBody& posed, const Vec3d& goal, int evaluations, std::uint64_t seed) {
+  Task task = goal_task(posed, goal, Preset::flat, default_criteria());
   task.evaluations = evaluations;
   task.seed = seed;
   return task;
@@ -69,11 +69,11 @@ struct Best {
   bool postures = true;  // those that do not end in other postures
 };
 
-Best best_of(const BodyModel& body, const Vec3d& goal, int evaluations) {
+Best best_of(const PosedBody& posed, const Vec3d& goal, int evaluations) {
   std::vector<std::pair<double, Clip>> found;
   for (int k = 0; k < kLongSearches; ++k) {
     const Task task =
-        search_task(body, goal, evaluations, kLongSeed + static_cast<std::uint64_t>(k));
+        search_task(posed, goal, evaluations, kLongSeed + static_cast<std::uint64_t>(k));
     const GenerateResult generation = generate(task).value();
     const GenerateResult played = regenerate(task, *generation.best_seen).value();
     found.emplace_back(generation.best_seen_score, played.candidates.front().motion.clip);
@@ -90,13 +90,13 @@ Best best_of(const BodyModel& body, const Vec3d& goal, int evaluations) {
 }
 
 // Excess (%) of searches with that many motions over the best, per goal and seed.
-std::vector<double> gaps(const Plan& plan, const BodyModel& body, std::span<const Vec3d> goals,
+std::vector<double> gaps(const Plan& plan, const PosedBody& posed, std::span<const Vec3d> goals,
                          std::span<const Best> best, int evaluations) {
   std::vector<double> all(goals.size() * index(plan.few_seeds));
   parallel_for(static_cast<int>(all.size()), 0, [&](int i, int) {
     const std::size_t g = index(i / plan.few_seeds);
     const auto seed = static_cast<std::uint64_t>(i % plan.few_seeds) + 1;
-    const GenerateResult found = generate(search_task(body, goals[g], evaluations, seed)).value();
+    const GenerateResult found = generate(search_task(posed, goals[g], evaluations, seed)).value();
     all[index(i)] = 100.0 * (found.best_seen_score / best[g].score - 1.0);
   });
   return all;
@@ -107,9 +107,9 @@ std::string gap(const std::vector<double>& gaps) {
 }
 
 // Best scores at the budgets of a search from the best of these points (points × genes).
-std::vector<double> search_from(const BodyModel& body, const Vec3d& goal, bool table,
+std::vector<double> search_from(const PosedBody& posed, const Vec3d& goal, bool table,
                                 std::uint64_t seed, const std::vector<int>& budgets) {
-  GoalSearch searched(body, goal);
+  GoalSearch searched(posed, goal);
   BestAt best(budgets);
   SearchProblem problem = best.watch(searched.problem());
   std::vector<double> starts = bent_starts(searched.space());
@@ -132,7 +132,7 @@ std::vector<double> search_from(const BodyModel& body, const Vec3d& goal, bool t
 }
 
 // One search of all parameters, without styles, at growing budgets.
-void add_starts(const Plan& plan, const BodyModel& body, const GoalSet& set,
+void add_starts(const Plan& plan, const PosedBody& posed, const GoalSet& set,
                 std::span<const Vec3d> goals, std::span<const Best> best,
                 const std::vector<int>& budgets, Table& table) {
   for (const bool with : {false, true}) {
@@ -140,7 +140,7 @@ void add_starts(const Plan& plan, const BodyModel& body, const GoalSet& set,
     parallel_for(static_cast<int>(all.size()), 0, [&](int i, int) {
       const std::size_t g = index(i / plan.few_seeds);
       const auto seed = static_cast<std::uint64_t>(i % plan.few_seeds) + 1;
-      all[index(i)] = search_from(body, goals[g], with, seed, budgets);
+      all[index(i)] = search_from(posed, goals[g], with, seed, budgets);
       for (double& score : all[index(i)]) score = 100.0 * (score / best[g].score - 1.0);
     });
     std::vector<std::string> cells{set.name, with ? "the table" : "bent postures"};
@@ -159,27 +159,27 @@ std::string near_the_best(const Plan& plan) {
   const int count = plan.quick ? 2 : 24;
   const int longest = plan.quick ? 2000 : kLongEvaluations;
   const std::vector<int> budgets{64, 128, 256, 512, 1024, 2048};
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   Table of_budget({"goals", std::to_string(kFlatEvaluations / 2), std::to_string(kFlatEvaluations),
                    std::to_string(2 * kFlatEvaluations), std::to_string(4 * kFlatEvaluations),
                    "long searches disagree", "in one posture"});
   Table of_start({"goals", "begins at", "64", "128", "256", "512", "1024", "2048"});
   for (const GoalSet& set : kSets) {
-    const std::vector<Vec3d> goals = goals_of(set, body, count);
+    const std::vector<Vec3d> goals = goals_of(set, posed, count);
     std::vector<Best> best(goals.size());
     parallel_for(count, 0,
-                 [&](int g, int) { best[index(g)] = best_of(body, goals[index(g)], longest); });
+                 [&](int g, int) { best[index(g)] = best_of(posed, goals[index(g)], longest); });
     std::vector<std::string> cells{set.name};
     for (const int evaluations :
          {kFlatEvaluations / 2, kFlatEvaluations, 2 * kFlatEvaluations, 4 * kFlatEvaluations}) {
-      cells.push_back(gap(gaps(plan, body, goals, best, evaluations)));
+      cells.push_back(gap(gaps(plan, posed, goals, best, evaluations)));
     }
     const auto differ = std::count_if(best.begin(), best.end(), [](auto& b) { return !b.agree; });
     const auto alike = std::count_if(best.begin(), best.end(), [](auto& b) { return !b.postures; });
     cells.push_back(percent(static_cast<double>(differ), count, 0));
     cells.push_back(percent(static_cast<double>(alike), count, 0));
     of_budget.add(cells);
-    add_starts(plan, body, set, goals, best, budgets, of_start);
+    add_starts(plan, posed, set, goals, best, budgets, of_start);
   }
   return fmt::format(
              "How far, in %, the best score of the preset flat stays behind the best that is known "

@@ -44,9 +44,9 @@ struct LibraryCost {
 };
 
 LibraryCost library_cost() {
-  const BodyModel body = full_body();
-  const BodyLimbs limbs = find_limbs(body).value();
-  const BodyModel arm = arm_body(body, limbs.arms.front());
+  const PosedBody posed = full_body();
+  const BodyLimbs limbs = find_limbs(posed.body, posed.home).value();
+  const PosedBody arm = arm_body(posed.body, posed.home, limbs.arms.front());
   const auto folder = std::filesystem::temp_directory_path() / "shigusa_experiments";
   const LimbStore store = limb_store(folder);
   LibraryCost cost;

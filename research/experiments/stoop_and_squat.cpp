@@ -26,9 +26,9 @@ struct Delivered {
   double stoop = -1.0;
 };
 
-Delivered deliver(const BodyModel& body, const Vec3d& goal, const CriteriaSettings& criteria,
+Delivered deliver(const PosedBody& posed, const Vec3d& goal, const CriteriaSettings& criteria,
                   std::uint64_t seed) {
-  Task task = goal_task(body, goal, Preset::flat, criteria);
+  Task task = goal_task(posed, goal, Preset::flat, criteria);
   task.seed = seed;
   const GenerateResult generation = generate(task).value();
   Delivered delivered;
@@ -50,12 +50,12 @@ Delivered deliver(const BodyModel& body, const Vec3d& goal, const CriteriaSettin
 
 // Score of a squat: that of the best motion with an index below kSquatBelow from searches biased to
 // squats; the worst score if there is none.
-double asked_for_squat(const Plan& plan, const BodyModel& body, const Vec3d& goal,
+double asked_for_squat(const Plan& plan, const PosedBody& posed, const Vec3d& goal,
                        const CriteriaSettings& criteria) {
-  GoalSearch searched(body, goal, {.criteria = criteria});
+  GoalSearch searched(posed, goal, {.criteria = criteria});
   const double worst = worst_score(searched.criteria());
   double best = worst;
-  PostureMeter meter(body);
+  PostureMeter meter(posed);
   SearchProblem problem = searched.problem();
   const auto genes = static_cast<std::size_t>(problem.genes);
   problem.evaluate = [&](std::span<const double> points, std::span<double> scores) {
@@ -64,7 +64,7 @@ double asked_for_squat(const Plan& plan, const BodyModel& body, const Vec3d& goa
           roll_out(searched.reach(), searched.space().decode(points.subspan(i * genes, genes)));
       scores[i] = 2.0 * worst;
       if (!rolled.outcome.met(searched.reach().tolerance)) continue;
-      scores[i] = score_motion(body, rolled.motion, searched.criteria()).total;
+      scores[i] = score_motion(posed, rolled.motion, searched.criteria()).total;
       const Clip& clip = rolled.motion.clip;
       const double index = meter.index(clip.frame(clip.frames - 1)).value_or(100.0);
       if (index < kSquatBelow) {
@@ -87,7 +87,7 @@ std::vector<std::string> line_of(const Plan& plan, const Subject& subject,
   std::vector<Delivered> all(static_cast<std::size_t>(plan.seeds));
   parallel_for(plan.seeds, 0, [&](int s, int) {
     all[static_cast<std::size_t>(s)] =
-        deliver(subject.body, goal, criteria.settings(), static_cast<std::uint64_t>(s) + 1);
+        deliver(subject.posed, goal, criteria.settings(), static_cast<std::uint64_t>(s) + 1);
   });
   int squats = 0, stoops = 0, both = 0, over = 0;
   std::vector<double> counts, lowest, highest, squat_scores, stoop_scores, best_scores;
@@ -110,7 +110,7 @@ std::vector<std::string> line_of(const Plan& plan, const Subject& subject,
     return values.empty() ? std::string("–") : fmt::format("{:.{}f}", median(values), digits);
   };
   return {std::string(criteria.name),
-          subject.body.name(),
+          subject.posed.body.name(),
           percent(squats, plan.seeds),
           percent(stoops, plan.seeds),
           percent(both, plan.seeds),
@@ -121,7 +121,7 @@ std::vector<std::string> line_of(const Plan& plan, const Subject& subject,
           middle(squat_scores, 3),
           middle(stoop_scores, 3),
           middle(best_scores, 3),
-          fmt::format("{:.3f}", asked_for_squat(plan, subject.body, goal, criteria.settings()))};
+          fmt::format("{:.3f}", asked_for_squat(plan, subject.posed, goal, criteria.settings()))};
 }
 
 }  // namespace

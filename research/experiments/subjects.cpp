@@ -35,8 +35,8 @@ Vec3d random_place(Random& random) {
   return {x, y, random.uniform(-1.3, 1.3)};
 }
 
-std::vector<Vec3d> reachable_goals(const BodyModel& body, int count, std::uint64_t seed) {
-  IndependentReach reach(body, "right_hand");
+std::vector<Vec3d> reachable_goals(const PosedBody& posed, int count, std::uint64_t seed) {
+  IndependentReach reach(posed, "right_hand");
   Random places(seed, 1);
   Random starts(seed, 2);
   std::vector<Vec3d> goals;
@@ -47,12 +47,12 @@ std::vector<Vec3d> reachable_goals(const BodyModel& body, int count, std::uint64
   return goals;
 }
 
-Subject make_subject(const Plan& plan, const BodyModel& body) {
-  Subject subject{body, {}, static_cast<std::size_t>(plan.goals)};
-  for (const Vec3d& goal : reachable_goals(body, plan.goals, plan.goal_seed)) {
+Subject make_subject(const Plan& plan, const PosedBody& posed) {
+  Subject subject{posed, {}, static_cast<std::size_t>(plan.goals)};
+  for (const Vec3d& goal : reachable_goals(posed, plan.goals, plan.goal_seed)) {
     subject.places.push_back({"drawn", goal});
   }
-  IndependentReach reach(body, "right_hand");
+  IndependentReach reach(posed, "right_hand");
   Random starts(plan.goal_seed, 3);
   for (const Place& place : named_places()) {
     SHG_CHECK(reach.posture(place.position, kStarts, starts), place.name + " is out of reach");

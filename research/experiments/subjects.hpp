@@ -36,16 +36,16 @@ struct Place {
 [[nodiscard]] Vec3d random_place(Random& random);
 
 // `count` of these for which the independent method finds a posture; determined by the seed.
-[[nodiscard]] std::vector<Vec3d> reachable_goals(const BodyModel& body, int count,
+[[nodiscard]] std::vector<Vec3d> reachable_goals(const PosedBody& body, int count,
                                                  std::uint64_t seed);
 
 // A body with its goals.
 struct Subject {
-  BodyModel body;
+  PosedBody posed;
   std::vector<Place> places;  // those drawn, and then the named ones
   std::size_t drawn = 0;      // how many were drawn
 };
-[[nodiscard]] Subject make_subject(const Plan& plan, const BodyModel& body);
+[[nodiscard]] Subject make_subject(const Plan& plan, const PosedBody& body);
 // The half and the full body.
 [[nodiscard]] std::vector<Subject> make_subjects(const Plan& plan);
 

@@ -46,7 +46,7 @@ struct Variant {
 };
 
 std::vector<Variant> variants(const Subject& subject) {
-  GoalSearch searched(subject.body, subject.places[0].position, {.code = GeneCode::every});
+  GoalSearch searched(subject.posed, subject.places[0].position, {.code = GeneCode::every});
   const std::vector<std::string> names = searched.space().names();
   std::vector<Variant> all{{"the preset's", {"delay", "skew"}},
                            {"with delay", {"skew"}},
@@ -78,7 +78,7 @@ std::vector<Variant> variants(const Subject& subject) {
 
 double score_of(const Plan& plan, const Subject& subject, const Place& place,
                 const Variant& variant) {
-  GoalSearch searched(subject.body, place.position, {.code = GeneCode::every});
+  GoalSearch searched(subject.posed, place.position, {.code = GeneCode::every});
   std::vector<int> fixed;
   for (const std::string& name : variant.left_out) fixed.push_back(searched.space().find(name));
   const SearchProblem problem = without(searched.problem(), fixed);
@@ -116,7 +116,7 @@ std::string parameters_table(const Plan& plan, const Subject& subject) {
     }
     table.add(cells);
   }
-  return fmt::format("\n{}:\n\n", subject.body.name()) + table.text();
+  return fmt::format("\n{}:\n\n", subject.posed.body.name()) + table.text();
 }
 
 // Score of a search with one number of steps, and the score of its motion played with another.
@@ -127,8 +127,8 @@ struct Stepped {
 };
 
 Stepped step(const Plan& plan, const Subject& subject, const Place& place, int steps) {
-  GoalSearch searched(subject.body, place.position, {.steps = steps});
-  GoalSearch finest(subject.body, place.position,
+  GoalSearch searched(subject.posed, place.position, {.steps = steps});
+  GoalSearch finest(subject.posed, place.position,
                     {.steps = kStepCounts[std::size(kStepCounts) - 1]});
   std::vector<double> own, fine, times;
   for (int seed = 1; seed <= plan.slow_seeds; ++seed) {
@@ -167,7 +167,7 @@ std::string steps_table(const Plan& plan, std::span<const Subject> subjects) {
         times.push_back(all[k][p].microseconds);
         missed += all[k][p].fine >= worst_score(default_criteria()) ? 1 : 0;
       }
-      table.add({subject.body.name(), std::to_string(kStepCounts[k]), spread(own),
+      table.add({subject.posed.body.name(), std::to_string(kStepCounts[k]), spread(own),
                  fmt::format("{:.3f}", median(own_ratio)), spread(fine),
                  fmt::format("{:.3f}", median(fine_ratio)), std::to_string(missed),
                  fmt::format("{:.1f}", median(times))});

@@ -49,7 +49,7 @@ class Maker {
   }
 
  private:
-  [[nodiscard]] double scale() const { return body_.stature() / kUsualStature; }
+  [[nodiscard]] double scale() const { return body_.body.stature() / kUsualStature; }
   [[nodiscard]] Vec3d placed(const Vec3d& goal) const {
     Vec3d at = goal + shift_;
     at.y = max(at.y, 0.04);
@@ -62,7 +62,7 @@ class Maker {
     return units_.back().cases.back();
   }
 
-  BodyModel body_;
+  PosedBody body_;
   std::string name_;
   Random random_;
   std::vector<Unit>& units_;
@@ -116,12 +116,12 @@ void add_high(Maker& make) {
 
 Case case_of(Task task, Side side) {
   Case made{std::move(task), side};
-  const BodyModel& body = made.task.body;
-  const double scale = kUsualStature / body.stature();
-  const Kinematics<double> start = start_kinematics(body);
+  const PosedBody& posed = made.task.body;
+  const double scale = kUsualStature / posed.body.stature();
+  const Kinematics<double> start = home_kinematics(posed);
   const Vec3d goal = made.task.goals.front().position;
   const Effector& hand =
-      body.effector(body.find_effector(made.task.goals.front().effector).value());
+      posed.body.effector(posed.body.find_effector(made.task.goals.front().effector).value());
   const Vec3d way = goal - start.point(hand.link, hand.point);
   made.both = made.task.goals.size() > 1;
   made.height = goal.y * scale;

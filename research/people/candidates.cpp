@@ -65,7 +65,7 @@ struct Build {
 constexpr std::array kBuilds{Build{"`human`", kUsualStature}, Build{"female", 1.62, Sex::female},
                              Build{"1.55 m", 1.55, Sex::female}, Build{"1.88 m", 1.88}};
 
-BodyModel body_of(const Build& build) {
+PosedBody body_of(const Build& build) {
   return human_body(
       {.stature = build.stature, .mass = default_mass(build.stature, build.sex), .sex = build.sex});
 }
@@ -78,9 +78,9 @@ struct Asked {
   std::vector<double> trunks{};  // rad, of them at the end
 };
 
-Asked asked(const Place& place, const BodyModel& body, int candidates) {
-  const double scale = body.stature() / kUsualStature;
-  Task task(body);
+Asked asked(const Place& place, const PosedBody& posed, int candidates) {
+  const double scale = posed.body.stature() / kUsualStature;
+  Task task(posed);
   const Vec3d at = scale * place.at;
   task.goals = {{"right_hand", at}};
   if (place.both) task.goals.push_back({"left_hand", {-at.x, at.y, at.z}});
@@ -90,7 +90,7 @@ Asked asked(const Place& place, const BodyModel& body, int candidates) {
   GenerateResult generation = generate(task).value();
   Asked result{.place = &place, .met = generation.meets_goals()};
   for (Candidate& candidate : generation.candidates) {
-    const Track track = joints_track(body, candidate.motion.clip);
+    const Track track = joints_track(posed, candidate.motion.clip);
     result.trunks.push_back(trunk_lean(track.joints.back()));
     result.candidates.push_back(std::move(candidate));
   }
@@ -195,7 +195,7 @@ std::string listed(const Asked& of) {
 }  // namespace
 
 std::string candidates_section() {
-  std::vector<BodyModel> bodies;
+  std::vector<PosedBody> bodies;
   for (const Build& build : kBuilds) bodies.push_back(body_of(build));
   constexpr std::size_t kPerBuild = kPlaces.size() * kCandidates.size();
   std::vector<Asked> all(kBuilds.size() * kPerBuild);

@@ -33,13 +33,13 @@ struct Ended {
   double trunk = 0.0;  // rad
 };
 
-Ended ended(const BodyModel& body, const Vec3d& goal, const std::function<void(Task&)>& change) {
-  Task task(body);
+Ended ended(const PosedBody& posed, const Vec3d& goal, const std::function<void(Task&)>& change) {
+  Task task(posed);
   task.goals = {{"right_hand", goal}};
   change(task);
   task.batch.threads = 1;
   const GenerateResult generation = generate(task).value();
-  const Looks looks = looks_of(joints_track(body, generation.candidates.front().motion.clip));
+  const Looks looks = looks_of(joints_track(posed, generation.candidates.front().motion.clip));
   return {goal, generation.meets_goals(), looks.knee, looks.trunk};
 }
 
@@ -49,14 +49,14 @@ std::size_t at(int x, int y, int z) {
 }
 
 std::vector<Ended> all_ended(const std::function<void(Task&)>& change) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   std::vector<Ended> ends(kGoals);
   parallel_for(kGoals, 0, [&](int i, int) {
     const int z = i % kGrid[2];
     const int y = i / kGrid[2] % kGrid[1];
     const int x = i / (kGrid[2] * kGrid[1]);
     const Vec3d off{kStep * x, kStep * y, kStep * z};
-    ends[static_cast<std::size_t>(i)] = ended(body, kCorner + off, change);
+    ends[static_cast<std::size_t>(i)] = ended(posed, kCorner + off, change);
   });
   return ends;
 }

@@ -39,7 +39,7 @@ Gaze gaze_of(const Task& task) {
   if (!generation || !generation->meets_goals()) return {};
   const BodyModel& body = task.body;
   const Clip& clip = generation->candidates.front().motion.clip;
-  const HeadPoints points = head_points(body, start_state(body));
+  const HeadPoints points = head_points(body, task.home);
   Kinematics<double> placed(body);
   forward_kinematics<double>(body, clip.frame(clip.frames - 1), placed);
   const Vec3d& goal = task.goals.front().position;

@@ -67,8 +67,8 @@ ReachFigures figures_of(const Track& track) {
           .peak = peak_of(track)};
 }
 
-Beside beside(const BodyModel& body, const RecordedReach& reach) {
-  Task task(body);
+Beside beside(const PosedBody& posed, const RecordedReach& reach) {
+  Task task(posed);
   const double aside = reach.both ? kHalfBox : kAside;
   task.goals = {{"right_wrist", {-aside, reach.height, reach.ahead}}};
   if (reach.both) task.goals.push_back({"left_wrist", {aside, reach.height, reach.ahead}});
@@ -78,7 +78,7 @@ Beside beside(const BodyModel& body, const RecordedReach& reach) {
   const GenerateResult generation = generate(task).value();
   Beside result{.met = generation.meets_goals(), .candidates = {}};
   for (const Candidate& candidate : generation.candidates) {
-    result.candidates.push_back(figures_of(joints_track(body, candidate.motion.clip)));
+    result.candidates.push_back(figures_of(joints_track(posed, candidate.motion.clip)));
   }
   const auto nearer = [&](const ReachFigures& a, const ReachFigures& b) {
     return off(a, reach.figures) < off(b, reach.figures);
@@ -175,11 +175,11 @@ std::string sums(const std::vector<RecordedReach>& reaches, const std::vector<Be
 
 Result<std::string> persons_section(const std::filesystem::path& path) {
   SHG_TRY_ASSIGN(const std::vector<RecordedReach> reaches, read_recorded_reaches(path));
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   std::vector<Beside> made(reaches.size());
   parallel_for(static_cast<int>(reaches.size()), 0, [&](int index, int) {
     const auto i = static_cast<std::size_t>(index);
-    made[i] = beside(body, reaches[i]);
+    made[i] = beside(posed, reaches[i]);
   });
   std::string text = fmt::format(
       "## Recorded persons\n\nThe reaches of `../shared/people/reaches.tsv` that begin upright "

@@ -80,7 +80,7 @@ class Maker {
     return made;
   }
 
-  BodyModel body_;
+  PosedBody body_;
 };
 
 const RecordedCurve* find_curve(const std::vector<RecordedCurve>& curves, std::string_view reach) {

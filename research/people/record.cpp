@@ -90,7 +90,7 @@ Result<std::vector<Segment>> downward_segments(const std::filesystem::path& mani
 }
 
 Task Recorded::task() const {
-  Task task(body);
+  Task task(posed);
   task.goals = {{"right_hand", track.joints.back()[right_grip]}};
   task.duration = track.duration();
   return task;
@@ -101,9 +101,9 @@ Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& se
   SHG_TRY_ASSIGN(const CharacterSpec person,
                  measured(clip, segment.first, BodyExtent::human, heels));
   SHG_TRY_ASSIGN(const CharacterSpec paper, measured(clip, segment.first, BodyExtent::full));
-  SHG_TRY_ASSIGN(BodyModel body, build_character(person));
-  SHG_TRY_ASSIGN(BodyModel paper_body, build_character(paper));
-  Recorded reach{segment, std::move(motion), person, std::move(body), std::move(paper_body)};
+  SHG_TRY_ASSIGN(PosedBody posed, build_character(person));
+  SHG_TRY_ASSIGN(PosedBody paper_body, build_character(paper));
+  Recorded reach{segment, std::move(motion), person, std::move(posed), std::move(paper_body)};
   reach.track = record_track(reach);
   const FitFrames frames{segment.first, segment.last};
   ClipFit fit = fit_clip(reach.body, person.rig->rig, reach.motion, frames);
@@ -115,20 +115,20 @@ Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& se
   return reach;
 }
 
-Track joints_track(const BodyModel& body, const Clip& clip) {
+Track joints_track(const PosedBody& posed, const Clip& clip) {
   Track track;
   track.frame_time = clip.frame_time;
   track.angles = clip;
   std::array<const BodyNode*, kJoints> nodes{};
-  for (const BodyNode& node : body.nodes()) {
+  for (const BodyNode& node : posed.body.nodes()) {
     for (std::size_t j = 0; j < kBones.size(); ++j) {
       if (node.name == humanoid_bone_name(kBones[j])) nodes[j] = &node;
     }
     if (node.name == "right_hand_grip") nodes[right_grip] = &node;
   }
-  Kinematics<double> placed(body);
+  Kinematics<double> placed(posed);
   for (int f = 0; f < clip.frames; ++f) {
-    forward_kinematics<double>(body, clip.frame(f), placed);
+    forward_kinematics<double>(posed, clip.frame(f), placed);
     Joints joints;
     for (const BodyNode* node : nodes) joints.push_back(placed.point(node->link, node->point));
     track.joints.push_back(std::move(joints));
@@ -137,9 +137,9 @@ Track joints_track(const BodyModel& body, const Clip& clip) {
 }
 
 Track track_of(const Recorded& reach, const Clip& clip) {
-  const BodyModel& body = reach.body;
-  Track track = joints_track(body, clip);
-  const SkeletonMotion motion = skeleton_motion(body, clip);
+  const PosedBody& posed = reach.body;
+  Track track = joints_track(posed, clip);
+  const SkeletonMotion motion = skeleton_motion(posed, clip);
   const Rig rig = own_rig(*reach.person.landmarks, motion);
   track.paper_angles =
       fit_clip(reach.paper_body, rig, motion, {.first = 0, .last = clip.frames - 1}).clip;

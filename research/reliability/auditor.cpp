@@ -89,11 +89,11 @@ std::vector<std::string> nodes_of(const Candidate& candidate) {
 // start position.
 void add_made_hands(Judged& judged) {
   const BodyModel& body = judged.task.body;
-  const std::vector<Vec3d> start = start_places(body);
+  const std::vector<Vec3d> start = start_places(judged.task);
   for (int e = 0; e < static_cast<int>(body.effectors().size()); ++e) {
     const Effector& hand = body.effector(e);
     if (judged.motion.has(hand.node)) continue;
-    const std::string joint = file_joint(body, hand.link);
+    const std::string joint = file_joint(judged.task, hand.link);
     for (const RobotTree::Joint& above : judged.robot->joints()) {
       if (above.name != joint) continue;
       const Transformd& first = judged.motion.at(above.child, 0);
@@ -116,11 +116,11 @@ Result<void> read_files(Judged& judged, bool second) {
   SHG_TRY_ASSIGN(const std::string csv, file(FileFormat::csv));
   judged.table = Table(csv);
   if (judged.robot != nullptr) {
-    judged.links = judged.robot->places(judged.task.body.robot()->root, judged.table);
+    judged.links = judged.robot->places(judged.task.robot->root, judged.table);
     judged.motion = motion_of_robot(judged.links);
     if (judged.mujoco != nullptr && second) {
-      judged.other_files.push_back(judged.mujoco->motion(judged.task.body.robot()->root,
-                                                         judged.table, nodes_of(judged.candidate)));
+      judged.other_files.push_back(
+          judged.mujoco->motion(judged.task.robot->root, judged.table, nodes_of(judged.candidate)));
     }
     add_made_hands(judged);
     return {};

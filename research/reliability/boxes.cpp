@@ -70,7 +70,7 @@ double distance_from(const Obstacle& obstacle, const Vec3d& point) {
 
 std::vector<Bone> bones_of(const BodyModel& body, const OutsideMotion& motion) {
   std::vector<Bone> bones;
-  const bool robot = body.robot().has_value();
+  const bool robot = body.is_robot();
   for (const std::string side : {"left_", "right_"}) {
     if (robot) {
       add_chain(body, motion, {side + "shoulder", side + "elbow", side + "wrist", side + "hand"},

@@ -83,9 +83,9 @@ void add(std::string bytes, const std::filesystem::path& path, Cast& cast) {
   };
   const Result<void> loaded = load_character(*member.bytes, member.character, member.folder);
   if (!loaded) return refuse(loaded.error());
-  const Result<BodyModel> body = build_character(member.character);
+  const Result<PosedBody> body = build_character(member.character);
   if (!body) return refuse(body.error());
-  member.stature = body->stature();
+  member.stature = body->body.stature();
   member.toes = heels_lift(member.character);
   if (is_robot(member.character)) {
     member.robot.emplace(urdf ? *member.bytes : member.character.urdf.value());

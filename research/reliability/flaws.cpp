@@ -95,8 +95,8 @@ void halve_torques(Judged& judged) {
     if (!judged.table.has(name)) continue;
     for (double& torque : judged.table.column(name)) torque *= 0.5;
   }
-  if (!judged.task.body.robot()) return;
-  for (const RobotJoint& joint : judged.task.body.robot()->joints) {
+  if (!judged.task.robot) return;
+  for (const RobotJoint& joint : judged.task.robot->joints) {
     const std::string name = joint.name + " torque [N m]";
     if (!judged.table.has(name)) continue;
     for (double& torque : judged.table.column(name)) torque *= 0.5;

@@ -49,7 +49,7 @@ void judge_goal(const Judged& judged, const OutsideMotion& motion, std::size_t g
 bool moves_made_joints(const Judged& judged) {
   if (judged.robot == nullptr) return false;
   const auto& joints = judged.robot->joints();
-  const auto& of_body = judged.task.body.robot()->joints;
+  const auto& of_body = judged.task.robot->joints;
   return std::any_of(of_body.begin(), of_body.end(), [&](const RobotJoint& joint) {
     return std::none_of(joints.begin(), joints.end(),
                         [&](const RobotTree::Joint& known) { return known.name == joint.name; });

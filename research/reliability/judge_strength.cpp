@@ -29,11 +29,11 @@ struct Column {
 std::vector<Column> torque_columns(const Judged& judged) {
   std::vector<Column> columns;
   const BodyModel& body = judged.task.body;
-  if (!body.robot()) {
+  if (!judged.task.robot) {
     for (const Dof& dof : body.dofs()) columns.push_back({dof.name, &dof, 1.0});
     return columns;
   }
-  for (const RobotJoint& joint : body.robot()->joints) {
+  for (const RobotJoint& joint : judged.task.robot->joints) {
     if (joint.dof >= 0) columns.push_back({joint.name, &body.dof(joint.dof), joint.sign});
   }
   return columns;
@@ -60,7 +60,7 @@ MovingBody moving_body(const Judged& judged, const PlacedLinks* links) {
   }
   std::vector<std::string> feet;
   for (const ContactResult& foot : judged.candidate.contacts) feet.push_back(foot.node);
-  return judged.robot->pieces(judged.task.body.robot()->root, judged.links, feet,
+  return judged.robot->pieces(judged.task.robot->root, judged.links, feet,
                               judged.candidate.motion.clip.frame_time);
 }
 

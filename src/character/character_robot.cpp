@@ -180,8 +180,8 @@ Result<PosedBody> build_robot_character(const CharacterSpec& spec) {
     standing.doubts.push_back(std::move(*size));
   }
   if (spec.animation) {
-    SHG_TRY(settle_at_keyframe(standing, read.robot, *spec.animation)
-                .map_error(within(spec.source)));
+    SHG_TRY(
+        settle_at_keyframe(standing, read.robot, *spec.animation).map_error(within(spec.source)));
   } else {
     settle(standing);
   }

@@ -201,7 +201,8 @@ Result<RecordedMotion> on_another_body(MotionFile file, const std::string& name,
                                        CharacterSpec character, int first) {
   SHG_TRY(measure_character(character, {}));
   SHG_TRY_ASSIGN(PosedBody body, build_character(character));
-  SHG_TRY_ASSIGN(const MeasuredFile measured, measure(file, first, {}, {body.body.stature()}, name));
+  SHG_TRY_ASSIGN(const MeasuredFile measured,
+                 measure(file, first, {}, {body.body.stature()}, name));
   Rig rig = rig_of(file.motion, first, measured);
   rig.start = start_of(character, body);
   return RecordedMotion{std::move(body), std::move(file.motion),
@@ -289,8 +290,7 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   }
   const int around = static_cast<int>(min(kAround / clip.frame_time, 1000.0)) + 1;
   ClipScore result;
-  result.fit =
-      fit_clip(recorded, *recorded.rig, recorded.motion, {settings.first, last, around});
+  result.fit = fit_clip(recorded, *recorded.rig, recorded.motion, {settings.first, last, around});
   Clip smooth = result.fit.clip;
   if (settings.cutoff > 0.0) low_pass(smooth, settings.cutoff);
   const int first = result.fit.before;

@@ -151,7 +151,8 @@ std::vector<double> nearest_starts(const ReachProblem& problem, const ParameterS
   std::vector<double> counts(genes, 0.0);
   for (const ReachGoal& goal : problem.goals) {
     const BodyModel& body = *problem.body;
-    const std::optional<Vec3d> place = start_place(body, problem.home, goal.effector, goal.path.goal);
+    const std::optional<Vec3d> place =
+        start_place(body, problem.home, goal.effector, goal.path.goal);
     if (!place) continue;
     const bool left = body.effector(goal.effector).part.side == Side::left;
     const StartTable* table = table_of(space, body.feet().size(), left);

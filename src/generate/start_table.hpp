@@ -40,8 +40,8 @@ struct StartTable {
 
 // Goal position relative to the shoulder in the start posture, in statures; mirrored for a left
 // hand. None for effectors other than hands.
-[[nodiscard]] std::optional<Vec3d> start_place(const BodyModel& body, const State& home, int effector,
-                                               const Vec3d& goal);
+[[nodiscard]] std::optional<Vec3d> start_place(const BodyModel& body, const State& home,
+                                               int effector, const Vec3d& goal);
 
 // Rows of a table that a search scores: two batches of 16 with the bent postures.
 inline constexpr int kNearestStarts = 16;

@@ -222,8 +222,8 @@ class SwivelArm {
 
   const BodyModel* arm_;
   std::span<const double> start_;  // (dofs) rad
-  BasicHingedLimb<S> segments_;  // with the wrist in its start posture
-  double outwards_;              // sign of the turn about u that lifts the elbow outwards
+  BasicHingedLimb<S> segments_;    // with the wrist in its start posture
+  double outwards_;                // sign of the turn about u that lifts the elbow outwards
   HandTurn<S> turn_;
   std::vector<Line> lines_;  // (frames)
   std::vector<Bent> bents_;  // (frames) for a hand without an orientation: the same for all swivels

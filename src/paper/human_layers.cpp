@@ -75,8 +75,7 @@ void add_idle_arm(const BodyModel& body, const BodyLimb& arm, const Layer& alone
 }  // namespace
 
 Result<std::vector<Layer>> human_layers(const BodyModel& body, const State& start,
-                                        const CriteriaSettings& criteria,
-                                        LayerReading reading) {
+                                        const CriteriaSettings& criteria, LayerReading reading) {
   SHG_TRY_ASSIGN(std::vector<Layer> layers, paper_layers(body, start, criteria, reading));
   for (Delegate& handed : layers[0].delegates) {
     if (handed.by != DelegateMethod::limb_library) continue;

@@ -89,8 +89,8 @@ std::optional<BodyLimb> planted_leg(const BodyModel& body, std::span<const int> 
 }
 
 // The arm of a chain that begins at the shoulder.
-std::optional<BodyLimb> arm_of(const BodyModel& body, const State& start, std::span<const int> chain,
-                               const Effector& effector) {
+std::optional<BodyLimb> arm_of(const BodyModel& body, const State& start,
+                               std::span<const int> chain, const Effector& effector) {
   if (chain.size() != kArmToElbow && chain.size() != kArmToHand) return std::nullopt;
   BodyLimb arm{.name = side_of(body.dof(chain[0])) + "_arm",
                .kind = LimbKind::arm,
@@ -124,7 +124,8 @@ Transformd held_place(const BodyModel& body, const State& start, int carrier, in
   SHG_CHECK(link != kBaseLink, "a link that the other one carries");
   const Dof& dof = body.dof(link);
   const double angle = dof.sign * start.angles[static_cast<std::size_t>(link)];
-  return held_place(body, start, carrier, dof.parent) * Transformd{rotation(dof.axis, angle), dof.offset};
+  return held_place(body, start, carrier, dof.parent) *
+         Transformd{rotation(dof.axis, angle), dof.offset};
 }
 
 Result<BodyLimbs> find_limbs(const BodyModel& body, const State& start) {

@@ -89,8 +89,7 @@ Layer arm_layer(const BodyModel& body, const State& start, const BodyLimb& arm) 
 }  // namespace
 
 Result<std::vector<Layer>> paper_layers(const BodyModel& body, const State& start,
-                                        const CriteriaSettings& criteria,
-                                        LayerReading reading) {
+                                        const CriteriaSettings& criteria, LayerReading reading) {
   SHG_TRY_ASSIGN(const BodyLimbs limbs, find_limbs(body, start));
   Layer upper{.name = "trunk_and_limb_lengths",
               .body = reduced_body(body, start, limbs),

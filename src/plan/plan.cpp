@@ -84,8 +84,8 @@ void add_idle_layers(const BodyModel& body, std::span<const Layer> all, std::spa
 
 }  // namespace
 
-Result<Plan> layers_to_goals(const BodyModel& body, const State& start,
-                             std::span<const Goal> goals, const LayerChoice& choice, const CriteriaSettings& criteria) {
+Result<Plan> layers_to_goals(const BodyModel& body, const State& start, std::span<const Goal> goals,
+                             const LayerChoice& choice, const CriteriaSettings& criteria) {
   SHG_TRY_ASSIGN(const Plan all, make_layers(body, start, choice, criteria));
   const BodyLimbs limbs = find_limbs(body, start).value();
   std::vector<std::string> names;

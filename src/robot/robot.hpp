@@ -126,14 +126,14 @@ void mend_limits(Robot& robot);
 
 // Builds the body of a robot that stands on its right foot, with the left one planted beside it.
 // Its start posture has every angle at 0, or as near to that as limits allow, and may leave the
-// left foot in the air: see settled_posture.
+// left foot in the air: see settle.
 //
 // - The kernel's tree grows from the right foot, so joints between it and the pelvis are reversed.
 //   Rigidly connected links are one. Joints of toes, fingers and attachments of the head are fixed
 //   at their angles, with a doubt.
 // - Degrees of freedom have a person's names where the map and the axis determine them:
-//   "right_knee.flexion"; the sign is the anatomical one. The RobotFrame maps them to the joints of the
-//   file.
+//   "right_knee.flexion"; the sign is the anatomical one. The RobotFrame maps them to the joints of
+//   the file.
 // - Limits and strengths are the file's. A continuous joint has a person's limits if it is a
 //   person's joint; one without effort gets a person's strength, scaled by the robot's weight.
 // - The sole is at the lower end of the foot's collision shapes, else at a frame named as a sole,

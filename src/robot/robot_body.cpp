@@ -79,7 +79,9 @@ Result<PosedBody> RobotBuilder::build() {
   add_nodes();
   add_robot_frame();
   tell();
-  return PosedBody{BodyModel(std::move(body_)), {.angles = std::move(home_)}, std::move(doubts_),
+  return PosedBody{BodyModel(std::move(body_)),
+                   {.angles = std::move(home_)},
+                   std::move(doubts_),
                    std::move(frame_)};
 }
 

@@ -64,7 +64,7 @@ void RobotBuilder::find_world() {
       const auto same = [&](const RobotJoint& each) { return each.name == joint.name; };
       const auto found = std::find_if(frame_.joints.begin(), frame_.joints.end(), same);
       frame_.carriers.push_back({static_cast<std::size_t>(found - frame_.joints.begin()), before,
-                                joint.axis, joint.slides});
+                                 joint.axis, joint.slides});
       before = {};
       carrying_.push_back(joint.name);
       root = link;
@@ -80,7 +80,7 @@ void RobotBuilder::find_world() {
   const Transformd& top = placed_.links[index(world)];
   const Mat3d& turn = top.rotation;
   frame_.world.rotation = {in_robot_world(turn.cx), in_robot_world(turn.cy),
-                          in_robot_world(turn.cz)};
+                           in_robot_world(turn.cz)};
   const Transformd& at = placed_.links[index(root)];
   frame_.root = robot_.links[index(root)].name;
   frame_.link = link_of(root);
@@ -95,8 +95,7 @@ void RobotBuilder::tell_of_world(const std::string& world, const std::string& bo
   const bool bolted = carrying_.empty() && !bolt.empty();
   if (bolted) doubts_.push_back(say("root_bolted", shown(bolt), shown(frame_.root)));
   if (!carrying_.empty() && carry(frame_)) {
-    doubts_.push_back(
-        say("root_carried", carrying_.size(), shown(carrying_[0]), shown(world)));
+    doubts_.push_back(say("root_carried", carrying_.size(), shown(carrying_[0]), shown(world)));
   } else if (!carrying_.empty()) {
     frame_.carriers.clear();
     doubts_.push_back(

@@ -21,9 +21,9 @@ inline constexpr double kStandingElbow = radians(10.0);
 // out, with doubts.
 void settle(PosedBody& robot);
 
-// Brings a robot to a key frame of its file (Joint::rest): exactly if its feet are flat on one floor
-// and within its limits, else to the nearest posture for which that holds, with a doubt. Fails if
-// the feet are too far off.
+// Brings a robot to a key frame of its file (Joint::rest): exactly if its feet are flat on one
+// floor and within its limits, else to the nearest posture for which that holds, with a doubt.
+// Fails if the feet are too far off.
 [[nodiscard]] Result<void> settle_at_keyframe(PosedBody& robot, const Robot& file,
                                               const std::string& keyframe);
 

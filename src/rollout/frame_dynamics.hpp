@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "body/load.hpp"
 #include "criteria/motion_frame.hpp"
 #include "dynamics/contact_forces.hpp"
-#include "body/load.hpp"
 #include "dynamics/hand_load.hpp"
 #include "rollout/reach_problem.hpp"
 

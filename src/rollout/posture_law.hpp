@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "body/load.hpp"
 #include "body/anthropometry.hpp"
+#include "body/load.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "motion/minimum_jerk.hpp"
 #include "rollout/arm_clearance.hpp"

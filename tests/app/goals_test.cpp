@@ -46,8 +46,8 @@ class Goals : public testing::Test {
 
   // where the human's effector is at the start
   static Vec3d start(const std::string& effector) {
-    static const BodyModel body = human_body();
-    return effector_position(body, body.start(), effector.c_str());
+    static const PosedBody posed = human_body();
+    return effector_position(posed, posed.home.angles, effector.c_str());
   }
 
   [[nodiscard]] StoredRun stored(const std::string& folder = "out") const {

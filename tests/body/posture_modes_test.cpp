@@ -15,19 +15,18 @@ using namespace testing_support;
 
 constexpr double kRounding = 1e-9;
 
-PostureMode mode_of(const BodyModel& body, const std::string& name) {
-  const std::vector<PostureMode> modes = posture_modes(body, start_state(body));
+PostureMode mode_of(const PosedBody& posed, const std::string& name) {
+  const std::vector<PostureMode> modes = posture_modes(posed, posed.home);
   return *std::find_if(modes.begin(), modes.end(),
                        [&](const auto& mode) { return mode.name == name; });
 }
 
 // The body with these start angles (degrees).
-BodyModel starting(BodyDefinition body, const std::map<std::string, double>& angles_deg) {
-  const BodyModel before(body);
+PosedBody starting(PosedBody posed, const std::map<std::string, double>& angles_deg) {
   for (const auto& [dof, angle] : angles_deg) {
-    body.start[static_cast<std::size_t>(before.find_dof(dof).value())] = radians(angle);
+    posed.home.angles[static_cast<std::size_t>(posed.body.find_dof(dof).value())] = radians(angle);
   }
-  return BodyModel(body);
+  return posed;
 }
 
 TEST(PostureModes, WhoStartsBentMayStraighten) {
@@ -37,87 +36,87 @@ TEST(PostureModes, WhoStartsBentMayStraighten) {
               {40, 40, 40, -40, -20},  // half of the knees' is the squat's
               {40, 40, 60, -40, -60}, {40, 30, 60, -30, -65}, {30, 40, 60, -30, -65}};
   for (const auto& row : rows) {
-    const BodyModel body =
-        starting(full_body().definition(), {{"right_knee.flexion", row.right_knee},
-                                            {"left_knee.flexion", row.left_knee},
-                                            {"right_hip.flexion", row.hips},
-                                            {"left_hip.flexion", row.hips}});
-    EXPECT_NEAR(degrees(mode_of(body, "squat").lower), row.squat, kRounding) << row.right_knee;
-    EXPECT_NEAR(degrees(mode_of(body, "lean").lower), row.lean, kRounding) << row.right_knee;
+    const PosedBody posed = starting(full_body(), {{"right_knee.flexion", row.right_knee},
+                                                   {"left_knee.flexion", row.left_knee},
+                                                   {"right_hip.flexion", row.hips},
+                                                   {"left_hip.flexion", row.hips}});
+    EXPECT_NEAR(degrees(mode_of(posed, "squat").lower), row.squat, kRounding) << row.right_knee;
+    EXPECT_NEAR(degrees(mode_of(posed, "lean").lower), row.lean, kRounding) << row.right_knee;
   }
-  const BodyModel half = starting(half_body().definition(), {{"right_knee.flexion", 30}});
+  const PosedBody half = starting(half_body(), {{"right_knee.flexion", 30}});
   EXPECT_NEAR(degrees(mode_of(half, "squat").lower), -30, kRounding);
-  BodyDefinition stiff = full_body().definition();
+  BodyDefinition stiff = full_body().body.definition();
   for (Dof& dof : stiff.dofs) {
     if (dof.joint.ends_with("knee")) dof.name = dof.joint + ".slide";
   }
-  const BodyModel bent = starting(stiff, {{"right_hip.flexion", 60}, {"left_hip.flexion", 60}});
+  const PosedBody bent = starting({BodyModel(stiff), full_body().home},
+                                  {{"right_hip.flexion", 60}, {"left_hip.flexion", 60}});
   EXPECT_NEAR(degrees(mode_of(bent, "lean").lower), -20, kRounding);
 }
 
 // Positions of nodes after that change (rad) of a mode.
 class Moved {
  public:
-  Moved(const BodyModel& body, const std::string& mode, double by)
-      : body_(body), kinematics_(body) {
-    std::vector<double> angles(body.start().begin(), body.start().end());
-    const std::vector<double> direction = mode_of(body, mode).direction;
+  Moved(const PosedBody& posed, const std::string& mode, double by)
+      : body_(posed), kinematics_(posed) {
+    std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
+    const std::vector<double> direction = mode_of(posed, mode).direction;
     for (std::size_t d = 0; d < angles.size(); ++d) angles[d] += by * direction[d];
-    kinematics_ = placed(body, angles);
+    kinematics_ = placed(posed, angles);
   }
   [[nodiscard]] Vec3d at(const char* node) const {
-    const BodyNode& found = *body_.find_node(node);
+    const BodyNode& found = *body_.body.find_node(node);
     return kinematics_.point(found.link, found.point);
   }
   [[nodiscard]] Vec3d way(const char* from, const char* to) const { return at(to) - at(from); }
 
  private:
-  const BodyModel& body_;
+  const PosedBody& body_;
   Kinematics<double> kinematics_;
 };
 
 TEST(PostureModes, SquatLowersTheTrunkAndLeavesItUpright) {
-  const BodyModel body = half_body();
-  const Moved before(body, "squat", 0.0);
-  const Moved after(body, "squat", 1.0);
+  const PosedBody posed = half_body();
+  const Moved before(posed, "squat", 0.0);
+  const Moved after(posed, "squat", 1.0);
   EXPECT_LT(norm(after.way("hips", "head") - before.way("hips", "head")), kRounding);
   EXPECT_LT(after.at("hips").y, before.at("hips").y - 0.08);
 }
 
 TEST(PostureModes, LeanBendsAheadWithTheHipsBack) {
-  const BodyModel body = full_body();
-  const Moved before(body, "lean", 0.0);
-  const Moved after(body, "lean", 0.5);
+  const PosedBody posed = full_body();
+  const Moved before(posed, "lean", 0.0);
+  const Moved after(posed, "lean", 0.5);
   EXPECT_GT(after.way("hips", "head").z, before.way("hips", "head").z + 0.1);
   EXPECT_LT(after.at("hips").z, before.at("hips").z - 0.05);
 }
 
 // The body with a waist of one joint, as in many robots.
-BodyModel one_waist() {
-  BodyDefinition body = human_body().definition();
+PosedBody one_waist() {
+  BodyDefinition body = human_body().body.definition();
   for (Dof& dof : body.dofs) {
     if (dof.name == "chest.rotation") dof.name = "torso.rotation";
   }
-  return BodyModel(body);
+  return {BodyModel(body), human_body().home};
 }
 
 double turn_between(const Vec3d& a, const Vec3d& b) { return atan2(norm(cross(a, b)), dot(a, b)); }
 
 TEST(PostureModes, RoundBendsTheSpineByItsAngle) {
-  const BodyModel bodies[] = {human_body(), one_waist()};
-  for (const BodyModel& body : bodies) {
-    const Vec3d before = Moved(body, "round", 0.0).way("upper_chest", "neck");
-    const Vec3d after = Moved(body, "round", 0.15).way("upper_chest", "neck");
+  const PosedBody bodies[] = {human_body(), one_waist()};
+  for (const PosedBody& posed : bodies) {
+    const Vec3d before = Moved(posed, "round", 0.0).way("upper_chest", "neck");
+    const Vec3d after = Moved(posed, "round", 0.15).way("upper_chest", "neck");
     EXPECT_NEAR(turn_between(before, after), 0.15, kRounding);
     EXPECT_GT(after.z, before.z);
   }
 }
 
 TEST(PostureModes, TwistTurnsTheShouldersToTheLeftByItsAngleOverTheFeet) {
-  const BodyModel bodies[] = {full_body(), human_body(), one_waist()};
-  for (const BodyModel& body : bodies) {
-    const Moved before(body, "twist", 0.0);
-    const Moved after(body, "twist", 0.5);
+  const PosedBody bodies[] = {full_body(), human_body(), one_waist()};
+  for (const PosedBody& posed : bodies) {
+    const Moved before(posed, "twist", 0.0);
+    const Moved after(posed, "twist", 0.5);
     const Vec3d shoulders = after.way("right_upper_arm", "left_upper_arm");
     EXPECT_NEAR(turn_between(before.way("right_upper_arm", "left_upper_arm"), shoulders), 0.5,
                 0.01);

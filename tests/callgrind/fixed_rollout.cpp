@@ -18,15 +18,15 @@ using namespace shigusa;
 
 constexpr int kMotions = 32;  // full lanes in every set
 
-int play(const BodyModel& body, std::string_view how, int rounds) {
-  const ReachProblem problem = testing_support::reach_with(body, "right_hand", {0.25, 0.55, 0.50});
+int play(const PosedBody& posed, std::string_view how, int rounds) {
+  const ReachProblem problem = testing_support::reach_with(posed, "right_hand", {0.25, 0.55, 0.50});
   const CriteriaSettings criteria;
   Random random(7);
   std::vector<Parameters> motions;
   std::vector<float> inverse;
   for (int i = 0; i < kMotions; ++i) {
-    motions.push_back(testing_support::random_parameters(body, random));
-    for (const double weight : inverse_weights(body, motions.back())) {
+    motions.push_back(testing_support::random_parameters(posed, random));
+    for (const double weight : inverse_weights(posed, motions.back())) {
       inverse.push_back(static_cast<float>(weight));
     }
   }
@@ -34,7 +34,7 @@ int play(const BodyModel& body, std::string_view how, int rounds) {
     for (int round = 0; round < rounds; ++round) {
       for (const Parameters& parameters : motions) {
         const RolledOut rolled = roll_out(problem, parameters);
-        if (!(score_motion(body, rolled.motion, criteria).total > 0.0)) return 1;
+        if (!(score_motion(posed, rolled.motion, criteria).total > 0.0)) return 1;
       }
     }
     return 0;
@@ -54,7 +54,7 @@ int main(int count, char** arguments) {
     std::fprintf(stderr, "fixed_rollout BODY HOW ROUNDS\n");
     return 2;
   }
-  const std::string_view body = arguments[1];
-  return play(body == "half_body" ? half_body() : full_body(), arguments[2],
+  const std::string_view posed = arguments[1];
+  return play(posed == "half_body" ? half_body() : full_body(), arguments[2],
               std::atoi(arguments[3]));
 }

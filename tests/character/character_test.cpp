@@ -246,9 +246,9 @@ TEST(MeasureCharacter, StatureScalesThePerson) {
 
 TEST(BuildCharacter, MassIsThatOfAnAveragePersonUnlessGiven) {
   CharacterSpec spec;
-  EXPECT_NEAR(build_character(spec).value().mass(), 73.0, 0.01);
+  EXPECT_NEAR(build_character(spec).value().body.mass(), 73.0, 0.01);
   spec.mass = 90.0;
-  EXPECT_NEAR(build_character(spec).value().mass(), 90.0, 0.01);
+  EXPECT_NEAR(build_character(spec).value().body.mass(), 90.0, 0.01);
 }
 
 // A figure of 1 m below a head of 0.8 m, as in games.

@@ -39,9 +39,9 @@ class LayeredCharacter : public testing::TestWithParam<Recorded> {
 TEST_P(LayeredCharacter, MeetsItsGoalWithPlantedFeet) {
   Task task = make_task(file_, {}).value();
   // forwards from the shoulder by a bit less than the arm
-  const BodyLimb arm = find_limbs(task.body).value().arms[0];
+  const BodyLimb arm = find_limbs(task.body, task.home).value().arms[0];
   const Vec3d shoulder =
-      placed(task.body, task.body.start()).origin[static_cast<std::size_t>(arm.flexion)];
+      placed(task.body, task.home.angles).origin[static_cast<std::size_t>(arm.flexion)];
   task.goals[0].position = shoulder + Vec3d{0.1, -0.3, 0.9} * arm.segments.longest();
   const GenerateResult generation = generate(task).value();
   EXPECT_TRUE(generation.meets_goals());

@@ -53,21 +53,21 @@ TEST_F(MjcfCharacter, OfEachLayoutReachesItsGoal) {
 
 TEST_F(MjcfCharacter, AxesOfOneJointNeedNoMass) {
   const Task task = task_of(research_mjcf());
-  EXPECT_THAT(std::vector(task.body.doubts().begin(), task.body.doubts().end()),
+  EXPECT_THAT(std::vector(task.doubts.begin(), task.doubts.end()),
               Each(Not(HasSubstr("weighs nothing"))));
 }
 
 TEST_F(MjcfCharacter, HandThatIsAShapeOfItsForearmIsTheHand) {
   const Task task = task_of(research_mjcf(false));
   EXPECT_EQ(task.body.effectors()[0].node, "right_hand");
-  EXPECT_THAT(std::vector(task.body.doubts().begin(), task.body.doubts().end()),
+  EXPECT_THAT(std::vector(task.doubts.begin(), task.doubts.end()),
               Each(Not(HasSubstr("ends its arm"))));
 }
 
 TEST_F(MjcfCharacter, WithoutAnklesGetsThemWithADoubt) {
   const Task task = task_of(research_mjcf(true, false));
   EXPECT_TRUE(task.body.find_dof("left_ankle.flexion"));
-  EXPECT_THAT(std::vector(task.body.doubts().begin(), task.body.doubts().end()),
+  EXPECT_THAT(std::vector(task.doubts.begin(), task.doubts.end()),
               Contains(AllOf(HasSubstr("the legs have no ankles"), HasSubstr("left_foot_ankle"))));
   // the added ankle stands above the sole as a person's does, in 0.137 of the knee's height
   EXPECT_NEAR(task.body.base().translation.y, 0.137 / 0.863 * 0.386, 0.02);
@@ -82,8 +82,7 @@ TEST_F(MjcfCharacter, ResultIsPlayedAgainWithTheSameBytesAndDoubts) {
   StoredResult stored =
       parse_result(format_result({file_, task, generation}), "summary.json").value();
   const Task again = make_task(stored.task, "/nowhere").value();
-  EXPECT_THAT(std::vector(again.body.doubts().begin(), again.body.doubts().end()),
-              Contains("body 'box' of the world is no part of the robot"));
+  EXPECT_THAT(again.doubts, Contains("body 'box' of the world is no part of the robot"));
   const GenerateResult replayed = regenerate(again, stored.candidates.at(0)).value();
   for (const FileFormat format : {FileFormat::csv, FileFormat::bvh}) {
     EXPECT_EQ(export_candidate(again, replayed.candidates[0], format).value(),
@@ -133,7 +132,7 @@ TEST_F(MjcfCharacter, KeyframeIsTheStart) {
     file_.character.animation = key;
     const Task task = task_of(model);
     const auto start = [&](const char* freedom) {
-      return degrees(task.body.start()[static_cast<std::size_t>(*task.body.find_dof(freedom))]);
+      return degrees(task.home.angles[static_cast<std::size_t>(*task.body.find_dof(freedom))]);
     };
     EXPECT_NEAR(start("left_knee.flexion"), knee, 1.0) << key;
     EXPECT_NEAR(abs(start("left_elbow.flexion")), abs(elbow), 1.0) << key;
@@ -141,8 +140,7 @@ TEST_F(MjcfCharacter, KeyframeIsTheStart) {
     const TaskFile again = parse_task(format_task(file_), "task.json").value();
     TaskFile copy = again;
     const Task same = make_task(copy, "/nowhere").value();
-    EXPECT_EQ(std::vector(same.body.start().begin(), same.body.start().end()),
-              std::vector(task.body.start().begin(), task.body.start().end()));
+    EXPECT_EQ(same.home.angles, task.home.angles);
   }
 }
 

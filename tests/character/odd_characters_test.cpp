@@ -102,7 +102,7 @@ Result<Played> reach_with_right_hand(TaskFile& file) {
   const Clip& clip = generation.candidates[0].motion.clip;
   const CharacterRig& rig = *file.character.rig;
   const CharacterExporter exporter(rig);
-  const GltfAnimation animation = exporter.animation(task.body, clip, kMotion);
+  const GltfAnimation animation = exporter.animation(task, clip, kMotion);
   const ExportedGlb out(exporter.glb(std::span(&animation, 1)).value());
   const auto at = [out, rig, &character = file.character](const std::string& of, int frame) {
     const int i = rig.file_node[static_cast<std::size_t>(rig_node(character, of))];
@@ -157,14 +157,14 @@ TEST_P(OddCharacters, StandWhereTheirDescribedNodesPutThem) {
   GetParam().make(gltf);
   CharacterSpec spec{.source = "odd.glb"};
   ASSERT_TRUE(load_character(glb(gltf.dump(), "data"), spec));
-  const BodyModel body = build_character(spec).value();
+  const PosedBody posed = build_character(spec).value();
   Clip start;
-  start.dofs = body.dof_count();
+  start.dofs = posed.body.dof_count();
   start.frames = 1;
-  start.angles.assign(body.start().begin(), body.start().end());
-  const std::vector<LocalTransform> locals = node_motion(spec, body, start);
+  start.angles.assign(posed.home.angles.begin(), posed.home.angles.end());
+  const std::vector<LocalTransform> locals = node_motion(spec, posed, start);
   std::vector<Transformd> placed;
-  for (const CharacterNode& node : character_nodes(spec, body)) {
+  for (const CharacterNode& node : character_nodes(spec, posed)) {
     const LocalTransform& local = locals[placed.size()];
     const Mat3d turned = to_matrix(local.rotation);
     const Transformd in_parent{
@@ -173,7 +173,8 @@ TEST_P(OddCharacters, StandWhereTheirDescribedNodesPutThem) {
     placed.push_back(node.parent < 0 ? in_parent : placed[index(node.parent)] * in_parent);
   }
   const Vec3d hand = placed[index(spec.rig->rig.grips[1])].translation * node_unit(spec);
-  EXPECT_LE(norm(hand - start_places(body)[index(*body.find_effector("right_hand"))]), kMillimetre);
+  EXPECT_LE(norm(hand - start_places(posed)[index(*posed.body.find_effector("right_hand"))]),
+            kMillimetre);
 }
 
 void arms(json& file, double left_deg) {
@@ -314,14 +315,14 @@ TEST(OddCharacter, ATrunkBesideItsLimbsIsFoundAndGoesWithThem) {
                                     {"right_shoulder", "right_shoulder"}}) {
     EXPECT_THAT(spec.humanoid, Contains(testing::Pair(bone, found)));
   }
-  const BodyModel body = build_character(spec).value();
-  Clip clip{.dofs = body.dof_count(), .frames = 2, .angles = {}};
+  const PosedBody posed = build_character(spec).value();
+  Clip clip{.dofs = posed.body.dof_count(), .frames = 2, .angles = {}};
   for (int f = 0; f < clip.frames; ++f) {
-    std::vector<double> angles(body.start().begin(), body.start().end());
-    angles[static_cast<std::size_t>(body.find_dof("right_hip.flexion").value())] += 0.5 * f;
+    std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
+    angles[static_cast<std::size_t>(posed.body.find_dof("right_hip.flexion").value())] += 0.5 * f;
     clip.angles.insert(clip.angles.end(), angles.begin(), angles.end());
   }
-  const RigMotion moved = rig_motion(body, clip, spec.rig->rig);
+  const RigMotion moved = rig_motion(posed, clip, spec.rig->rig);
   const Skeleton& skeleton = spec.rig->skeleton;
   const SkeletonClip played{clip.frame_time, moved.frames, moved.local};
   const auto between = [&](const char* a, const char* b, int frame) {

@@ -29,9 +29,10 @@ TEST_P(RecordedHinges, BendToTheSideThatPeoplesDo) {
   for (int frame = GetParam().first; frame <= GetParam().last; frame += GetParam().step) {
     CharacterSpec spec{.source = GetParam().file, .frame = frame};
     ASSERT_TRUE(load_character(bytes, spec));
-    const BodyModel body = build_character(spec).value();
+    const PosedBody posed = build_character(spec).value();
     const auto angle = [&](const char* name) {
-      return degrees(body.start()[static_cast<std::size_t>(body.find_dof(name).value())]);
+      return degrees(
+          posed.home.angles[static_cast<std::size_t>(posed.body.find_dof(name).value())]);
     };
     for (const char* knee : {"left_knee.flexion", "right_knee.flexion"}) {
       EXPECT_GE(angle(knee), -10.0) << "frame " << frame << " " << knee;

@@ -44,19 +44,19 @@ TEST_F(RobotCharacter, IsReadOnceAndThenStandsInTheTask) {
 
 TEST_F(RobotCharacter, BeginsWithBentKneesOnFlatFeetWithinItsLimits) {
   const Task task = make_task(file_, {}).value();
-  const BodyModel& body = task.body;
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, body.start(), kinematics);
-  for (const Foot& foot : body.feet()) {
+  const PosedBody& posed = task;
+  Kinematics<double> kinematics(posed);
+  forward_kinematics<double>(posed, posed.home.angles, kinematics);
+  for (const Foot& foot : posed.body.feet()) {
     for (const Vec3d& corner : foot.outline) {
       EXPECT_NEAR(kinematics.point(foot.link, corner).y, 0.0, 1e-6);
     }
   }
-  const auto knee = static_cast<std::size_t>(body.find_dof("left_knee.flexion").value());
-  EXPECT_NEAR(body.start()[knee], radians(10.0), radians(1.0));
-  for (int d = 0; d < body.dof_count(); ++d) {
-    EXPECT_GE(body.start()[static_cast<std::size_t>(d)], body.dof(d).lower);
-    EXPECT_LE(body.start()[static_cast<std::size_t>(d)], body.dof(d).upper);
+  const auto knee = static_cast<std::size_t>(posed.body.find_dof("left_knee.flexion").value());
+  EXPECT_NEAR(posed.home.angles[knee], radians(10.0), radians(1.0));
+  for (int d = 0; d < posed.body.dof_count(); ++d) {
+    EXPECT_GE(posed.home.angles[static_cast<std::size_t>(d)], posed.body.dof(d).lower);
+    EXPECT_LE(posed.home.angles[static_cast<std::size_t>(d)], posed.body.dof(d).upper);
   }
 }
 

@@ -74,7 +74,7 @@ class RobotWorld : public testing::Test {
     return make_task(file, {});
   }
   static std::vector<Message> doubts_of(const Task& task) {
-    return {task.body.doubts().begin(), task.body.doubts().end()};
+    return {task.doubts.begin(), task.doubts.end()};
   }
   Reached reached(const std::string& text) {
     Task task = task_of(text, "robot.urdf").value();
@@ -109,7 +109,7 @@ TEST_F(RobotWorld, AWorldIsNoRoot) {
   const auto bolted =
       reached(below("<link name=\"odom\"/>" + joint("bolt", "fixed", "odom", "pelvis")));
   for (const Reached* each : {&floating, &bolted}) {
-    EXPECT_EQ(each->task.body.robot()->root, "pelvis");
+    EXPECT_EQ(each->task.robot->root, "pelvis");
     for (const char* column : {"root.x [m]", "root.z [m]", "root.qw"}) {
       const std::vector<double>& theirs = usual.columns.at(column);
       const std::vector<double>& ours = each->columns.at(column);
@@ -126,7 +126,7 @@ TEST_F(RobotWorld, AWorldIsNoRoot) {
 TEST_F(RobotWorld, AFrameFixedToTheTrunkIsTheRoot) {
   const auto dummy = reached(
       below("<link name=\"base_footprint\"/>" + joint("f", "fixed", "base_footprint", "pelvis")));
-  EXPECT_EQ(dummy.task.body.robot()->root, "base_footprint");
+  EXPECT_EQ(dummy.task.robot->root, "base_footprint");
   EXPECT_GT(range_of(dummy.columns.at("root.x [m]")), 1e-3);
 }
 
@@ -160,7 +160,7 @@ TEST_F(RobotWorld, SixJointsAboveTheRootCarryIt) {
     };
     const auto six =
         reached(below(six_joints({word(0), word(1), word(2)}, {word(3), word(4), word(5)})));
-    EXPECT_EQ(six.task.body.robot()->root, "pelvis");
+    EXPECT_EQ(six.task.robot->root, "pelvis");
     EXPECT_THAT(doubts_of(six.task),
                 Contains(HasSubstr("6 joints, 'root_0' the first, carry the robot")));
     EXPECT_EQ(range_of(six.columns.at("root.x [m]")), 0.0);

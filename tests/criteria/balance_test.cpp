@@ -15,9 +15,9 @@ namespace {
 using namespace testing_support;
 
 // A mass on a rod of 1 m, standing on the world's origin.
-const BodyModel& rod() {
-  static const BodyModel body = chain({{Axis::x, 1.0, 1.0}});
-  return body;
+const PosedBody& rod() {
+  static const PosedBody posed = chain({{Axis::x, 1.0, 1.0}});
+  return posed;
 }
 
 // The penalty of leaning by these angles, frame by frame.
@@ -36,7 +36,7 @@ TEST(Balance, IsTheLeanAsAShare) {
 
 TEST(Balance, CountsAllDirectionsAlike) {
   EXPECT_NEAR(penalty_of({-0.1}), penalty_of({0.1}), 1e-15);
-  const BodyModel sideways = chain({{Axis::z, 1.0, 1.0}});
+  const PosedBody sideways = chain({{Axis::z, 1.0, 1.0}});
   EXPECT_NEAR(penalty_by<Balance>(sideways, motion_through(sideways, {{0.1}})), penalty_of({0.1}),
               1e-15);
 }
@@ -70,22 +70,23 @@ TEST(Balance, LeanIsASetting) {
 }
 
 TEST(SupportCentre, IsTheMiddleOfTheStandingFeet) {
-  const BodyModel body = full_body();
-  const Vec3d centre = support_centre(body, start_state(body));
+  const PosedBody posed = full_body();
+  const Vec3d centre = support_centre(posed, posed.home);
   EXPECT_NEAR(centre.x, 0.0, 1e-12);
   EXPECT_NEAR(centre.y, 0.0, 1e-12);
   // the sole reaches from a quarter of the foot's length behind the ankle to three quarters ahead
-  const double ahead = 0.25 * StatureFractions::kFootLength * body.stature() * std::cos(radians(7));
-  const double ankle = body.base().translation.z;
+  const double ahead =
+      0.25 * StatureFractions::kFootLength * posed.body.stature() * std::cos(radians(7));
+  const double ankle = posed.body.base().translation.z;
   EXPECT_NEAR(centre.z, ankle + ahead, 1e-12);
 }
 
 TEST(SupportCentre, OfTheHalfBodyCountsBothFeet) {
-  EXPECT_NEAR(support_centre(half_body(), start_state(half_body())).x, 0.0, 1e-12);
+  EXPECT_NEAR(support_centre(half_body(), half_body().home).x, 0.0, 1e-12);
 }
 
 TEST(SupportCentre, OfABodyWithoutFeetIsItsBase) {
-  EXPECT_EQ(support_centre(rod(), start_state(rod())), (Vec3d{0, 0, 0}));
+  EXPECT_EQ(support_centre(rod(), rod().home), (Vec3d{0, 0, 0}));
 }
 
 }  // namespace

@@ -14,10 +14,10 @@ namespace {
 using namespace testing_support;
 
 // A mass on a rod of 1 m about `axis`, on a foot with this outline.
-BodyModel on_a_foot(const std::vector<Vec3d>& outline, Axis axis = Axis::x) {
+PosedBody on_a_foot(const std::vector<Vec3d>& outline, Axis axis = Axis::x) {
   BodyDefinition body = chain_definition({{axis, 1.0, 1.0}});
   body.feet.push_back({.name = "foot", .node = "foot", .outline = outline});
-  return BodyModel(body);
+  return at_zero(body);
 }
 
 // A sole 0.2 m long (0.15 m ahead) and 0.1 m wide (0.06 m to the left).
@@ -25,10 +25,10 @@ const std::vector<Vec3d> kSole{{.06, 0, .15}, {-.04, 0, .15}, {-.04, 0, -.05}, {
 
 // The penalty with the centre of mass this far ahead (m), frame by frame.
 double penalty_at(const std::vector<double>& ahead, double margin = kBalanceReserve) {
-  const BodyModel body = on_a_foot(kSole);
+  const PosedBody posed = on_a_foot(kSole);
   std::vector<std::vector<double>> frames;
   for (const double z : ahead) frames.push_back({std::asin(z)});
-  return penalty_by<BalanceZone>(body, motion_through(body, frames), margin);
+  return penalty_by<BalanceZone>(posed, motion_through(posed, frames), margin);
 }
 
 // Distance of a point inside the polygon.
@@ -57,9 +57,9 @@ TEST(BalanceZone, IsFullAMarginOutsideAndBeyond) {
 
 TEST(BalanceZone, CountsTheSides) {
   // about z a positive angle leans to the right, to smaller x
-  const BodyModel body = on_a_foot(kSole, Axis::z);
+  const PosedBody posed = on_a_foot(kSole, Axis::z);
   const auto at = [&](double x) {
-    return penalty_by<BalanceZone>(body, motion_through(body, {{std::asin(-x)}}));
+    return penalty_by<BalanceZone>(posed, motion_through(posed, {{std::asin(-x)}}));
   };
   EXPECT_EQ(at(0.02), 0.0);
   EXPECT_NEAR(at(0.06), 0.5, 1e-12);
@@ -73,15 +73,16 @@ TEST(BalanceZone, IsHalfTheMeanAndHalfTheWorst) {
 TEST(BalanceZone, MarginIsASetting) { EXPECT_NEAR(penalty_at({0.135}, 0.02), 0.125, 1e-12); }
 
 TEST(BalanceZone, OfUprightStandingIsZero) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const std::vector<double> start(body.start().begin(), body.start().end());
-    EXPECT_EQ(penalty_by<BalanceZone>(body, motion_through(body, {start})), 0.0) << body.name();
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const std::vector<double> start(posed.home.angles.begin(), posed.home.angles.end());
+    EXPECT_EQ(penalty_by<BalanceZone>(posed, motion_through(posed, {start})), 0.0)
+        << posed.body.name();
   }
 }
 
 TEST(BalanceZone, OfABodyWithoutFeetIsZero) {
-  const BodyModel body = chain({{}});
-  EXPECT_EQ(penalty_by<BalanceZone>(body, motion_through(body, {{1.5}})), 0.0);
+  const PosedBody posed = chain({{}});
+  EXPECT_EQ(penalty_by<BalanceZone>(posed, motion_through(posed, {{1.5}})), 0.0);
 }
 
 TEST(SupportPolygon, LeavesOutWhatIsHollowOrTwice) {
@@ -89,12 +90,12 @@ TEST(SupportPolygon, LeavesOutWhatIsHollowOrTwice) {
   outline.push_back({0.0, 0, 0.0});
   outline.push_back({0.01, 0, 0.15});  // on an edge
   outline.push_back(kSole[1]);
-  EXPECT_EQ(support_polygon(on_a_foot(outline), start_state(on_a_foot(outline))).size(), 4u);
+  EXPECT_EQ(support_polygon(on_a_foot(outline), on_a_foot(outline).home).size(), 4u);
 }
 
 TEST(SupportPolygon, GoesCounterClockwiseSeenFromAbove) {
-  for (const BodyModel& body : {on_a_foot(kSole), half_body(), full_body()}) {
-    const std::vector<Vec3d> corners = support_polygon(body, start_state(body));
+  for (const PosedBody& posed : {on_a_foot(kSole), half_body(), full_body()}) {
+    const std::vector<Vec3d> corners = support_polygon(posed, posed.home);
     ASSERT_GE(corners.size(), 4u);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vec3d& a = corners[i];
@@ -106,11 +107,11 @@ TEST(SupportPolygon, GoesCounterClockwiseSeenFromAbove) {
 }
 
 TEST(SupportPolygon, HoldsAllOfBothSoles) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const std::vector<SupportEdge> edges = support_edges(body, start_state(body));
-    const Kinematics<double> now = placed(body, body.start());
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const std::vector<SupportEdge> edges = support_edges(posed, posed.home);
+    const Kinematics<double> now = placed(posed, posed.home.angles);
     double nearest = 1.0;
-    for (const Foot& foot : body.feet()) {
+    for (const Foot& foot : posed.body.feet()) {
       for (const Vec3d& corner : foot.outline) {
         const Vec3d p = now.point(foot.link, corner);
         nearest = std::fmin(nearest, inside(edges, p.x, p.z));
@@ -118,13 +119,14 @@ TEST(SupportPolygon, HoldsAllOfBothSoles) {
     }
     EXPECT_NEAR(nearest, 0.0, 1e-12);  // no corner outside, and some on the edge
     // between the feet is inside
-    EXPECT_GT(inside(edges, 0.0, now.point(body.feet()[0].link, body.feet()[0].centre).z), 0.05);
+    EXPECT_GT(
+        inside(edges, 0.0, now.point(posed.body.feet()[0].link, posed.body.feet()[0].centre).z),
+        0.05);
   }
 }
 
 TEST(SupportEdges, MeasureTheDistanceToTheEdge) {
-  const std::vector<SupportEdge> edges =
-      support_edges(on_a_foot(kSole), start_state(on_a_foot(kSole)));
+  const std::vector<SupportEdge> edges = support_edges(on_a_foot(kSole), on_a_foot(kSole).home);
   ASSERT_EQ(edges.size(), 4u);
   EXPECT_NEAR(inside(edges, 0.01, 0.0), 0.05, 1e-12);
   EXPECT_NEAR(inside(edges, 0.05, 0.1), 0.01, 1e-12);
@@ -133,8 +135,8 @@ TEST(SupportEdges, MeasureTheDistanceToTheEdge) {
 }
 
 TEST(SupportEdges, OfALineHaveNoInside) {
-  const BodyModel body = on_a_foot({{0, 0, 0}, {0, 0, 0.2}});
-  const std::vector<SupportEdge> edges = support_edges(body, start_state(body));
+  const PosedBody posed = on_a_foot({{0, 0, 0}, {0, 0, 0.2}});
+  const std::vector<SupportEdge> edges = support_edges(posed, posed.home);
   EXPECT_NEAR(inside(edges, 0.0, 0.1), 0.0, 1e-12);
   EXPECT_LT(inside(edges, 0.01, 0.1), 0.0);
 }

@@ -15,17 +15,17 @@ namespace {
 using namespace testing_support;
 
 // A mass on a rod of 1 m about x, on a sole that ends 0.15 m ahead and 0.05 m behind.
-BodyModel on_a_foot() {
+PosedBody on_a_foot() {
   BodyDefinition body = chain_definition({{Axis::x, 1.0, 1.0}});
   body.feet.push_back(
       {.name = "foot",
        .node = "foot",
        .outline = {{.06, 0, .15}, {-.04, 0, .15}, {-.04, 0, -.05}, {.06, 0, -.05}}});
-  return BodyModel(body);
+  return at_zero(body);
 }
 
 double penalty_of(const std::vector<double>& angles, double outside = kPressureOutside) {
-  const BodyModel body = on_a_foot();
+  const PosedBody body = on_a_foot();
   std::vector<std::vector<double>> frames;
   for (const double q : angles) frames.push_back({q});
   return penalty_by<CentreOfPressure>(body, motion_through(body, frames), outside);
@@ -60,7 +60,7 @@ TEST(CentreOfPressure, IsMovedByWhatTheMassIsPushedBy) {
 }
 
 TEST(CentreOfPressure, DoesNotMatterToABodyWithoutFeet) {
-  const BodyModel body = chain({{Axis::x, 1.0, 1.0}});
+  const PosedBody body = chain({{Axis::x, 1.0, 1.0}});
   EXPECT_EQ(penalty_by<CentreOfPressure>(body, motion_through(body, {{1.0}, {-1.0}})), 0.0);
 }
 

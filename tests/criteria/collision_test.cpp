@@ -17,20 +17,20 @@ namespace {
 
 using namespace testing_support;
 
-std::vector<double> posture(const BodyModel& body,
+std::vector<double> posture(const PosedBody& posed,
                             std::initializer_list<std::pair<const char*, double>> angles_deg) {
-  std::vector<double> angles(body.start().begin(), body.start().end());
+  std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
   for (const auto& [name, angle] : angles_deg) {
-    angles[static_cast<std::size_t>(body.find_dof(name).value())] = radians(angle);
+    angles[static_cast<std::size_t>(posed.body.find_dof(name).value())] = radians(angle);
   }
   return angles;
 }
 
-CriteriaContext at_start(const BodyModel& body) { return {.start = start_state(body)}; }
+CriteriaContext at_start(const PosedBody& posed) { return {.start = posed.home}; }
 
-Clip clip_of(const BodyModel& body, const std::vector<std::vector<double>>& frames) {
+Clip clip_of(const PosedBody& posed, const std::vector<std::vector<double>>& frames) {
   Clip clip;
-  clip.dofs = body.dof_count();
+  clip.dofs = posed.body.dof_count();
   clip.frames = static_cast<int>(frames.size());
   clip.frame_time = 0.1;
   for (const auto& frame : frames) {
@@ -40,32 +40,33 @@ Clip clip_of(const BodyModel& body, const std::vector<std::vector<double>>& fram
 }
 
 TEST(Collision, AStandingPersonTouchesNothing) {
-  for (const BodyModel& body :
+  for (const PosedBody& posed :
        {half_body(), full_body(), human_body(), human_body({.heels = true})}) {
-    const CollisionFound found = deepest_collision(body, clip_of(body, {posture(body, {})}));
-    EXPECT_EQ(found.depth, 0.0) << body.name();
-    EXPECT_EQ(found.time, 0.0) << body.name();
+    const CollisionFound found = deepest_collision(posed, clip_of(posed, {posture(posed, {})}));
+    EXPECT_EQ(found.depth, 0.0) << posed.body.name();
+    EXPECT_EQ(found.time, 0.0) << posed.body.name();
   }
 }
 
 // A hand at a part of another body, by any angles that bring it there.
 TEST(Collision, SeesForearmsInHeadsAndShanks) {
-  const BodyModel body = full_body();
-  const auto folded = posture(body, {{"right_shoulder.flexion", 150},
-                                     {"right_shoulder.abduction", -20},
-                                     {"right_shoulder.rotation", -60},
-                                     {"right_elbow.flexion", 120}});
-  const CollisionFound head = deepest_collision(body, clip_of(body, {posture(body, {}), folded}));
+  const PosedBody posed = full_body();
+  const auto folded = posture(posed, {{"right_shoulder.flexion", 150},
+                                      {"right_shoulder.abduction", -20},
+                                      {"right_shoulder.rotation", -60},
+                                      {"right_elbow.flexion", 120}});
+  const CollisionFound head =
+      deepest_collision(posed, clip_of(posed, {posture(posed, {}), folded}));
   EXPECT_TRUE(head.other == "head" || head.other == "jaw" || head.other == "neck") << head.other;
   // an arm that swings across the shins of a stooping person
   int through = 0;
   for (double swing = -40.0; swing <= 20.0; swing += 5.0) {
     for (double lift = 60.0; lift <= 130.0; lift += 5.0) {
-      const auto stooped = posture(body, {{"right_hip.flexion", 110},
-                                          {"right_shoulder.flexion", lift},
-                                          {"right_shoulder.abduction", swing}});
+      const auto stooped = posture(posed, {{"right_hip.flexion", 110},
+                                           {"right_shoulder.flexion", lift},
+                                           {"right_shoulder.abduction", swing}});
       const CollisionFound found =
-          deepest_collision(body, clip_of(body, {posture(body, {}), stooped}));
+          deepest_collision(posed, clip_of(posed, {posture(posed, {}), stooped}));
       through += found.other.ends_with("shank") && found.depth > 0.03 ? 1 : 0;
     }
   }
@@ -73,22 +74,23 @@ TEST(Collision, SeesForearmsInHeadsAndShanks) {
 }
 
 TEST(Collision, SeesOneLegInTheOther) {
-  const BodyModel body = human_body();
-  const auto crossed = posture(body, {{"left_hip.abduction", -20}});
-  const CollisionFound found = deepest_collision(body, clip_of(body, {posture(body, {}), crossed}));
+  const PosedBody posed = human_body();
+  const auto crossed = posture(posed, {{"left_hip.abduction", -20}});
+  const CollisionFound found =
+      deepest_collision(posed, clip_of(posed, {posture(posed, {}), crossed}));
   EXPECT_TRUE(found.limb.starts_with("left_")) << found.limb;
   EXPECT_TRUE(found.other.starts_with("right_")) << found.other;
   EXPECT_GT(found.depth, 0.03);
 }
 
 TEST(Collision, NamesWhatPassesThroughWhatAndWhen) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   // the forearm turned inwards goes through the belly
-  const auto inside = posture(body, {{"right_elbow.flexion", 90},
-                                     {"right_shoulder.rotation", -70},
-                                     {"right_shoulder.flexion", -25}});
+  const auto inside = posture(posed, {{"right_elbow.flexion", 90},
+                                      {"right_shoulder.rotation", -70},
+                                      {"right_shoulder.flexion", -25}});
   const CollisionFound found =
-      deepest_collision(body, clip_of(body, {posture(body, {}), inside, posture(body, {})}));
+      deepest_collision(posed, clip_of(posed, {posture(posed, {}), inside, posture(posed, {})}));
   EXPECT_GT(found.depth, 0.03);
   EXPECT_TRUE(found.limb == "right_hand" || found.limb == "right_forearm") << found.limb;
   EXPECT_TRUE(found.other == "pelvis" || found.other == "spine" || found.other == "chest")
@@ -97,22 +99,22 @@ TEST(Collision, NamesWhatPassesThroughWhatAndWhen) {
 }
 
 TEST(Collision, SeesTheFloorBelowTheHands) {
-  const BodyModel body = human_body();
-  const auto deep = posture(body, {{"right_hip.flexion", 110}, {"right_knee.flexion", 130}});
-  EXPECT_EQ(deepest_collision(body, clip_of(body, {deep}), at_start(body)).other, "floor");
+  const PosedBody posed = human_body();
+  const auto deep = posture(posed, {{"right_hip.flexion", 110}, {"right_knee.flexion", 130}});
+  EXPECT_EQ(deepest_collision(posed, clip_of(posed, {deep}), at_start(posed)).other, "floor");
 }
 
 // A ball centred at the wrist: the depth is the sum of both radii.
 TEST(Collision, DepthInABallIsThatOfTheirRadii) {
-  const BodyModel body = human_body();
-  const auto raised = posture(body, {{"right_shoulder.flexion", 90}});
-  const Kinematics<double> kinematics = placed(body, raised);
-  for (const Capsule& capsule : body.capsules()) {
+  const PosedBody posed = human_body();
+  const auto raised = posture(posed, {{"right_shoulder.flexion", 90}});
+  const Kinematics<double> kinematics = placed(posed, raised);
+  for (const Capsule& capsule : posed.body.capsules()) {
     if (capsule.name != "right_forearm") continue;  // thicker than the hand
-    CriteriaContext context = at_start(body);
+    CriteriaContext context = at_start(posed);
     context.obstacles.push_back(
         {.name = "ball", .position = kinematics.point(capsule.link, capsule.to), .radius = 0.02});
-    const CollisionFound found = deepest_collision(body, clip_of(body, {raised}), context);
+    const CollisionFound found = deepest_collision(posed, clip_of(posed, {raised}), context);
     EXPECT_EQ(found.other, "ball");
     EXPECT_NEAR(found.depth, capsule.radius + 0.02, 1e-9);
   }
@@ -179,15 +181,15 @@ TEST(Collision, TaperedCapsulesAreAsThickAsWhereTheyAreNearest) {
 }
 
 // A person whose parts yield by that depth (m).
-BodyModel soft_person(double give) {
-  BodyDefinition body = human_body().definition();
+PosedBody soft_person(double give) {
+  BodyDefinition body = human_body().body.definition();
   for (Capsule& capsule : body.capsules) capsule.give = give;
-  return BodyModel(body);
+  return {BodyModel(body), human_body().home};
 }
 
 TEST(Collision, SoftFleshYields) {
-  const BodyModel hard = soft_person(0.0);
-  const BodyModel soft = soft_person(0.008);
+  const PosedBody hard = soft_person(0.0);
+  const PosedBody soft = soft_person(0.008);
   const Motion motion =
       motion_through(hard, {posture(hard, {}), posture(hard, {{"left_hip.abduction", -20}})});
   EXPECT_NEAR(deepest_collision(soft, motion.clip, at_start(soft)).depth,
@@ -197,12 +199,12 @@ TEST(Collision, SoftFleshYields) {
 }
 
 TEST(Collision, UpperArmsThatAreGrownOnTheTrunkCollideWithNothing) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   int grown = 0;
-  for (const Capsule& capsule : body.capsules()) grown += capsule.grown_on ? 1 : 0;
+  for (const Capsule& capsule : posed.body.capsules()) grown += capsule.grown_on ? 1 : 0;
   EXPECT_EQ(grown, 2);
-  for (const CapsulePair& pair : all_limb_pairs(body)) {
-    EXPECT_FALSE(body.capsules()[index(pair.limb)].grown_on);
+  for (const CapsulePair& pair : all_limb_pairs(posed)) {
+    EXPECT_FALSE(posed.body.capsules()[index(pair.limb)].grown_on);
   }
 }
 

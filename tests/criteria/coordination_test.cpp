@@ -160,13 +160,13 @@ TEST(Coordination, OfABodyWithoutKneesHipsOrShouldersIsZero) {
 // The half body's left side is a stub, and a seated person's legs are one piece.
 TEST(Coordination, OfAHalfBodyAndOfWhoSitsIsZero) {
   const Landmarks person = standing_landmarks(1.7, kStandingToeOut);
-  const BodyModel sits = build_human(
+  const PosedBody sits = build_human(
       seated(person, 1.7, 0.42),
       {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70.0, .sits = true});
   Random random(3);
-  for (const BodyModel& body : {half_body(), sits}) {
-    const Motion motion = motion_through(body, {random_posture(body, random)});
-    EXPECT_EQ(penalty_by<Coordination>(body, motion), 0.0) << body.name();
+  for (const PosedBody& posed : {half_body(), sits}) {
+    const Motion motion = motion_through(posed, {random_posture(posed, random)});
+    EXPECT_EQ(penalty_by<Coordination>(posed, motion), 0.0) << posed.body.name();
   }
 }
 

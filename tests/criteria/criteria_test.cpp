@@ -22,14 +22,14 @@ using namespace testing_support;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // A short motion of the full body that exceeds limits, leans and needs torque.
-Motion wild_motion(const BodyModel& body) {
+Motion wild_motion(const PosedBody& posed) {
   Random random(61);
   std::vector<std::vector<double>> frames;
   for (int f = 0; f < 5; ++f) {
-    frames.push_back({body.start().begin(), body.start().end()});
+    frames.push_back({posed.home.angles.begin(), posed.home.angles.end()});
     for (double& angle : frames.back()) angle += random.uniform(-0.2, 0.2);
   }
-  Motion motion = motion_through(body, frames);
+  Motion motion = motion_through(posed, frames);
   for (double& tau : motion.torques) tau = random.uniform(-30, 30);
   return motion;
 }
@@ -44,9 +44,9 @@ CriteriaSettings every_criterion() {
 }
 
 // Circumstances of a motion from the body's start posture.
-CriteriaContext at_start(const BodyModel& body) { return {.start = start_state(body)}; }
-CriteriaContext looking_at_goal(const BodyModel& body) {
-  return {.start = start_state(body), .gaze = kGoal};
+CriteriaContext at_start(const PosedBody& posed) { return {.start = posed.home}; }
+CriteriaContext looking_at_goal(const PosedBody& posed) {
+  return {.start = posed.home, .gaze = kGoal};
 }
 
 // Calls visit.operator()<Criterion>() for the class of each built-in criterion, in order.
@@ -69,17 +69,17 @@ UserCriterion constant(double value, double weight = 0.1, double scale = 1.0) {
 
 // The penalty of a user's criterion with that value.
 double user_penalty(double value, double scale = 1.0) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   CriteriaSettings settings;
   settings.user = {constant(value, 0.1, scale)};
-  return score_motion(body, wild_motion(body), settings).terms.back().penalty;
+  return score_motion(posed, wild_motion(posed), settings).terms.back().penalty;
 }
 
 TEST(Score, NamesItsTermsInOrder) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   CriteriaSettings settings;
   settings.user = {constant(0.5)};
-  const Score score = score_motion(body, wild_motion(body), settings);
+  const Score score = score_motion(posed, wild_motion(posed), settings);
   ASSERT_EQ(score.terms.size(), 4u);
   EXPECT_EQ(score.terms[0].name, "joint_range");
   EXPECT_EQ(score.terms[1].name, "balance");
@@ -88,18 +88,18 @@ TEST(Score, NamesItsTermsInOrder) {
 }
 
 TEST(Score, AMotionWithoutTorquesIsRefused) {
-  const BodyModel body = full_body();
-  Motion motion = wild_motion(body);
+  const PosedBody posed = full_body();
+  Motion motion = wild_motion(posed);
   motion.torques.clear();
-  EXPECT_THROW(static_cast<void>(score_motion(body, motion, {})), PreconditionError);
+  EXPECT_THROW(static_cast<void>(score_motion(posed, motion, {})), PreconditionError);
 }
 
 TEST(Score, AddsUpToItsTotal) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   CriteriaSettings settings;
   settings[CriterionKind::joint_range].weight = 0.7;
   settings.user = {constant(0.5, 0.3), constant(0.2, 2.0)};
-  const Score score = score_motion(body, wild_motion(body), settings);
+  const Score score = score_motion(posed, wild_motion(posed), settings);
   double sum = 0.0;
   for (const ScoreTerm& term : score.terms) sum += term.weight * term.penalty;
   EXPECT_DOUBLE_EQ(score.total, sum);
@@ -171,10 +171,10 @@ static_assert(looks_at_placement<Jolts<double>, double>);
 static_assert(!looks_at_placement<JointRange<double>, double>);
 
 TEST(Score, FramesWithoutPlacementAreRefusedWhereACriterionLooksAtIt) {
-  const BodyModel body = full_body();
-  BuiltInCriteria<double> paper(body, at_start(body), paper_criteria());
+  const PosedBody posed = full_body();
+  BuiltInCriteria<double> paper(posed, at_start(posed), paper_criteria());
   EXPECT_FALSE(paper.needs_placement());
-  BuiltInCriteria<double> usual(body, at_start(body), default_criteria());
+  BuiltInCriteria<double> usual(posed, at_start(posed), default_criteria());
   EXPECT_TRUE(usual.needs_placement());
   EXPECT_THROW(usual.add(MotionFrame<double>{}), PreconditionError);
 }
@@ -190,7 +190,7 @@ TEST(CriteriaPresets, HaveNames) {
 }
 
 TEST(Score, LeavesOutWhatHasNoWeight) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   CriteriaSettings settings = default_criteria();
   settings[CriterionKind::joint_range].weight = 0.0;
   std::vector<std::string> weighed;
@@ -198,7 +198,7 @@ TEST(Score, LeavesOutWhatHasNoWeight) {
     if (settings[criterion.kind].weight > 0.0) weighed.emplace_back(criterion.word);
   }
   std::vector<std::string> names;
-  for (const ScoreTerm& term : score_motion(body, wild_motion(body), settings).terms) {
+  for (const ScoreTerm& term : score_motion(posed, wild_motion(posed), settings).terms) {
     names.push_back(term.name);
   }
   EXPECT_EQ(names, weighed);
@@ -208,28 +208,28 @@ TEST(Score, LeavesOutWhatHasNoWeight) {
 }
 
 TEST(Score, TermsOfAllCriteriaAreTheirPenalties) {
-  const BodyModel body = full_body();
-  const Motion motion = wild_motion(body);
-  const Score score = score_motion(body, motion, every_criterion(), looking_at_goal(body));
+  const PosedBody posed = full_body();
+  const Motion motion = wild_motion(posed);
+  const Score score = score_motion(posed, motion, every_criterion(), looking_at_goal(posed));
   std::size_t at = 0;
   for_each_class([&]<template <class> class CriterionOf>() {
     EXPECT_EQ(score.terms.at(at).name, word_of(CriterionOf<double>::kKind));
     EXPECT_EQ(score.terms.at(at++).penalty,
-              penalty_by<CriterionOf>(body, motion, looking_at_goal(body)));
+              penalty_by<CriterionOf>(posed, motion, looking_at_goal(posed)));
   });
   EXPECT_EQ(score.terms.size(), at);
 }
 
 TEST(Score, PenaltiesStayWithinZeroAndOneForAnyMotion) {
-  for (const BodyModel& body : {half_body(), full_body(), human_body()}) {
+  for (const PosedBody& posed : {half_body(), full_body(), human_body()}) {
     Random random(62);
     for (int trial = 0; trial < 200; ++trial) {
       std::vector<std::vector<double>> frames;
-      for (int f = 0; f < 4; ++f) frames.push_back(random_vector(body, -4.0, 4.0, random));
-      Motion motion = motion_through(body, frames);
+      for (int f = 0; f < 4; ++f) frames.push_back(random_vector(posed, -4.0, 4.0, random));
+      Motion motion = motion_through(posed, frames);
       for (double& tau : motion.torques) tau = random.uniform(-1e4, 1e4);
       for (const ScoreTerm& term :
-           score_motion(body, motion, every_criterion(), looking_at_goal(body)).terms) {
+           score_motion(posed, motion, every_criterion(), looking_at_goal(posed)).terms) {
         ASSERT_GE(term.penalty, 0.0) << term.name;
         ASSERT_LE(term.penalty, 1.0) << term.name;
       }
@@ -238,55 +238,55 @@ TEST(Score, PenaltiesStayWithinZeroAndOneForAnyMotion) {
 }
 
 TEST(Score, FrameByFrameIsTheSameAsOfTheWholeMotion) {
-  const BodyModel body = full_body();
-  const Motion motion = wild_motion(body);
+  const PosedBody posed = full_body();
+  const Motion motion = wild_motion(posed);
   const CriteriaSettings settings;
-  BuiltInCriteria<double> built_in(body, {.start = motion.clip.state(0)}, settings);
-  const std::size_t n = body.dofs().size();
+  BuiltInCriteria<double> built_in(posed, {.start = motion.clip.state(0)}, settings);
+  const std::size_t n = posed.body.dofs().size();
   for (int f = 0; f < motion.clip.frames; ++f) {
     const auto k = static_cast<std::size_t>(f);
     built_in.add(MotionFrame<double>{motion.clip.frame(f),
                                      std::span(motion.torques).subspan(k * n, n),
                                      motion.centre_of_mass[k]});
   }
-  EXPECT_EQ(built_in.score(), score_motion(body, motion, settings).total);
+  EXPECT_EQ(built_in.score(), score_motion(posed, motion, settings).total);
 }
 
 // The search reuses a criterion for one motion after the other.
 TEST(Score, CriteriaForgetTheMotionBefore) {
-  const BodyModel body = human_body();
-  const Motion before = wild_motion(body);
-  std::vector<std::vector<double>> frames(5, {body.start().begin(), body.start().end()});
+  const PosedBody posed = human_body();
+  const Motion before = wild_motion(posed);
+  std::vector<std::vector<double>> frames(5, {posed.home.angles.begin(), posed.home.angles.end()});
   for (std::size_t f = 0; f < frames.size(); ++f) frames[f][7] += 0.01 * static_cast<double>(f);
-  const Motion motion = motion_through(body, frames);
-  const CriteriaContext context = looking_at_goal(body);
+  const Motion motion = motion_through(posed, frames);
+  const CriteriaContext context = looking_at_goal(posed);
   for_each_class([&]<template <class> class CriterionOf>() {
     constexpr CriterionKind kKind = CriterionOf<double>::kKind;
-    CriterionOf<double> used(body, context, CriteriaSettings()[kKind].scale);
+    CriterionOf<double> used(posed, context, CriteriaSettings()[kKind].scale);
     EXPECT_EQ(used.penalty(), 0.0) << word_of(kKind);
-    show_motion(body, before, used);
+    show_motion(posed, before, used);
     EXPECT_GT(used.penalty(), 0.0) << word_of(kKind);
     used.reset();
     EXPECT_EQ(used.penalty(), 0.0) << word_of(kKind);
-    show_motion(body, motion, used);
-    EXPECT_EQ(used.penalty(), penalty_by<CriterionOf>(body, motion, context)) << word_of(kKind);
+    show_motion(posed, motion, used);
+    EXPECT_EQ(used.penalty(), penalty_by<CriterionOf>(posed, motion, context)) << word_of(kKind);
   });
 }
 
 // Penalties consist of means and maxima over the frames, which for equal frames are those of one
 // frame.
 TEST(Score, AStillMotionIsTheSameOfOneFrameAndOfMany) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   // leaning far, an arm in the trunk and beyond its limits
-  std::vector<double> posture(body.start().begin(), body.start().end());
-  posture[static_cast<std::size_t>(body.find_dof("right_elbow.flexion").value())] += 2.6;
-  posture[static_cast<std::size_t>(body.find_dof("right_shoulder.abduction").value())] -= 1.2;
-  posture[static_cast<std::size_t>(body.find_dof("right_hip.flexion").value())] += 1.5;
-  posture[static_cast<std::size_t>(body.find_dof("right_ankle.flexion").value())] += 0.5;
+  std::vector<double> posture(posed.home.angles.begin(), posed.home.angles.end());
+  posture[static_cast<std::size_t>(posed.body.find_dof("right_elbow.flexion").value())] += 2.6;
+  posture[static_cast<std::size_t>(posed.body.find_dof("right_shoulder.abduction").value())] -= 1.2;
+  posture[static_cast<std::size_t>(posed.body.find_dof("right_hip.flexion").value())] += 1.5;
+  posture[static_cast<std::size_t>(posed.body.find_dof("right_ankle.flexion").value())] += 0.5;
   const auto score = [&](std::size_t frames) {
-    Motion motion = motion_through(body, std::vector<std::vector<double>>(frames, posture));
+    Motion motion = motion_through(posed, std::vector<std::vector<double>>(frames, posture));
     for (double& tau : motion.torques) tau = 40.0;
-    return score_motion(body, motion, every_criterion(), looking_at_goal(body));
+    return score_motion(posed, motion, every_criterion(), looking_at_goal(posed));
   };
   const Score one = score(1);
   const Score many = score(5);
@@ -301,11 +301,11 @@ TEST(Score, AStillMotionIsTheSameOfOneFrameAndOfMany) {
 }
 
 TEST(WorstScore, IsReachedByNoMotion) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   CriteriaSettings settings;
   settings.user = {constant(1e9, 0.4)};
   EXPECT_DOUBLE_EQ(worst_score(settings), 1.4);
-  EXPECT_LT(score_motion(body, wild_motion(body), settings).total, worst_score(settings));
+  EXPECT_LT(score_motion(posed, wild_motion(posed), settings).total, worst_score(settings));
 }
 
 TEST(UserCriterion, IsMeasuredByItsScale) {
@@ -321,14 +321,14 @@ TEST(UserCriterion, IsHeldBetweenZeroAndOne) {
 }
 
 TEST(UserCriterion, NaNMakesTheScoreNaN) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   CriteriaSettings settings;
   settings.user = {constant(kNaN), constant(0.5)};
-  EXPECT_TRUE(std::isnan(score_motion(body, wild_motion(body), settings).total));
+  EXPECT_TRUE(std::isnan(score_motion(posed, wild_motion(posed), settings).total));
 }
 
 TEST(UserCriterion, SeesTheMotion) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   CriteriaSettings settings;
   settings.user = {{.name = "frames",
                     .weight = 1.0,
@@ -337,7 +337,7 @@ TEST(UserCriterion, SeesTheMotion) {
                       EXPECT_EQ(b.name(), "full_body");
                       return static_cast<double>(m.clip.frames);
                     }}};
-  EXPECT_DOUBLE_EQ(score_motion(body, wild_motion(body), settings).terms.back().penalty, 0.5);
+  EXPECT_DOUBLE_EQ(score_motion(posed, wild_motion(posed), settings).terms.back().penalty, 0.5);
 }
 
 }  // namespace

@@ -25,9 +25,9 @@ BodyDefinition hinges() {
   return body;
 }
 
-double penalty_at(const BodyModel& body, const std::vector<std::vector<double>>& frames,
+double penalty_at(const PosedBody& posed, const std::vector<std::vector<double>>& frames,
                   double share = kDiscomfortShare) {
-  return penalty_by<Discomfort>(body, motion_through(body, frames), share);
+  return penalty_by<Discomfort>(posed, motion_through(posed, frames), share);
 }
 
 std::vector<double> first_at(double angle) {
@@ -38,7 +38,7 @@ std::vector<double> first_at(double angle) {
 
 // Discomfort of one joint alone, 0..1.
 double of_one(double angle) {
-  return penalty_at(BodyModel(hinges()), {first_at(angle)}) * kDiscomfortShare * kHinges;
+  return penalty_at(at_zero(hinges()), {first_at(angle)}) * kDiscomfortShare * kHinges;
 }
 
 TEST(Discomfort, OfNeutralIsZero) { EXPECT_EQ(of_one(0.0), 0.0); }
@@ -75,32 +75,32 @@ TEST(Discomfort, IsFullWithAQuarterOfTheJointsAtTheirEnds) {
   std::vector<double> q(kHinges, 0.0);
   q[2] = 2.0;
   q[5] = -1.0;
-  EXPECT_NEAR(penalty_at(BodyModel(hinges()), {q}), 1.0, 1e-12);
-  EXPECT_EQ(penalty_at(BodyModel(hinges()), {std::vector<double>(kHinges, 2.0)}), 1.0);
+  EXPECT_NEAR(penalty_at(at_zero(hinges()), {q}), 1.0, 1e-12);
+  EXPECT_EQ(penalty_at(at_zero(hinges()), {std::vector<double>(kHinges, 2.0)}), 1.0);
 }
 
 TEST(Discomfort, IsHalfTheMeanAndHalfTheWorst) {
-  const BodyModel body(hinges());
-  const double once = penalty_at(body, {first_at(1.5)});
-  EXPECT_NEAR(penalty_at(body, {first_at(0), first_at(1.5), first_at(0), first_at(0)}),
+  const PosedBody posed = at_zero(hinges());
+  const double once = penalty_at(posed, {first_at(1.5)});
+  EXPECT_NEAR(penalty_at(posed, {first_at(0), first_at(1.5), first_at(0), first_at(0)}),
               once * (0.5 / 4 + 0.5), 1e-12);
 }
 
 TEST(Discomfort, KneesAndElbowsMayBeStraight) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const std::vector<double> straight(body.dofs().size(), 0.0);
-    EXPECT_EQ(penalty_at(body, {straight}), 0.0);
-    EXPECT_LT(penalty_at(body, {{body.start().begin(), body.start().end()}}), 0.02);
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const std::vector<double> straight(posed.body.dofs().size(), 0.0);
+    EXPECT_EQ(penalty_at(posed, {straight}), 0.0);
+    EXPECT_LT(penalty_at(posed, {{posed.home.angles.begin(), posed.home.angles.end()}}), 0.02);
   }
 }
 
 TEST(Discomfort, ABentKneeEasesTheHip) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   const auto at = [&](double hip, double knee) {
-    std::vector<double> q(body.dofs().size(), 0.0);
-    q[static_cast<std::size_t>(*body.find_dof("right_hip.flexion"))] = hip;
-    q[static_cast<std::size_t>(*body.find_dof("right_knee.flexion"))] = knee;
-    return penalty_at(body, {q});
+    std::vector<double> q(posed.body.dofs().size(), 0.0);
+    q[static_cast<std::size_t>(*posed.body.find_dof("right_hip.flexion"))] = hip;
+    q[static_cast<std::size_t>(*posed.body.find_dof("right_knee.flexion"))] = knee;
+    return penalty_at(posed, {q});
   };
   const double hip = at(radians(115), 0.0);
   EXPECT_NEAR(hip, 1.0 / 18 / kDiscomfortShare, 1e-12);
@@ -113,14 +113,14 @@ TEST(Discomfort, ABentKneeEasesTheHip) {
 TEST(Discomfort, NeutralIsALimitWhereZeroIsOutside) {
   BodyDefinition definition = hinges();
   definition.dofs[0].lower = 0.5;
-  const BodyModel body(definition);
-  EXPECT_EQ(penalty_at(body, {first_at(0.5)}), 0.0);
-  EXPECT_NEAR(penalty_at(body, {first_at(1.25)}) * kDiscomfortShare * kHinges, 0.125, 1e-12);
+  const PosedBody posed = at_zero(definition);
+  EXPECT_EQ(penalty_at(posed, {first_at(0.5)}), 0.0);
+  EXPECT_NEAR(penalty_at(posed, {first_at(1.25)}) * kDiscomfortShare * kHinges, 0.125, 1e-12);
 }
 
 TEST(Discomfort, ShareIsASetting) {
-  const BodyModel body(hinges());
-  EXPECT_NEAR(penalty_at(body, {first_at(1.0)}, 0.5), 0.5 * penalty_at(body, {first_at(1.0)}),
+  const PosedBody posed = at_zero(hinges());
+  EXPECT_NEAR(penalty_at(posed, {first_at(1.0)}, 0.5), 0.5 * penalty_at(posed, {first_at(1.0)}),
               1e-15);
 }
 

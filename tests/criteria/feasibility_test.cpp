@@ -16,7 +16,7 @@ using namespace testing_support;
 constexpr double kStrength = 10.0;  // N·m towards larger angles, and half of it back
 
 // A mass of 1 kg on a rod of 1 m about x, on a sole that ends 0.15 m ahead and 0.05 m behind.
-BodyModel on_a_foot() {
+PosedBody on_a_foot() {
   BodyDefinition body = chain_definition({{Axis::x, 1.0, 1.0}});
   body.dofs[0].torque_positive = kStrength;
   body.dofs[0].torque_negative = 0.5 * kStrength;
@@ -24,12 +24,12 @@ BodyModel on_a_foot() {
       {.name = "foot",
        .node = "foot",
        .outline = {{.06, 0, .15}, {-.04, 0, .15}, {-.04, 0, -.05}, {.06, 0, -.05}}});
-  return BodyModel(body);
+  return at_zero(body);
 }
 
 // The penalty of a body that stands still in the middle of its foot while its joint gives these
 // torques (N·m).
-Motion standing(const BodyModel& body, const std::vector<double>& torques) {
+Motion standing(const PosedBody& body, const std::vector<double>& torques) {
   std::vector<std::vector<double>> frames(torques.size(), {0.0});
   Motion motion = motion_through(body, frames);
   motion.torques = torques;
@@ -37,7 +37,7 @@ Motion standing(const BodyModel& body, const std::vector<double>& torques) {
 }
 
 double penalty_of(const std::vector<double>& torques) {
-  const BodyModel body = on_a_foot();
+  const PosedBody body = on_a_foot();
   return penalty_by<Feasibility>(body, standing(body, torques));
 }
 
@@ -60,7 +60,7 @@ TEST(Feasibility, StrengthIsThatOfTheTorquesDirection) {
 
 // At rest the centre of pressure is below the centre of mass.
 TEST(Feasibility, PressureOutsideTheFeetCounts) {
-  const BodyModel body = on_a_foot();
+  const PosedBody body = on_a_foot();
   const auto leaning = [&](double ahead) {
     return penalty_by<Feasibility>(body, motion_through(body, {{std::asin(ahead)}}));
   };

@@ -163,8 +163,7 @@ TEST(HandCurve, OfABodyWithoutHandsIsZero) {
   BodyDefinition handless = posed_definition();
   handless.effectors[0].name = "left_foot";
   handless.effectors[1].name = "right_foot";
-  EXPECT_EQ(penalty_of_poses<HandCurve>(going({0, 0, 0.4}, kOutwards), {}, BodyModel(handless)),
-            0.0);
+  EXPECT_EQ(penalty_of_poses<HandCurve>(going({0, 0, 0.4}, kOutwards), {}, at_zero(handless)), 0.0);
 }
 
 }  // namespace

@@ -13,15 +13,15 @@ namespace {
 
 using namespace testing_support;
 
-const BodyModel& body() {
-  static const BodyModel body = half_body();
-  return body;
+const PosedBody& body() {
+  static const PosedBody posed = half_body();
+  return posed;
 }
 
 // The start posture with the hip flexed further by `lean` (rad): the trunk leans by as much.
 std::vector<double> leaning(double lean) {
-  std::vector<double> q(body().start().begin(), body().start().end());
-  q[static_cast<std::size_t>(*body().find_dof("right_hip.flexion"))] += lean;
+  std::vector<double> q(body().home.angles.begin(), body().home.angles.end());
+  q[static_cast<std::size_t>(*body().body.find_dof("right_hip.flexion"))] += lean;
   return q;
 }
 
@@ -34,7 +34,7 @@ double penalty_of(const std::vector<double>& leans, const CriteriaContext& conte
 
 Vec3d node_at(const char* name, double lean) {
   const Kinematics<double> now = placed(body(), leaning(lean));
-  for (const BodyNode& node : body().nodes()) {
+  for (const BodyNode& node : body().body.nodes()) {
     if (node.name == name) return now.point(node.link, node.point);
   }
   ADD_FAILURE() << "no node " << name;
@@ -110,11 +110,11 @@ TEST(Head, CountsTheWorseOfHeightAndGaze) {
 TEST(Head, TurnsWithTheTrunk) {
   // looking at a goal behind takes a turn of the hips, however small
   const Vec3d aside = to_the_left(radians(100));
-  std::vector<double> turned(body().start().begin(), body().start().end());
-  turned[static_cast<std::size_t>(*body().find_dof("right_hip.rotation"))] += radians(30);
+  std::vector<double> turned(body().home.angles.begin(), body().home.angles.end());
+  turned[static_cast<std::size_t>(*body().body.find_dof("right_hip.rotation"))] += radians(30);
   const double turned_away =
       penalty_by<Head>(body(), motion_through(body(), {turned}), {.gaze = aside});
-  turned[static_cast<std::size_t>(*body().find_dof("right_hip.rotation"))] -= radians(60);
+  turned[static_cast<std::size_t>(*body().body.find_dof("right_hip.rotation"))] -= radians(60);
   const double turned_to =
       penalty_by<Head>(body(), motion_through(body(), {turned}), {.gaze = aside});
   EXPECT_EQ(max(turned_away, turned_to), 1.0);
@@ -128,7 +128,7 @@ TEST(Head, AGoalInTheHeadItselfIsANumber) {
 TEST(Head, HeightIsASetting) { EXPECT_GT(penalty_of({radians(50)}, {}, 0.9), 0.2); }
 
 TEST(Head, OfABodyWithoutOneIsZero) {
-  const BodyModel rod = chain({{}});
+  const PosedBody rod = chain({{}});
   EXPECT_EQ(penalty_by<Head>(rod, motion_through(rod, {{1.8}}), {.gaze = Vec3d{0, 0, -5}}), 0.0);
 }
 

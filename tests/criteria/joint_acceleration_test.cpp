@@ -16,7 +16,7 @@ using namespace testing_support;
 
 constexpr double kRate = 60.0;  // 1/s, of motion_through
 
-BodyModel hinges(int count) {
+PosedBody hinges(int count) {
   return chain(std::vector<Pendulum>(static_cast<std::size_t>(count)));
 }
 

@@ -33,31 +33,31 @@ BodyDefinition strong_hinges_definition(std::size_t count) {
   return body;
 }
 
-BodyModel strong_hinges(std::size_t count) { return BodyModel(strong_hinges_definition(count)); }
+PosedBody strong_hinges(std::size_t count) { return at_zero(strong_hinges_definition(count)); }
 
 // A hinge on a foot.
-BodyModel standing_hinge() {
+PosedBody standing_hinge() {
   BodyDefinition body = strong_hinges_definition(1);
   body.feet.emplace_back().name = "foot";
-  return BodyModel(body);
+  return at_zero(body);
 }
 
 // The penalty of these torques (frames × hinges, N·m), for a body at rest.
 double penalty_of(const std::vector<double>& torques, double limit = kJoltLimit,
                   std::size_t hinges = 1, double frame_time = kJoltTime) {
-  const BodyModel body = strong_hinges(hinges);
+  const PosedBody posed = strong_hinges(hinges);
   Motion motion = motion_through(
-      body, std::vector<std::vector<double>>(torques.size() / hinges, std::vector(hinges, 0.0)));
+      posed, std::vector<std::vector<double>>(torques.size() / hinges, std::vector(hinges, 0.0)));
   motion.clip.frame_time = frame_time;
   motion.torques = torques;
-  return penalty_by<Jolts>(body, motion, limit);
+  return penalty_by<Jolts>(posed, motion, limit);
 }
 
 // Passes frames with these floor pressures to the criterion, see pressure().
 void show_pressures(const std::vector<Vec3d>& pressures, Jolts<double>& jolts,
                     double frame_time = kJoltTime) {
   const std::vector<double> zero{0.0};
-  const Kinematics<double> kinematics = start_kinematics(standing_hinge());
+  const Kinematics<double> kinematics = home_kinematics(standing_hinge());
   for (const Vec3d& pressure : pressures) {
     jolts.add(PlacedFrame<double>{
         {.angles = zero, .torques = zero, .frame_time = frame_time}, kinematics, pressure});
@@ -72,14 +72,14 @@ Vec3d pressure_at(const Vec3d& place, double force = kBodyWeight) {
 struct Floor {
   double force = kBodyWeight;     // N
   double frame_time = kJoltTime;  // s
-  BodyModel body = standing_hinge();
+  PosedBody posed = standing_hinge();
 };
 
 // The penalty of pressure at these places (m, with y = 0).
 double penalty_at(const std::vector<Vec3d>& places, const Floor& floor = {}) {
   std::vector<Vec3d> pressures;
   for (const Vec3d& place : places) pressures.push_back(pressure_at(place, floor.force));
-  Jolts<double> jolts(floor.body, {}, kJoltLimit);
+  Jolts<double> jolts(floor.posed, {}, kJoltLimit);
   show_pressures(pressures, jolts, floor.frame_time);
   return jolts.penalty();
 }
@@ -151,7 +151,7 @@ TEST(Jolts, OfThePressureAreTheSameForALightBody) {
 TEST(Jolts, ABodyWithoutFeetHasNoPressure) {
   const std::vector<Vec3d> places{{}, {0, 0, 10.0 * kPressureJolt}};
   EXPECT_GT(penalty_at(places), 0.99);
-  EXPECT_EQ(penalty_at(places, {.body = strong_hinges(1)}), 0.0);
+  EXPECT_EQ(penalty_at(places, {.posed = strong_hinges(1)}), 0.0);
 }
 
 // A falling body presses on nothing.

@@ -16,39 +16,39 @@ using namespace testing_support;
 
 // The penalty where both hips, or the one of the half body, give these torques (N·m, sum of the
 // hips) in three frames.
-double penalty_of(const BodyModel& body, const std::vector<double>& together,
+double penalty_of(const PosedBody& posed, const std::vector<double>& together,
                   double share = kLowBackShare) {
-  const std::vector<double> start(body.start().begin(), body.start().end());
-  Motion motion = motion_through(body, std::vector<std::vector<double>>(together.size(), start));
-  const std::vector<int> hips = back_constants(body).dofs;
+  const std::vector<double> start(posed.home.angles.begin(), posed.home.angles.end());
+  Motion motion = motion_through(posed, std::vector<std::vector<double>>(together.size(), start));
+  const std::vector<int> hips = back_constants(posed).dofs;
   for (std::size_t f = 0; f < together.size(); ++f) {
     for (const int hip : hips) {
       motion.torques[f * start.size() + static_cast<std::size_t>(hip)] =
           together[f] / static_cast<double>(hips.size());
     }
   }
-  return penalty_by<LowBack>(body, motion, share);
+  return penalty_by<LowBack>(posed, motion, share);
 }
 
 // Moment (N·m) of the hips against gravity, from the inverse dynamics.
-double hip_torque(const BodyModel& body, const std::vector<double>& posture) {
-  DynamicsWorkspace<double> work(body);
+double hip_torque(const PosedBody& posed, const std::vector<double>& posture) {
+  DynamicsWorkspace<double> work(posed);
   const std::vector<double> still(posture.size(), 0.0);
   std::vector<double> tau(posture.size());
-  const Kinematics<double> now = placed(body, posture);
-  const Wrench<double> ground = inverse_dynamics<double>(body, now, {still, still}, work, tau);
-  if (body.feet().size() == 2) {
-    share_ground_wrench<double>(body, now, {}, ground, tau);
+  const Kinematics<double> now = placed(posed, posture);
+  const Wrench<double> ground = inverse_dynamics<double>(posed, now, {still, still}, work, tau);
+  if (posed.body.feet().size() == 2) {
+    share_ground_wrench<double>(posed, now, {}, ground, tau);
   }
   double sum = 0.0;
-  for (const int hip : back_constants(body).dofs) sum += tau[static_cast<std::size_t>(hip)];
+  for (const int hip : back_constants(posed).dofs) sum += tau[static_cast<std::size_t>(hip)];
   return sum;
 }
 
 // The start posture with both hips flexed by that angle (rad).
-std::vector<double> stoop(const BodyModel& body, double flexion) {
-  std::vector<double> q(body.start().begin(), body.start().end());
-  for (const int hip : back_constants(body).dofs) q[static_cast<std::size_t>(hip)] += flexion;
+std::vector<double> stoop(const PosedBody& posed, double flexion) {
+  std::vector<double> q(posed.home.angles.begin(), posed.home.angles.end());
+  for (const int hip : back_constants(posed).dofs) q[static_cast<std::size_t>(hip)] += flexion;
   return q;
 }
 
@@ -60,21 +60,21 @@ TEST(LowBack, KnowsTheHips) {
 TEST(LowBack, HipTorquesAreTheMomentOfAllAboveThem) {
   // the trunk and the arms, their weights' levers measured from the line through the hips; the half
   // body stands on straight feet, so its trunk leans in the plane of its one leg
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const std::vector<double> posture = stoop(body, radians(70));
-    const Kinematics<double> now = placed(body, posture);
-    const auto trunk = static_cast<std::size_t>(*body.find_dof("right_hip.flexion"));
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const std::vector<double> posture = stoop(posed, radians(70));
+    const Kinematics<double> now = placed(posed, posture);
+    const auto trunk = static_cast<std::size_t>(*posed.body.find_dof("right_hip.flexion"));
     double moment = 0.0;
-    for (int link = 0; link < body.dof_count(); ++link) {
-      const std::string& joint = body.dof(link).joint;
+    for (int link = 0; link < posed.body.dof_count(); ++link) {
+      const std::string& joint = posed.body.dof(link).joint;
       const bool arm = joint.ends_with("shoulder") || joint.ends_with("elbow");
       if (!arm && static_cast<std::size_t>(link) != trunk) continue;
-      const MassProperties& mass = body.link_mass(link);
+      const MassProperties& mass = posed.body.link_mass(link);
       moment += mass.mass * kGravity * (now.point(link, mass.com).z - now.origin[trunk].z);
     }
     ASSERT_GT(moment, 100.0);
     // lifting is extension
-    EXPECT_NEAR(hip_torque(body, posture), -moment, 0.02 * moment) << body.name();
+    EXPECT_NEAR(hip_torque(posed, posture), -moment, 0.02 * moment) << posed.body.name();
   }
 }
 
@@ -101,9 +101,9 @@ TEST(LowBack, OfRestIsZero) { EXPECT_EQ(penalty_of(full_body(), {0, 0, 0}), 0.0)
 
 TEST(LowBack, IsTheSquareOfTheShareOfStrength) {
   // a mean man: 100 N·m about both hips, 76 about L5/S1
-  for (const BodyModel& body : {half_body(), full_body()}) {
+  for (const PosedBody& posed : {half_body(), full_body()}) {
     const double r = 76.0 / 240.0;
-    EXPECT_NEAR(penalty_of(body, {-100}), r * r, 1e-12) << body.name();
+    EXPECT_NEAR(penalty_of(posed, {-100}), r * r, 1e-12) << posed.body.name();
   }
 }
 
@@ -124,22 +124,22 @@ TEST(LowBack, IsFullAtItsShareAndBeyond) {
 
 TEST(LowBack, StrengthFollowsTheBody) {
   // the same stature, half the mass: half the strength
-  const BodyModel light = full_body({1.741, 36.5, Sex::male});
+  const PosedBody light = full_body({1.741, 36.5, Sex::male});
   EXPECT_NEAR(penalty_of(light, {-50}), penalty_of(full_body(), {-100}), 1e-12);
-  const BodyModel woman = full_body({1.735, 61.9, Sex::female});
+  const PosedBody woman = full_body({1.735, 61.9, Sex::female});
   EXPECT_NEAR(penalty_of(woman, {-60}), penalty_of(full_body(), {-100}), 1e-12);
 }
 
 TEST(LowBack, BearsHalfItsStrengthUnderAHorizontalTrunk) {
   // by de Leva's masses, for a mean man with hanging arms: 0.172 m of his weight
-  const BodyModel body = full_body();
-  std::vector<double> posture = stoop(body, radians(90));
+  const PosedBody posed = full_body();
+  std::vector<double> posture = stoop(posed, radians(90));
   for (const char* shoulder : {"left_shoulder.flexion", "right_shoulder.flexion"}) {
-    posture[static_cast<std::size_t>(*body.find_dof(shoulder))] += radians(90);
+    posture[static_cast<std::size_t>(*posed.body.find_dof(shoulder))] += radians(90);
   }
-  const double torque = hip_torque(body, posture);
+  const double torque = hip_torque(posed, posture);
   EXPECT_NEAR(-kBackShareOfHips * torque, 0.172 * 73.0 * kGravity, 8.0);
-  EXPECT_NEAR(penalty_of(body, {torque}), 0.5 * 0.5, 0.05);
+  EXPECT_NEAR(penalty_of(posed, {torque}), 0.5 * 0.5, 0.05);
 }
 
 TEST(LowBack, ShareIsASetting) {
@@ -147,10 +147,10 @@ TEST(LowBack, ShareIsASetting) {
 }
 
 TEST(LowBack, OfABodyWithoutHipsIsZero) {
-  const BodyModel body = chain({{}});
-  Motion motion = motion_through(body, {{0.5}});
+  const PosedBody posed = chain({{}});
+  Motion motion = motion_through(posed, {{0.5}});
   motion.torques = {100.0};
-  EXPECT_EQ(penalty_by<LowBack>(body, motion), 0.0);
+  EXPECT_EQ(penalty_by<LowBack>(posed, motion), 0.0);
 }
 
 }  // namespace

@@ -115,17 +115,17 @@ TEST(MassAhead, DistanceIsASetting) {
 }
 
 TEST(MassAhead, WhoStartsElsewhereIsMeasuredAsWhoStands) {
-  BodyDefinition stooped = posed_definition();
-  stooped.start[0] = 0.8;
+  PosedBody stooped = posed_body();
+  stooped.home.angles[0] = 0.8;
   const Pose pose = reaching({}, kHangs, kAhead * 0.1);
-  EXPECT_NEAR(penalty_of_poses<MassAhead>({pose}, {}, BodyModel(stooped)), cost_of(0.1), 1e-12);
+  EXPECT_NEAR(penalty_of_poses<MassAhead>({pose}, {}, stooped), cost_of(0.1), 1e-12);
 }
 
 // As of a seated body, whose legs have no joints.
 TEST(MassAhead, ABodyWithoutKneesHasItsMassAtHomeWhereItStarts) {
-  const BodyModel sits = posed_body_without({"left_knee", "right_knee"});
+  const PosedBody sits = posed_body_without({"left_knee", "right_knee"});
   Pose pose = reaching({}, kHangs, {});
-  pose.mass = centre_of_mass(sits, start_kinematics(sits));
+  pose.mass = centre_of_mass(sits, home_kinematics(sits));
   EXPECT_NEAR(penalty_of_poses<MassAhead>({pose}, {}, sits), 0.0, 1e-12);
 }
 

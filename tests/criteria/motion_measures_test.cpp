@@ -10,23 +10,23 @@ namespace {
 
 using namespace testing_support;
 
-BodyModel strong_hinges(std::size_t count) {
+PosedBody strong_hinges(std::size_t count) {
   BodyDefinition chain = chain_definition(std::vector<Pendulum>(count));
   for (Dof& dof : chain.dofs) {
     dof.torque_positive = 100.0;
     dof.torque_negative = 50.0;
   }
-  return BodyModel(chain);
+  return at_zero(chain);
 }
 
 TEST(JointLoads, TellTheWorstMomentOfEachJoint) {
-  const BodyModel body = strong_hinges(2);
-  Motion motion = motion_through(body, {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}});
+  const PosedBody posed = strong_hinges(2);
+  Motion motion = motion_through(posed, {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}});
   motion.torques = {20.0, -10.0, -40.0, 5.0, 70.0, 5.0, 0.0, 0.0, 1e9, 1e9};
   motion.torques.resize(8);  // behind the last frame nothing counts
   MotionMeasures measures;
   EXPECT_EQ(most_loaded(measures), nullptr);
-  measures.loads = joint_loads(body, motion);
+  measures.loads = joint_loads(posed, motion);
   const std::vector<JointLoad>& loads = measures.loads;
   ASSERT_EQ(loads.size(), 2u);
   EXPECT_EQ(loads[0].dof, 0);
@@ -40,9 +40,9 @@ TEST(JointLoads, TellTheWorstMomentOfEachJoint) {
 }
 
 TEST(LimitExcess, TellsTheMostOfEachJointTheWorstFirst) {
-  const BodyModel body = strong_hinges(3);  // to 2 rad both ways
-  const Clip clip = motion_through(body, {{2.002, 0.0, 2.0017}, {2.001, -2.3, 0.0}}).clip;
-  const std::vector<LimitExcess> over = limit_excess(body, clip);
+  const PosedBody posed = strong_hinges(3);  // to 2 rad both ways
+  const Clip clip = motion_through(posed, {{2.002, 0.0, 2.0017}, {2.001, -2.3, 0.0}}).clip;
+  const std::vector<LimitExcess> over = limit_excess(posed, clip);
   ASSERT_EQ(over.size(), 2u);
   EXPECT_EQ(over[0].dof, "hinge_1.flexion");
   EXPECT_NEAR(over[0].excess, 0.3, 1e-12);
@@ -51,28 +51,28 @@ TEST(LimitExcess, TellsTheMostOfEachJointTheWorstFirst) {
 }
 
 TEST(Suddenness, OfTorquesIsTheirGreatestChangeAsIfInSixtySteps) {
-  const BodyModel body = strong_hinges(2);
+  const PosedBody posed = strong_hinges(2);
   std::vector<std::vector<double>> postures(31, {0.0, 0.0});
   postures[20] = {0.1, 0.1};  // where the floor presses is nothing to a body without feet
-  Motion motion = motion_through(body, postures);
+  Motion motion = motion_through(posed, postures);
   for (std::size_t k = 0; k < motion.torques.size(); k += 2)
     motion.torques[k] = 90.0;  // throughout
   motion.torques[7] = 30.0;    // of 150 both ways
-  EXPECT_DOUBLE_EQ(suddenness(body, motion).torque, 0.2 * 30 / 60);
-  EXPECT_EQ(suddenness(body, motion).pressure, 0.0);
+  EXPECT_DOUBLE_EQ(suddenness(posed, motion).torque, 0.2 * 30 / 60);
+  EXPECT_EQ(suddenness(posed, motion).pressure, 0.0);
 }
 
 TEST(Suddenness, OfASlowMotionsPressureIsTheWayOfItsCentreOfMass) {
-  const BodyModel body = full_body();
-  const std::vector<double> start(body.start().begin(), body.start().end());
+  const PosedBody posed = full_body();
+  const std::vector<double> start(posed.home.angles.begin(), posed.home.angles.end());
   std::vector<double> leans = start;
-  leans[static_cast<std::size_t>(body.find_dof("right_ankle.flexion").value())] += 0.01;
-  Motion motion = motion_through(body, {start, leans});
+  leans[static_cast<std::size_t>(posed.body.find_dof("right_ankle.flexion").value())] += 0.01;
+  Motion motion = motion_through(posed, {start, leans});
   motion.clip.frame_time = 1e4;  // s, too long for any inertia
   Vec3d way = motion.centre_of_mass[1] - motion.centre_of_mass[0];
   way.y = 0.0;
   EXPECT_GT(norm(way), 0.005);
-  EXPECT_NEAR(suddenness(body, motion).pressure, norm(way) / 60, 1e-6);
+  EXPECT_NEAR(suddenness(posed, motion).pressure, norm(way) / 60, 1e-6);
 }
 
 TEST(Suddenness, JoltsWhereEitherIsSeen) {

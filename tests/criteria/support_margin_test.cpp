@@ -13,12 +13,12 @@ namespace {
 using namespace testing_support;
 
 // A mass on a rod of 1 m about x, on a sole that ends 0.15 m ahead and 0.05 m behind.
-BodyModel on_a_foot() {
+PosedBody on_a_foot() {
   BodyDefinition body = chain_definition({{Axis::x, 1.0, 1.0}});
   body.feet.push_back({.name = "foot",
                        .node = "foot",
                        .outline = {{.3, 0, .15}, {-.3, 0, .15}, {-.3, 0, -.05}, {.3, 0, -.05}}});
-  return BodyModel(body);
+  return at_zero(body);
 }
 
 TEST(SupportMargins, OfAStillBodyAreBothOfItsCentreOfMass) {

@@ -14,17 +14,17 @@ namespace {
 using namespace testing_support;
 
 // A hinge of 100 N·m towards larger angles and 40 N·m towards smaller ones.
-BodyModel strong_hinge() {
+PosedBody strong_hinge() {
   BodyDefinition body = chain_definition({{}});
   body.dofs[0].torque_positive = 100.0;
   body.dofs[0].torque_negative = 40.0;
-  return BodyModel(body);
+  return at_zero(body);
 }
 
 // The penalty of these torques (frames × dofs, N·m).
-double penalty_of(const BodyModel& body, const std::vector<double>& torques,
+double penalty_of(const PosedBody& body, const std::vector<double>& torques,
                   double share = kTorqueShare) {
-  const std::vector<double> upright(body.dofs().size(), 0.0);
+  const std::vector<double> upright(body.body.dofs().size(), 0.0);
   Motion motion = motion_through(
       body, std::vector<std::vector<double>>(torques.size() / upright.size(), upright));
   motion.torques = torques;
@@ -45,7 +45,7 @@ TEST(Torque, IsTheRootMeanSquareOverFrames) {
 TEST(Torque, IsTheRootMeanSquareOverJoints) {
   BodyDefinition definition = chain_definition({{}, {}});
   for (Dof& dof : definition.dofs) dof.torque_positive = dof.torque_negative = 50.0;
-  EXPECT_NEAR(penalty_of(BodyModel(definition), {20, -10}), std::sqrt((0.16 + 0.04) / 2) / 0.6,
+  EXPECT_NEAR(penalty_of(at_zero(definition), {20, -10}), std::sqrt((0.16 + 0.04) / 2) / 0.6,
               1e-15);
 }
 

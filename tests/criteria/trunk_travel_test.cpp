@@ -24,9 +24,9 @@ Pose reaching(double far, const Vec3d& moved) {
 }
 
 double penalty_of(const std::vector<Pose>& poses, double distance = kTravelDistance,
-                  const BodyModel& body = posed_body()) {
-  return penalty_of_poses<TrunkTravel>(poses, {.scale = distance, .effectors = right_hand_of(body)},
-                                       body);
+                  const PosedBody& posed = posed_body()) {
+  return penalty_of_poses<TrunkTravel>(
+      poses, {.scale = distance, .effectors = right_hand_of(posed)}, posed);
 }
 
 // The penalty where the mean square error of shoulders is that many squares of the distance.
@@ -63,15 +63,15 @@ TEST(TrunkTravel, OnlyTheEndCounts) {
 }
 
 TEST(TrunkTravel, WhoStartsStoopedIsToStandUp) {
-  BodyDefinition stooped = posed_definition();
-  stooped.start[0] = 0.8;
-  EXPECT_NEAR(penalty_of({reaching(0.3, {0, -0.1, 0})}, kTravelDistance, BodyModel(stooped)),
-              cost_of(0.1), 1e-12);
+  PosedBody stooped = posed_body();
+  stooped.home.angles[0] = 0.8;
+  EXPECT_NEAR(penalty_of({reaching(0.3, {0, -0.1, 0})}, kTravelDistance, stooped), cost_of(0.1),
+              1e-12);
 }
 
 // As of a seated body, whose legs have no joints.
 TEST(TrunkTravel, ABodyWithoutKneesIsAtHomeWhereItStarts) {
-  const BodyModel sits = posed_body_without({"left_knee", "right_knee"});
+  const PosedBody sits = posed_body_without({"left_knee", "right_knee"});
   const Vec3d start = kPosedAnkles + Vec3d{-0.5 * kPosedShoulders, kPosedLeg + kPosedTrunk, 0.0};
   EXPECT_NEAR(penalty_of({reaching(0.3, start - kHome)}, kTravelDistance, sits), 0.0, 1e-12);
 }
@@ -104,24 +104,23 @@ TEST(TrunkTravel, IsTheSameInAMirror) { expect_the_same_in_a_mirror<TrunkTravel>
 TEST(TrunkTravel, OfABodyWithoutHandsIsZero) {
   BodyDefinition handless = posed_definition();
   handless.effectors.clear();
-  const BodyModel body(handless);
-  TrunkTravel<double> travel(body, {.start = start_state(body)}, kTravelDistance);
-  const std::vector<double> angles = angles_of(body, {.lean = 1.0});
-  const Kinematics<double> end = placed(body, angles);
+  const PosedBody posed = at_zero(handless);
+  TrunkTravel<double> travel(posed, {.start = posed.home}, kTravelDistance);
+  const std::vector<double> angles = angles_of(posed, {.lean = 1.0});
+  const Kinematics<double> end = placed(posed, angles);
   travel.add(PlacedFrame<double>{{.angles = angles, .torques = {}}, end});
   EXPECT_EQ(travel.penalty(), 0.0);
 }
 
 TEST(GoalHands, AreTheHandsOfTheGoalsOrAll) {
-  const BodyModel body = human_body();
-  EXPECT_EQ(goal_hands(body, {.start = start_state(body)}).size(), 2u);
-  EXPECT_EQ(goal_hands(body, {.start = start_state(body), .effectors = right_hand_of(body)}).size(),
-            1u);
-  EXPECT_EQ(goal_hands(half_body(), {.start = start_state(half_body())}).size(), 1u);
+  const PosedBody posed = human_body();
+  EXPECT_EQ(goal_hands(posed, {.start = posed.home}).size(), 2u);
+  EXPECT_EQ(goal_hands(posed, {.start = posed.home, .effectors = right_hand_of(posed)}).size(), 1u);
+  EXPECT_EQ(goal_hands(half_body(), {.start = half_body().home}).size(), 1u);
   // goals of a head, a foot or an elbow are not of a hand
   for (const char* other : {"head", "left_foot", "right_elbow"}) {
-    EXPECT_EQ(goal_hands(body, {.start = start_state(body),
-                                .effectors = {body.find_effector(other).value()}})
+    EXPECT_EQ(goal_hands(posed, {.start = posed.home,
+                                 .effectors = {posed.body.find_effector(other).value()}})
                   .size(),
               0u)
         << other;
@@ -129,18 +128,18 @@ TEST(GoalHands, AreTheHandsOfTheGoalsOrAll) {
 }
 
 TEST(GoalHands, ArmsAreAsLongAsTheyReachStretchedOut) {
-  for (const BodyModel& body : {half_body(), full_body(), human_body()}) {
-    std::vector<double> straight(body.start().begin(), body.start().end());
-    for (int d = 0; d < body.dof_count(); ++d) {
-      const std::string& joint = body.dof(d).part.joint;
+  for (const PosedBody& posed : {half_body(), full_body(), human_body()}) {
+    std::vector<double> straight(posed.home.angles.begin(), posed.home.angles.end());
+    for (int d = 0; d < posed.body.dof_count(); ++d) {
+      const std::string& joint = posed.body.dof(d).part.joint;
       if (joint == "elbow" || joint == "wrist") straight[static_cast<std::size_t>(d)] = 0.0;
     }
-    const Kinematics<double> kinematics = placed(body, straight);
-    for (const GoalHand& goal : goal_hands(body, {.start = start_state(body)})) {
+    const Kinematics<double> kinematics = placed(posed, straight);
+    for (const GoalHand& goal : goal_hands(posed, {.start = posed.home})) {
       const Vec3d arm = goal.hand.in(kinematics)-goal.shoulder.in(kinematics);
       // the grip lies off the forearm's line by a little
-      EXPECT_NEAR(goal.arm, norm(arm), 0.01) << body.name();
-      EXPECT_GE(goal.arm, norm(arm) - 1e-12) << body.name();
+      EXPECT_NEAR(goal.arm, norm(arm), 0.01) << posed.body.name();
+      EXPECT_GE(goal.arm, norm(arm) - 1e-12) << posed.body.name();
     }
   }
 }
@@ -148,19 +147,19 @@ TEST(GoalHands, ArmsAreAsLongAsTheyReachStretchedOut) {
 // The built-in bodies start in the home positions, from which kStandsAhead and kHandHangs are
 // taken.
 TEST(PosturePoints, BuiltInBodiesStandAtHome) {
-  for (const BodyModel& body : {full_body(), human_body(), human_body({1.6, 60.0, Sex::female})}) {
-    const PosturePoints points = posture_points(body, start_state(body));
-    ASSERT_TRUE(points.found) << body.name();
-    const Kinematics<double> start = start_kinematics(body);
+  for (const PosedBody& posed : {full_body(), human_body(), human_body({1.6, 60.0, Sex::female})}) {
+    const PosturePoints points = posture_points(posed, posed.home);
+    ASSERT_TRUE(points.found) << posed.body.name();
+    const Kinematics<double> start = home_kinematics(posed);
     for (std::size_t side = 0; side < 2; ++side) {
       EXPECT_LT(norm(points.shoulders[side].in(start)-points.home_shoulders[side]), 0.02)
-          << body.name();
+          << posed.body.name();
     }
-    const Vec3d mass = centre_of_mass(body, start);
-    EXPECT_NEAR(mass.x, points.home_mass.x, 0.02) << body.name();
-    EXPECT_NEAR(mass.z, points.home_mass.z, 0.02) << body.name();
-    const GoalHand hand = goal_hands(body, {.start = start_state(body)})[0];
-    EXPECT_NEAR(hand.hand.in(start).y, points.hand_hangs, 0.05) << body.name();
+    const Vec3d mass = centre_of_mass(posed, start);
+    EXPECT_NEAR(mass.x, points.home_mass.x, 0.02) << posed.body.name();
+    EXPECT_NEAR(mass.z, points.home_mass.z, 0.02) << posed.body.name();
+    const GoalHand hand = goal_hands(posed, {.start = posed.home})[0];
+    EXPECT_NEAR(hand.hand.in(start).y, points.hand_hangs, 0.05) << posed.body.name();
   }
 }
 

@@ -15,9 +15,9 @@ namespace {
 using namespace testing_support;
 
 // 2 kg at the end of a rod of 0.5 m.
-const BodyModel& rod() {
-  static const BodyModel body = chain({{Axis::x, 0.5, 2.0}});
-  return body;
+const PosedBody& rod() {
+  static const PosedBody posed = chain({{Axis::x, 0.5, 2.0}});
+  return posed;
 }
 
 // The rod moved through these angles so slowly that only its weight acts.

@@ -95,7 +95,7 @@ TEST(NamedParameters, LeaveOutWhatTheTaskHasNot) {
   const Parameters made = named_parameters(task, names, values).value();
   Parameters expected = uniform_parameters(task.body);
   expected.posed = true;
-  testing_support::value_of(task.body, expected, "squat") = 0.5;
+  testing_support::value_of(task, expected, "squat") = 0.5;
   const auto elbow = task.body.find_dof("right_elbow.flexion");
   expected.values[static_cast<std::size_t>(elbow.value())] = 3.0;
   if (const auto hip = task.body.find_dof("left_hip.flexion")) {

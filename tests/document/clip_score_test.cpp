@@ -23,8 +23,8 @@ GenerateResult small_generation(const Task& task) {
   return generate(quick).value();
 }
 
-Task low_reach(BodyModel body) {
-  Task task(std::move(body));
+Task low_reach(PosedBody posed) {
+  Task task(std::move(posed));
   task.goals = {{"right_hand", {-0.1, 0.5, 0.4}}};
   return task;
 }
@@ -109,33 +109,33 @@ TEST_F(ClipScoreTest, SmoothingTakesNoiseOutOfAccelerations) {
 
 // Each posture is searched from the start posture, and may have similar solutions beside it.
 TEST_F(ClipScoreTest, PosturesFarFromTheStartAreFound) {
-  for (const BodyModel& body : {full_body(), human_body()}) {
-    Clip clip{.dofs = body.dof_count(), .frames = 8, .angles = {}};
-    clip.angles.assign(body.start().begin(), body.start().end());
+  for (const PosedBody& posed : {full_body(), human_body()}) {
+    Clip clip{.dofs = posed.body.dof_count(), .frames = 8, .angles = {}};
+    clip.angles.assign(posed.home.angles.begin(), posed.home.angles.end());
     Random random(1);
     for (int f = 1; f < clip.frames; ++f) {
-      for (const Dof& dof : body.dofs())
+      for (const Dof& dof : posed.body.dofs())
         clip.angles.push_back(random.uniform(dof.lower, dof.upper));
     }
-    const std::string path = write(skeleton_motion(body, clip));
-    const RecordedMotion recorded = read_recorded(path, {.source = body.name()}, 0).value();
+    const std::string path = write(skeleton_motion(posed, clip));
+    const RecordedMotion recorded = read_recorded(path, {.source = posed.body.name()}, 0).value();
     for (int f = 1; f < clip.frames; ++f) {
       const ClipScore score = score_clip(recorded, {.first = f, .last = f, .cutoff = 0.0}).value();
-      EXPECT_LT(score.fit.worst_distance, 0.05) << body.name() << " frame " << f;
+      EXPECT_LT(score.fit.worst_distance, 0.05) << posed.body.name() << " frame " << f;
     }
   }
 }
 
 TEST_F(ClipScoreTest, AFootThatStepsIsADoubtAndNoRefusal) {
-  const BodyModel body = full_body();
-  Clip clip{.dofs = body.dof_count(), .frames = 20, .angles = {}};
-  const auto hip = static_cast<std::size_t>(body.find_dof("left_hip.flexion").value());
+  const PosedBody posed = full_body();
+  Clip clip{.dofs = posed.body.dof_count(), .frames = 20, .angles = {}};
+  const auto hip = static_cast<std::size_t>(posed.body.find_dof("left_hip.flexion").value());
   for (int f = 0; f < clip.frames; ++f) {
-    std::vector<double> angles(body.start().begin(), body.start().end());
+    std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
     if (f >= 10) angles[hip] += 0.02 * (f - 10);
     clip.angles.insert(clip.angles.end(), angles.begin(), angles.end());
   }
-  const std::string path = write(skeleton_motion(body, clip));
+  const std::string path = write(skeleton_motion(posed, clip));
   const RecordedMotion recorded = read_recorded(path, {.source = "full_body"}, 0).value();
   const ClipScore all = score_clip(recorded).value();
   ASSERT_EQ(all.doubts.size(), 1U);
@@ -146,16 +146,16 @@ TEST_F(ClipScoreTest, AFootThatStepsIsADoubtAndNoRefusal) {
 
 // A motion beyond a limit is reported, and replayed unchanged.
 TEST_F(ClipScoreTest, LimitsThatTheRecordPassesAreReported) {
-  const BodyModel body = full_body();
-  const auto elbow = static_cast<std::size_t>(body.find_dof("right_elbow.flexion").value());
-  const double beyond = body.dof(static_cast<int>(elbow)).upper + radians(8.0);
-  Clip clip{.dofs = body.dof_count(), .frames = 120, .angles = {}};
+  const PosedBody posed = full_body();
+  const auto elbow = static_cast<std::size_t>(posed.body.find_dof("right_elbow.flexion").value());
+  const double beyond = posed.body.dof(static_cast<int>(elbow)).upper + radians(8.0);
+  Clip clip{.dofs = posed.body.dof_count(), .frames = 120, .angles = {}};
   for (int f = 0; f < clip.frames; ++f) {
-    std::vector<double> angles(body.start().begin(), body.start().end());
+    std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
     angles[elbow] += (beyond - angles[elbow]) * f / 119.0;
     clip.angles.insert(clip.angles.end(), angles.begin(), angles.end());
   }
-  const std::string path = write(skeleton_motion(body, clip));
+  const std::string path = write(skeleton_motion(posed, clip));
   const RecordedMotion recorded = read_recorded(path, {.source = "full_body"}, 0).value();
   const ClipScore score = score_clip(recorded).value();
   ASSERT_EQ(score.measures.over_limit.size(), 1U);
@@ -164,10 +164,10 @@ TEST_F(ClipScoreTest, LimitsThatTheRecordPassesAreReported) {
 }
 
 TEST_F(ClipScoreTest, WhatCannotBeScoredIsRefusedWithAReason) {
-  const BodyModel body = full_body();
-  Clip clip{.dofs = body.dof_count(), .frames = 1, .angles = {}};
-  clip.angles.assign(body.start().begin(), body.start().end());
-  const std::string path = write(skeleton_motion(body, clip));
+  const PosedBody posed = full_body();
+  Clip clip{.dofs = posed.body.dof_count(), .frames = 1, .angles = {}};
+  clip.angles.assign(posed.home.angles.begin(), posed.home.angles.end());
+  const std::string path = write(skeleton_motion(posed, clip));
   const RecordedMotion recorded = read_recorded(path, {.source = path}, 0).value();
   EXPECT_THAT(score_clip(recorded, {.first = 1}).error().to_string(),
               HasSubstr("the file has 0 to 0"));

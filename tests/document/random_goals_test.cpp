@@ -32,10 +32,11 @@ Vec3d random_goal(Random& random) {
 }
 
 // By geometry alone; for the full body only some goals are known to be out of reach.
-void judge_status(const BodyModel& body, const Vec3d& goal, bool reached) {
+void judge_status(const PosedBody& posed, const Vec3d& goal, bool reached) {
+  const BodyModel& body = posed.body;
   if (body.name() == "half_body") {
     ASSERT_EQ(half_body_distance(body, goal) <= kMillimetre, reached);
-  } else if (stretched_distance(body, goal) > kMillimetre) {
+  } else if (stretched_distance(posed, goal) > kMillimetre) {
     ASSERT_FALSE(reached);
   }
 }
@@ -89,7 +90,7 @@ ReachStatus generate_and_judge(TaskFile& file) {
   for (const Candidate& candidate : generation.candidates) judge(task, generation, candidate);
   if (task.goals.size() == 1 && task.preset == Preset::paper) {
     const bool reached = generation.meets_goals();
-    judge_status(task.body, task.goals[0].position, reached);
+    judge_status(task, task.goals[0].position, reached);
   }
   return generation.status;
 }

@@ -168,7 +168,8 @@ struct Assignment {
 };
 
 TEST(AssignParameter, FollowsItsTable) {
-  const BodyModel body = half_body();
+  const PosedBody posed = half_body();
+  const BodyModel& body = posed.body;
   const auto dof = [&body](const char* name) { return body.find_dof(name).value(); };
   const int knee = dof("right_knee.flexion");
   const std::vector<int> hip{dof("right_hip.rotation"), dof("right_hip.abduction"),
@@ -207,7 +208,7 @@ TEST(AssignParameter, FollowsItsTable) {
       expected.values[static_cast<std::size_t>(d)] = row.weight;
       expected.locked[static_cast<std::size_t>(d)] = row.locked;
     }
-    const Result<void> assigned = assign_parameter(list_of(body), row.text, parameters);
+    const Result<void> assigned = assign_parameter(list_of(posed), row.text, parameters);
     EXPECT_EQ(assigned.has_value(), row.wrong == nullptr) << row.text;
     if (!assigned && row.wrong) {
       EXPECT_THAT(assigned.error().message, HasSubstr(row.wrong)) << row.text;
@@ -217,11 +218,12 @@ TEST(AssignParameter, FollowsItsTable) {
 }
 
 TEST(AssignParameter, WeightFreesALockedFreedom) {
-  const BodyModel body = half_body();
+  const PosedBody posed = half_body();
+  const BodyModel& body = posed.body;
   Parameters parameters = uniform_parameters(body);
-  ASSERT_TRUE(assign_parameter(list_of(body), "right_knee.locked=true", parameters));
-  ASSERT_TRUE(assign_parameter(list_of(body), "right_knee.weight=4", parameters));
-  const std::size_t knee = number_of(list_of(body), "right_knee.flexion");
+  ASSERT_TRUE(assign_parameter(list_of(posed), "right_knee.locked=true", parameters));
+  ASSERT_TRUE(assign_parameter(list_of(posed), "right_knee.weight=4", parameters));
+  const std::size_t knee = number_of(list_of(posed), "right_knee.flexion");
   EXPECT_EQ(parameters.values[knee], 4.0);
   EXPECT_FALSE(parameters.locked[knee]);
 }

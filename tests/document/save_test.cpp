@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 class Save : public testing::Test {
  protected:
-  Save() : character_(open_character({.source = "full_body"}).value()), task_(character_.body) {
+  Save() : character_(open_character({.source = "full_body"}).value()), task_(character_) {
     task_.goals = {{"right_hand", {-0.2, 0.9, 0.4}}};
     task_.evaluations = 200;
     candidate_ = generate(task_).value().candidates[0];

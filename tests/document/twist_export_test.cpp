@@ -85,7 +85,7 @@ class Figure {
 // A motion of a figure's body, with its twist bones and with them treated as ordinary nodes.
 struct Played {
   CharacterSpec spec;
-  BodyModel body;
+  PosedBody posed;
   Clip clip;
   ExportedGlb with;
   ExportedGlb without;
@@ -116,18 +116,18 @@ Played play(const Figure& figure, int frames, const Pose& pose) {
   CharacterSpec spec{.source = "figure.glb"};
   const auto loaded = load_character(figure.bytes(), spec);
   if (!loaded) throw std::runtime_error(loaded.error().to_string());
-  BodyModel body = build_character(spec).value();
-  Clip clip{.dofs = body.dof_count(), .frames = frames, .angles = {}};
+  PosedBody posed = build_character(spec).value();
+  Clip clip{.dofs = posed.body.dof_count(), .frames = frames, .angles = {}};
   for (int f = 0; f < frames; ++f) {
-    std::vector<double> angles(body.start().begin(), body.start().end());
+    std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
     pose(f, [&](const char* name) -> double& {
-      return angles[static_cast<std::size_t>(body.find_dof(name).value())];
+      return angles[static_cast<std::size_t>(posed.body.find_dof(name).value())];
     });
     clip.angles.insert(clip.angles.end(), angles.begin(), angles.end());
   }
   const auto file = [&](const CharacterSpec& of) {
     const CharacterExporter exporter(*of.rig);
-    const GltfAnimation animation = exporter.animation(body, clip, kName);
+    const GltfAnimation animation = exporter.animation(posed, clip, kName);
     return ExportedGlb(exporter.glb(std::span(&animation, 1)).value());
   };
   CharacterSpec plain = spec;
@@ -136,7 +136,7 @@ Played play(const Figure& figure, int frames, const Pose& pose) {
   plain.rig = std::make_shared<const CharacterRig>(std::move(untwisted));
   ExportedGlb with = file(spec);
   ExportedGlb without = file(plain);
-  return {std::move(spec), std::move(body), std::move(clip), std::move(with), std::move(without)};
+  return {std::move(spec), std::move(posed), std::move(clip), std::move(with), std::move(without)};
 }
 
 void reach_about(int frame, const std::function<double&(const char*)>& angle) {
@@ -174,7 +174,7 @@ TEST(RigMotion, OnlyNodesThatLeaveTheirRestTurn) {
   const Played played = play(
       figure, 2, [](int frame, const auto& angle) { angle("right_elbow.flexion") += 0.3 * frame; });
   const Rig& rig = played.spec.rig->rig;
-  const RigMotion motion = rig_motion(played.body, played.clip, rig);
+  const RigMotion motion = rig_motion(played.posed, played.clip, rig);
   int turning = 0;
   for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
     double largest = 0.0;
@@ -317,7 +317,7 @@ TEST(TwistExport, AMotionWithTwistBonesIsFittedExactly) {
     // the figure stands where its motion does, so that one placement is for both
     ASSERT_LE(norm(rig.placement.origin), 1e-6);
     const CharacterExporter exporter(*played.spec.rig);
-    const GltfAnimation animation = exporter.animation(played.body, played.clip, kName);
+    const GltfAnimation animation = exporter.animation(played.posed, played.clip, kName);
     const GltfMotion read =
         parse_gltf_animation(exporter.glb(std::span(&animation, 1)).value(), "out.glb", {}).value();
     // turns of a motion that is read are those from rest
@@ -325,11 +325,11 @@ TEST(TwistExport, AMotionWithTwistBonesIsFittedExactly) {
     for (std::size_t i = 0; i < unturned.nodes.size(); ++i) {
       unturned.nodes[i] = {unturned.nodes[i].parent, played.spec.rig->posed[i].translation, {}};
     }
-    const ClipFit fit = fit_clip(played.body, unturned, read.motion, {0, kFrames - 1, 0});
+    const ClipFit fit = fit_clip(played.posed, unturned, read.motion, {0, kFrames - 1, 0});
     EXPECT_LT(fit.worst_distance, 1e-4) << chains;
     for (std::size_t i = 0; i < fit.clip.angles.size(); ++i) {
       EXPECT_NEAR(fit.clip.angles[i], played.clip.angles[i], 1e-3)
-          << chains << ' ' << played.body.dof(static_cast<int>(i) % fit.clip.dofs).name;
+          << chains << ' ' << played.posed.body.dof(static_cast<int>(i) % fit.clip.dofs).name;
     }
   }
 }

@@ -46,8 +46,8 @@ TEST(MannequinMesh, HalvesShareTheSeamAndAreMirrorImages) {
 class FittedSkin : public testing::Test {
  protected:
   FittedSkin() {
-    Clip clip{.dofs = body_.dof_count(), .frames = 1, .angles = {}};
-    clip.angles.assign(body_.start().begin(), body_.start().end());
+    Clip clip{.dofs = body_.body.dof_count(), .frames = 1, .angles = {}};
+    clip.angles.assign(body_.home.angles.begin(), body_.home.angles.end());
     skeleton_ = skeleton_motion(body_, clip).skeleton;
     for (SkeletonNode& node : skeleton_.nodes) {
       for (const auto& [part, by] : {std::pair{"lower_arm", 1.2},
@@ -78,7 +78,7 @@ class FittedSkin : public testing::Test {
         ->place;
   }
 
-  BodyModel body_ = human_body();
+  PosedBody body_ = human_body();
   Skeleton skeleton_;
 };
 

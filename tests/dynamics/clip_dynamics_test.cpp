@@ -19,7 +19,7 @@ class LowReach : public testing::Test {
     return ClipDynamics(body_).completed(clip);
   }
 
-  const BodyModel body_ = full_body();
+  const PosedBody body_ = full_body();
   const ReachProblem problem_ = reach_with(body_, "right_hand", {-0.2, 0.5, 0.5});
   const Motion motion_ = roll_out(problem_, uniform_parameters(body_)).motion;
 };
@@ -40,7 +40,7 @@ TEST_F(LowReach, InAnotherDurationWhatMovingTakesGoesByTheSquareOfTheTime) {
   const Motion slow = in(3.0 * motion_.clip.duration());
   double most = 0.0;
   // the floor's share between the feet is no linear function of the wrench: only joints above them
-  const int shoulder = body_.find_dof("right_shoulder.flexion").value();
+  const int shoulder = body_.body.find_dof("right_shoulder.flexion").value();
   for (int f = 0; f < motion_.clip.frames; ++f) {
     const auto k = static_cast<std::size_t>(f * motion_.clip.dofs + shoulder);
     const double moving = motion_.torques[k] - still.torques[k];
@@ -52,16 +52,16 @@ TEST_F(LowReach, InAnotherDurationWhatMovingTakesGoesByTheSquareOfTheTime) {
 
 // The floor bears only the weight of a body that stands still on both feet.
 TEST(HeldStart, HasTheTorquesOfAMotionThatDoesNotMove) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   Clip still;
-  still.dofs = body.dof_count();
+  still.dofs = posed.body.dof_count();
   still.frames = 3;
   for (int k = 0; k < still.frames; ++k) {
-    still.angles.insert(still.angles.end(), body.start().begin(), body.start().end());
+    still.angles.insert(still.angles.end(), posed.home.angles.begin(), posed.home.angles.end());
   }
-  const Motion whole = ClipDynamics(body).completed(still);
-  const Motion held = held_still(body, start_state(body));
-  ASSERT_EQ(held.torques.size(), static_cast<std::size_t>(body.dof_count()));
+  const Motion whole = ClipDynamics(posed).completed(still);
+  const Motion held = held_still(posed, posed.home);
+  ASSERT_EQ(held.torques.size(), static_cast<std::size_t>(posed.body.dof_count()));
   for (std::size_t d = 0; d < held.torques.size(); ++d) {
     EXPECT_EQ(held.torques[d], whole.torques[held.torques.size() + d]);
   }

@@ -39,17 +39,17 @@ TEST(CentreOfPressure, IsFiniteInFreeFall) {
 // The full body in its start posture with a given ground wrench.
 class TwoFeet : public testing::Test {
  protected:
-  const BodyModel body = full_body();
-  const Kinematics<double> kinematics = placed(body, body.start());
-  const Foot& first = body.feet()[0];
-  const Foot& second = body.feet()[1];
+  const PosedBody posed = full_body();
+  const Kinematics<double> kinematics = placed(posed, posed.home.angles);
+  const Foot& first = posed.body.feet()[0];
+  const Foot& second = posed.body.feet()[1];
   const Vec3d a = kinematics.point(first.link, first.centre);
   const Vec3d b = kinematics.point(second.link, second.centre);
   const Vec3d force{30, 720, -45};
 
   Wrench<double> second_part(const Wrench<double>& ground) {
-    Vector tau(body.dofs().size());
-    return share_ground_wrench<double>(body, kinematics, {}, ground, tau);
+    Vector tau(posed.body.dofs().size());
+    return share_ground_wrench<double>(posed, kinematics, {}, ground, tau);
   }
 };
 
@@ -89,31 +89,32 @@ TEST_F(TwoFeet, PartsOfBothAreTheWholeWrench) {
 
 TEST_F(TwoFeet, SecondPartReachesTheJointsThroughItsJacobian) {
   Random random(41);
-  const Vector before = random_vector(body, -100, 100, random);
+  const Vector before = random_vector(posed, -100, 100, random);
   Vector after = before;
   const Wrench<double> part = share_ground_wrench<double>(
-      body, kinematics, {}, force_at({0.05, 0.0, 0.1}, force, {0, 8, 0}), after);
+      posed, kinematics, {}, force_at({0.05, 0.0, 0.1}, force, {0, 8, 0}), after);
   const Vec3d at = kinematics.point(second.link, second.centre);
   const Vec3d moment = part.moment - cross(at, part.force);
-  for (int d = 0; d < body.dof_count(); ++d) {
+  for (int d = 0; d < posed.body.dof_count(); ++d) {
     const auto k = static_cast<std::size_t>(d);
     const double power =
         dot(position_column(kinematics, d, at), part.force) + dot(kinematics.axis[k], moment);
-    EXPECT_NEAR(before[k] - after[k], body.moves(d, second.link) ? power : 0.0, 1e-11);
+    EXPECT_NEAR(before[k] - after[k], posed.body.moves(d, second.link) ? power : 0.0, 1e-11);
   }
 }
 
 TEST_F(TwoFeet, SymmetricStanceLoadsBothLegsAlike) {
   // standing still in a symmetric posture, the joints of both legs carry the same
-  DynamicsWorkspace<double> work(body);
-  const Vector still(body.dofs().size(), 0.0);
+  DynamicsWorkspace<double> work(posed);
+  const Vector still(posed.body.dofs().size(), 0.0);
   Vector tau(still.size());
   const Wrench<double> ground =
-      inverse_dynamics<double>(body, kinematics, {still, still}, work, tau);
-  share_ground_wrench<double>(body, kinematics, {}, ground, tau);
+      inverse_dynamics<double>(posed, kinematics, {still, still}, work, tau);
+  share_ground_wrench<double>(posed, kinematics, {}, ground, tau);
   for (const char* joint : {"hip.flexion", "hip.abduction", "knee.flexion", "ankle.flexion"}) {
-    const auto left = static_cast<std::size_t>(*body.find_dof(std::string("left_") + joint));
-    const auto right = static_cast<std::size_t>(*body.find_dof(std::string("right_") + joint));
+    const auto left = static_cast<std::size_t>(*posed.body.find_dof(std::string("left_") + joint));
+    const auto right =
+        static_cast<std::size_t>(*posed.body.find_dof(std::string("right_") + joint));
     EXPECT_NEAR(tau[left], tau[right], 1e-9) << joint;
   }
 }

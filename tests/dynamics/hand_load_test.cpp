@@ -16,7 +16,7 @@ using Vector = std::vector<double>;
 // A stooping human whose left hand is pressed by a force at a place.
 class StoopingHuman : public testing::Test {
  protected:
-  StoopingHuman() : angles(body.start().begin(), body.start().end()) {
+  StoopingHuman() : angles(posed.home.angles.begin(), posed.home.angles.end()) {
     set("spine.flexion", 0.4);
     set("chest.flexion", 0.3);
     for (const char* side : {"left_", "right_"}) {
@@ -25,30 +25,30 @@ class StoopingHuman : public testing::Test {
     }
     set("left_shoulder.flexion", 0.5);
     set("left_elbow.flexion", 0.8);
-    kinematics = placed(body, angles);
+    kinematics = placed(posed, angles);
   }
 
   void set(const std::string& dof, double angle) {
-    angles[static_cast<std::size_t>(body.find_dof(dof).value())] = angle;
+    angles[static_cast<std::size_t>(posed.body.find_dof(dof).value())] = angle;
   }
-  [[nodiscard]] int link(const char* dof) const { return body.find_dof(dof).value(); }
+  [[nodiscard]] int link(const char* dof) const { return posed.body.find_dof(dof).value(); }
 
   [[nodiscard]] HandLoad<double> load_on(int carrier) const {
-    const Effector& hand = body.effector(body.find_effector("left_hand").value());
+    const Effector& hand = posed.body.effector(posed.body.find_effector("left_hand").value());
     return {hand.link, carrier, kinematics.point(hand.link, hand.point), force};
   }
 
   // Adds the load to all torques, from 0; returns the floor's wrench.
   Wrench<double> bear(const HandLoad<double>& load, Vector& tau) const {
     Wrench<double> ground{{10, 700, -5}, {3, 2, 1}};
-    tau.assign(body.dofs().size(), 0.0);
-    bear_on_hand<double>(body, kinematics, load, ground, tau);
+    tau.assign(posed.body.dofs().size(), 0.0);
+    bear_on_hand<double>(posed, kinematics, load, ground, tau);
     return ground;
   }
 
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   Vector angles;
-  Kinematics<double> kinematics{body};
+  Kinematics<double> kinematics{posed};
   const Vec3d force{4, 90, 30};
 };
 
@@ -85,7 +85,7 @@ TEST_F(StoopingHuman, DoesTheWorkOfBothForces) {
   constexpr double kStep = 1e-6;
   const int thigh = link("left_hip.rotation");
   const HandLoad<double> load = load_on(thigh);
-  const Effector& hand = body.effector(body.find_effector("left_hand").value());
+  const Effector& hand = posed.body.effector(posed.body.find_effector("left_hand").value());
   const Vec3d on_thigh =
       transpose_times(kinematics.link_rotation(thigh), load.at - kinematics.link_origin(thigh));
   Vector tau;
@@ -94,12 +94,12 @@ TEST_F(StoopingHuman, DoesTheWorkOfBothForces) {
     Vector moved = angles;
     const auto apart = [&](double step) {
       moved[d] = angles[d] + step;
-      const Kinematics<double> k = placed(body, moved);
+      const Kinematics<double> k = placed(posed, moved);
       return k.point(hand.link, hand.point) - k.point(thigh, on_thigh);
     };
     const Vec3d speed = (apart(kStep) - apart(-kStep)) * (0.5 / kStep);
     // central differences of sines: off by the square of the step
-    EXPECT_NEAR(tau[d], -dot(force, speed), 1e-7 * norm(force)) << body.dofs()[d].name;
+    EXPECT_NEAR(tau[d], -dot(force, speed), 1e-7 * norm(force)) << posed.body.dofs()[d].name;
   }
 }
 

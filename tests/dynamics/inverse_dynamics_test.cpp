@@ -18,10 +18,10 @@ struct Dynamics {
   Vector tau;
   Wrench<double> ground;
 
-  Dynamics(const BodyModel& body, const Vector& q, const Vector& qd, const Vector& qdd)
+  Dynamics(const PosedBody& posed, const Vector& q, const Vector& qd, const Vector& qdd)
       : tau(q.size()) {
-    DynamicsWorkspace<double> work(body);
-    ground = inverse_dynamics<double>(body, placed(body, q), {qd, qdd}, work, tau);
+    DynamicsWorkspace<double> work(posed);
+    ground = inverse_dynamics<double>(posed, placed(posed, q), {qd, qdd}, work, tau);
   }
 };
 
@@ -29,17 +29,17 @@ TEST(InverseDynamics, PendulumNeedsItsInertiaAndItsWeight) {
   // an upright pendulum: τ = m l² q'' - m g l sin q
   const double m = 3.0;
   const double l = 0.7;
-  const BodyModel body = chain({{Axis::x, l, m}});
+  const PosedBody posed = chain({{Axis::x, l, m}});
   for (const double q : {-2.0, -0.4, 0.0, 0.9, 3.0}) {
-    const Dynamics d(body, {q}, {1.7}, {2.5});
+    const Dynamics d(posed, {q}, {1.7}, {2.5});
     EXPECT_NEAR(d.tau[0], m * l * l * 2.5 - m * kGravity * l * std::sin(q), 1e-13);
   }
 }
 
 TEST(InverseDynamics, SpinningPendulumPullsAtTheFloor) {
   // straight up at speed ω: the floor pulls down by m l ω² against the weight m g
-  const BodyModel body = chain({{Axis::x, 0.7, 3.0}});
-  const Dynamics d(body, {0.0}, {2.0}, {0.0});
+  const PosedBody posed = chain({{Axis::x, 0.7, 3.0}});
+  const Dynamics d(posed, {0.0}, {2.0}, {0.0});
   EXPECT_NEAR(d.ground.force.y, 3.0 * (kGravity - 0.7 * 4.0), 1e-13);
   EXPECT_NEAR(norm(d.ground.moment), 0.0, 1e-13);
 }
@@ -50,7 +50,7 @@ TEST(InverseDynamics, DoublePendulumFollowsTheTextbook) {
   const double m2 = 1.5;
   const double l1 = 0.5;
   const double l2 = 0.8;
-  const BodyModel body = chain({{Axis::x, l1, m1}, {Axis::x, l2, m2}});
+  const PosedBody posed = chain({{Axis::x, l1, m1}, {Axis::x, l2, m2}});
   const Vector q{0.7, -1.1};
   const Vector qd{1.3, 0.6};
   const Vector qdd{-2.0, 4.0};
@@ -65,17 +65,17 @@ TEST(InverseDynamics, DoublePendulumFollowsTheTextbook) {
                       (m1 + m2) * kGravity * l1 * std::sin(a);
   const double on_b = m2 * l2 * l2 * bdd + m2 * l1 * l2 * std::cos(a - b) * add -
                       m2 * l1 * l2 * std::sin(a - b) * ad * ad - m2 * kGravity * l2 * std::sin(b);
-  const Dynamics d(body, q, qd, qdd);
+  const Dynamics d(posed, q, qd, qdd);
   EXPECT_NEAR(d.tau[1], on_b, 1e-13);
   EXPECT_NEAR(d.tau[0], on_a + on_b, 1e-13);
 }
 
 TEST(InverseDynamics, StandingStillTheFloorCarriesTheWeight) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const Vector q(body.start().begin(), body.start().end());
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const Vector q(posed.home.angles.begin(), posed.home.angles.end());
     const Vector still(q.size(), 0.0);
-    const Dynamics d(body, q, still, still);
-    EXPECT_NEAR(d.ground.force.y, body.mass() * kGravity, 1e-10);
+    const Dynamics d(posed, q, still, still);
+    EXPECT_NEAR(d.ground.force.y, posed.body.mass() * kGravity, 1e-10);
     EXPECT_NEAR(d.ground.force.x, 0.0, 1e-10);
     EXPECT_NEAR(d.ground.force.z, 0.0, 1e-10);
   }
@@ -87,10 +87,10 @@ struct Wave {
   Vector b;
   Vector c;
 
-  Wave(const BodyModel& body, Random& random)
-      : a(random_vector(body, -0.8, 0.8, random)),
-        b(random_vector(body, 1.0, 4.0, random)),
-        c(random_vector(body, -3.0, 3.0, random)) {}
+  Wave(const PosedBody& posed, Random& random)
+      : a(random_vector(posed, -0.8, 0.8, random)),
+        b(random_vector(posed, 1.0, 4.0, random)),
+        c(random_vector(posed, -3.0, 3.0, random)) {}
 
   [[nodiscard]] Vector derivative(int order, double t) const {
     Vector q;
@@ -107,16 +107,16 @@ struct Momenta {
   Vec3d angular{};
   double energy = 0.0;
 
-  Momenta(const BodyModel& body, const Wave& wave, double t) {
-    const Kinematics<double> kinematics = placed(body, wave.derivative(0, t));
+  Momenta(const PosedBody& posed, const Wave& wave, double t) {
+    const Kinematics<double> kinematics = placed(posed, wave.derivative(0, t));
     const Vector qd = wave.derivative(1, t);
-    for (int link = kBaseLink; link < body.dof_count(); ++link) {
-      const MassProperties& m = body.link_mass(link);
+    for (int link = kBaseLink; link < posed.body.dof_count(); ++link) {
+      const MassProperties& m = posed.body.link_mass(link);
       const Vec3d com = kinematics.point(link, m.com);
       Vec3d velocity{};
       Vec3d spin{};
-      for (int d = 0; d < body.dof_count(); ++d) {
-        if (!body.moves(d, link)) continue;
+      for (int d = 0; d < posed.body.dof_count(); ++d) {
+        if (!posed.body.moves(d, link)) continue;
         const auto k = static_cast<std::size_t>(d);
         velocity += position_column(kinematics, d, com) * qd[k];
         spin += kinematics.axis[k] * qd[k];
@@ -137,15 +137,15 @@ constexpr double kStep = 1e-5;
 constexpr double kDifference = 2e-5;
 
 TEST(InverseDynamics, FloorGivesTheRateOfMomentum) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   Random random(31);
   for (int trial = 0; trial < 20; ++trial) {
-    const Wave wave(body, random);
-    const Dynamics d(body, wave.derivative(0, 0), wave.derivative(1, 0), wave.derivative(2, 0));
-    const Momenta before(body, wave, -kStep);
-    const Momenta after(body, wave, kStep);
-    const Vec3d weight{0, -body.mass() * kGravity, 0};
-    const Vec3d com = centre_of_mass(body, placed(body, wave.derivative(0, 0)));
+    const Wave wave(posed, random);
+    const Dynamics d(posed, wave.derivative(0, 0), wave.derivative(1, 0), wave.derivative(2, 0));
+    const Momenta before(posed, wave, -kStep);
+    const Momenta after(posed, wave, kStep);
+    const Vec3d weight{0, -posed.body.mass() * kGravity, 0};
+    const Vec3d com = centre_of_mass(posed, placed(posed, wave.derivative(0, 0)));
     const Vec3d force = (after.linear - before.linear) * (0.5 / kStep);
     const Vec3d moment = (after.angular - before.angular) * (0.5 / kStep);
     EXPECT_LT(norm(d.ground.force + weight - force), kDifference);
@@ -154,41 +154,41 @@ TEST(InverseDynamics, FloorGivesTheRateOfMomentum) {
 }
 
 TEST(InverseDynamics, TorquesDoTheWorkThatEnergyGains) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   Random random(32);
   for (int trial = 0; trial < 20; ++trial) {
-    const Wave wave(body, random);
+    const Wave wave(posed, random);
     const Vector qd = wave.derivative(1, 0);
-    const Dynamics d(body, wave.derivative(0, 0), qd, wave.derivative(2, 0));
+    const Dynamics d(posed, wave.derivative(0, 0), qd, wave.derivative(2, 0));
     double power = 0.0;
     for (std::size_t i = 0; i < qd.size(); ++i) power += d.tau[i] * qd[i];
     const double gain =
-        (Momenta(body, wave, kStep).energy - Momenta(body, wave, -kStep).energy) * (0.5 / kStep);
+        (Momenta(posed, wave, kStep).energy - Momenta(posed, wave, -kStep).energy) * (0.5 / kStep);
     EXPECT_NEAR(power, gain, kDifference * 10);
   }
 }
 
 TEST(CentreOfMass, IsTheMeanOfTheMasses) {
-  const BodyModel body = chain({{Axis::x, 1.0, 1.0}, {Axis::x, 1.0, 3.0}});
-  const Vec3d com = centre_of_mass(body, placed(body, Vector{kPi / 2, -kPi / 2}));
+  const PosedBody posed = chain({{Axis::x, 1.0, 1.0}, {Axis::x, 1.0, 3.0}});
+  const Vec3d com = centre_of_mass(posed, placed(posed, Vector{kPi / 2, -kPi / 2}));
   // masses at (0, 0, 1) and (0, 1, 1)
   EXPECT_LT(norm(com - Vec3d{0, 0.75, 1.0}), 1e-15);
 }
 
 TEST(CentreOfMass, IsAByProductOfInverseDynamics) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
+  for (const PosedBody& posed : {half_body(), full_body()}) {
     Random random(31);
     for (int trial = 0; trial < 100; ++trial) {
-      const Vector q = random_posture(body, random);
-      const Kinematics<double> kinematics = placed(body, q);
-      DynamicsWorkspace<double> work(body);
+      const Vector q = random_posture(posed, random);
+      const Kinematics<double> kinematics = placed(posed, q);
+      DynamicsWorkspace<double> work(posed);
       Vector tau(q.size());
       inverse_dynamics<double>(
-          body, kinematics,
-          {random_vector(body, -5.0, 5.0, random), random_vector(body, -50.0, 50.0, random)}, work,
-          tau);
+          posed, kinematics,
+          {random_vector(posed, -5.0, 5.0, random), random_vector(posed, -50.0, 50.0, random)},
+          work, tau);
       // sums of up to twenty terms of about 1 m, in another order
-      EXPECT_LT(norm(centre_of_mass(body, work) - centre_of_mass(body, kinematics)), 1e-14);
+      EXPECT_LT(norm(centre_of_mass(posed, work) - centre_of_mass(posed, kinematics)), 1e-14);
     }
   }
 }
@@ -199,8 +199,8 @@ TEST(CentreOfMass, CountsTheBase) {
   definition.base_mass.mass = 3.0;
   definition.base_mass.com = {0, 0, 1};
   definition.mass = 4.0;
-  const BodyModel body(definition);
-  EXPECT_LT(norm(centre_of_mass(body, placed(body, Vector{0.0})) - Vec3d{0, 0.25, 2.75}), 1e-15);
+  const PosedBody posed = at_zero(definition);
+  EXPECT_LT(norm(centre_of_mass(posed, placed(posed, Vector{0.0})) - Vec3d{0, 0.25, 2.75}), 1e-15);
 }
 
 }  // namespace

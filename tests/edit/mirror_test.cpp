@@ -27,12 +27,12 @@ TaskFile asked(Preset preset) {
 }
 
 // Angles of dofs with a left and a right change sides; there are no others.
-void expect_image(const BodyModel& body, const Clip& clip, const Clip& image) {
+void expect_image(const PosedBody& posed, const Clip& clip, const Clip& image) {
   ASSERT_EQ(clip.frames, image.frames);
   double largest = 0.0;
   for (int f = 0; f < clip.frames; ++f) {
     for (int d = 0; d < clip.dofs; ++d) {
-      const int other = body.find_dof(mirrored_name(body.dof(d).name)).value();
+      const int other = posed.body.find_dof(mirrored_name(posed.body.dof(d).name)).value();
       largest = std::fmax(largest, std::fabs(clip.frame(f)[static_cast<std::size_t>(d)] -
                                              image.frame(f)[static_cast<std::size_t>(other)]));
     }
@@ -64,7 +64,7 @@ TEST_P(MirroredMotion, IsTheImageOfTheMotion) {
   const GenerateResult again = regenerate(image, across).value();
   EXPECT_TRUE(again.meets_goals());
   EXPECT_LE(again.candidates[0].goals[0].error, kReachTolerance);
-  expect_image(task.body, best.motion.clip, again.candidates[0].motion.clip);
+  expect_image(task, best.motion.clip, again.candidates[0].motion.clip);
   EXPECT_NEAR(again.candidates[0].final_posture.trunk_turn, -best.final_posture.trunk_turn, 0.01);
 }
 
@@ -73,15 +73,15 @@ INSTANTIATE_TEST_SUITE_P(Preset, MirroredMotion, testing::ValuesIn(kPresets),
 
 // A person with different sides, who stands turned with one foot ahead.
 std::string uneven_person() {
-  const BodyModel body = full_body();
-  Clip clip{.dofs = body.dof_count(), .frames = 1, .frame_time = 0.1, .angles = {}};
-  clip.angles.assign(body.start().begin(), body.start().end());
+  const PosedBody posed = full_body();
+  Clip clip{.dofs = posed.body.dof_count(), .frames = 1, .frame_time = 0.1, .angles = {}};
+  clip.angles.assign(posed.home.angles.begin(), posed.home.angles.end());
   const auto turn = [&](const char* dof, double angle) {
-    clip.angles[static_cast<std::size_t>(body.find_dof(dof).value())] += angle;
+    clip.angles[static_cast<std::size_t>(posed.body.find_dof(dof).value())] += angle;
   };
   turn("right_shoulder.abduction", 0.3);
   turn("left_elbow.flexion", 0.5);
-  SkeletonMotion motion = skeleton_motion(body, clip);
+  SkeletonMotion motion = skeleton_motion(posed, clip);
   for (SkeletonNode& node : motion.skeleton.nodes) {
     if (node.name.starts_with("left_lower_arm")) node.offset = node.offset * 1.1;
   }

@@ -21,7 +21,7 @@ class Replay : public testing::Test {
     const Task task = make_task(stored_.task, {}).value();
     player_.emplace(MotionPlayer::of(task).value());
     stored_.candidates.assign(3, uniform_parameters(task.body));
-    value_of(task.body, stored_.candidates[2], "bow") = 0.1;
+    value_of(task, stored_.candidates[2], "bow") = 0.1;
   }
 
   StoredResult stored_{};

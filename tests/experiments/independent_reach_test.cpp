@@ -19,15 +19,15 @@ using namespace testing_support;
 constexpr int kStarts = 20;
 
 // (m) remaining distance of closest_reach to a goal, within the limits
-double library_distance(const BodyModel& body, const Vec3d& goal) {
-  Task task(body);
+double library_distance(const PosedBody& posed, const Vec3d& goal) {
+  Task task(posed);
   task.goals = {{"right_hand", goal}};
   return closest_reach(make_problem(task).value()).distance;
 }
 
 class IndependentReachOf : public testing::TestWithParam<const char*> {
  protected:
-  BodyModel body_ = std::string(GetParam()) == "half" ? half_body() : full_body();
+  PosedBody body_ = std::string(GetParam()) == "half" ? half_body() : full_body();
 };
 
 TEST_P(IndependentReachOf, AgreesWithClosestReachWhereItIsClear) {
@@ -53,7 +53,7 @@ TEST_P(IndependentReachOf, AgreesWithClosestReachWhereItIsClear) {
 TEST_P(IndependentReachOf, FindsPosturesThatAPersonCanStandIn) {
   IndependentReach reach(body_, "right_hand");
   Random starts(33);
-  const Kinematics<double> stands = placed(body_, body_.start());
+  const Kinematics<double> stands = placed(body_, body_.home.angles);
   for (const Vec3d& goal : reachable_goals(body_, 10, 34)) {
     const auto angles = reach.posture(goal, kStarts, starts);
     ASSERT_TRUE(angles);
@@ -62,7 +62,7 @@ TEST_P(IndependentReachOf, FindsPosturesThatAPersonCanStandIn) {
     EXPECT_LE(norm(effector_position(body_, *angles, "right_hand") - goal),
               IndependentReach::kThere);
     const Kinematics<double> now = placed(body_, *angles);
-    for (const Foot& foot : body_.feet()) {
+    for (const Foot& foot : body_.body.feet()) {
       for (const Vec3d& corner : foot.outline) {
         // three corners are held; a fourth is off by no more than their sum
         EXPECT_LE(norm(now.point(foot.link, corner) - stands.point(foot.link, corner)),
@@ -84,10 +84,10 @@ TEST_P(IndependentReachOf, FindsNothingBeyondTheStretchedBody) {
 INSTANTIATE_TEST_SUITE_P(Bodies, IndependentReachOf, testing::Values("half", "full"));
 
 TEST(ReachableGoals, AreTheSameForTheSameSeed) {
-  const BodyModel body = full_body();
-  const std::vector<Vec3d> goals = reachable_goals(body, 6, 7);
-  const std::vector<Vec3d> again = reachable_goals(body, 4, 7);
-  const std::vector<Vec3d> others = reachable_goals(body, 4, 8);
+  const PosedBody posed = full_body();
+  const std::vector<Vec3d> goals = reachable_goals(posed, 6, 7);
+  const std::vector<Vec3d> again = reachable_goals(posed, 4, 7);
+  const std::vector<Vec3d> others = reachable_goals(posed, 4, 8);
   for (std::size_t k = 0; k < again.size(); ++k) {
     EXPECT_EQ(norm(again[k] - goals[k]), 0.0) << "fewer goals are the first of more";
     EXPECT_GT(norm(others[k] - goals[k]), 0.0);

@@ -53,7 +53,7 @@ TEST(Quantile, IsTheNearestOfTheSortedValues) {
 }
 
 TEST(GoalSearch, ScoresInLanesAsInDouble) {
-  const BodyModel body = full_body();
+  const PosedBody body = full_body();
   GoalSearch searched(body, {0.25, 0.55, 0.50});
   const SearchProblem problem = searched.problem();
   double score = 0.0;

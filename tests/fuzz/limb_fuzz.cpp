@@ -12,8 +12,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shigusa;
-  static const BodyModel body = half_body();
-  static const BodyModel arm = arm_body(body, find_limbs(body).value().arms[0]);
+  static const PosedBody posed = half_body();
+  static const PosedBody arm =
+      arm_body(posed.body, posed.home, find_limbs(posed.body, posed.home).value().arms[0]);
   LimbLibrary library(arm);
   if (!library.take(std::string_view(reinterpret_cast<const char*>(data), size))) {
     if (library.cells_built() != 0) std::abort();

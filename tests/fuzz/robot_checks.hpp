@@ -19,10 +19,10 @@ inline void check_robot(Robot robot) {
   robot = with_hands(std::move(robot));
   const auto map = find_humanoid(robot);
   if (!map) return;
-  const auto body = build_robot(with_ankles(std::move(robot), *map), *map);
+  auto body = build_robot(with_ankles(std::move(robot), *map), *map);
   if (!body) return;
-  std::vector<Message> doubts;
-  for (const double angle : settled_posture(*body, doubts)) {
+  settle(*body);
+  for (const double angle : body->home.angles) {
     if (!is_finite(angle)) std::abort();
   }
 }

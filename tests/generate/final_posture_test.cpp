@@ -12,35 +12,35 @@ namespace shigusa {
 namespace {
 
 // The start posture with some dofs at other angles (degrees).
-std::vector<double> posed(const BodyModel& body,
+std::vector<double> posed(const PosedBody& posed,
                           const std::vector<std::pair<const char*, double>>& turned) {
-  std::vector<double> angles(body.start().begin(), body.start().end());
+  std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
   for (const auto& [name, angle] : turned) {
-    angles[static_cast<std::size_t>(body.find_dof(name).value())] = radians(angle);
+    angles[static_cast<std::size_t>(posed.body.find_dof(name).value())] = radians(angle);
   }
   return angles;
 }
 
-std::vector<double> mode(const BodyModel& body, const char* name, double value) {
-  std::vector<double> angles(body.start().begin(), body.start().end());
-  for (const PostureMode& m : posture_modes(body)) {
+std::vector<double> mode(const PosedBody& posed, const char* name, double value) {
+  std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
+  for (const PostureMode& m : posture_modes(posed)) {
     if (m.name != name) continue;
     for (std::size_t d = 0; d < angles.size(); ++d) angles[d] += value * m.direction[d];
   }
   return angles;
 }
 
-int right_hand(const BodyModel& body) {
-  for (std::size_t e = 0; e < body.effectors().size(); ++e) {
-    if (body.effectors()[e].name == "right_hand") return static_cast<int>(e);
+int right_hand(const PosedBody& posed) {
+  for (std::size_t e = 0; e < posed.body.effectors().size(); ++e) {
+    if (posed.body.effectors()[e].name == "right_hand") return static_cast<int>(e);
   }
   return -1;
 }
 
 class FinalPostures : public testing::TestWithParam<const char*> {
  protected:
-  const BodyModel body_ = std::string(GetParam()) == "half_body" ? half_body() : full_body();
-  PostureMeter meter_{body_};
+  const PosedBody body_ = std::string(GetParam()) == "half_body" ? half_body() : full_body();
+  PostureMeter meter_{body_, body_.home};
   [[nodiscard]] FinalPosture of(const std::vector<double>& angles) {
     return meter_.measure(angles, right_hand(body_));
   }
@@ -56,7 +56,7 @@ TEST_P(FinalPostures, StartIsUpright) {
 TEST_P(FinalPostures, HipsThatStayAtTheirHeightAreAStoop) {
   std::vector<double> angles = posed(body_, {});
   for (const char* hip : {"left_hip.flexion", "right_hip.flexion"}) {
-    if (const auto dof = body_.find_dof(hip))
+    if (const auto dof = body_.body.find_dof(hip))
       angles[static_cast<std::size_t>(*dof)] += radians(90.0);
   }
   const FinalPosture posture = of(angles);
@@ -110,22 +110,22 @@ TEST(FinalPosture, StrangeIsWhatNobodyDoesWhoNeedNot) {
 }
 
 TEST(FinalPosture, OfOneWhoSitsHasNoWordsOfKnees) {
-  const BodyModel body = build_human(
+  const PosedBody posed = build_human(
       seated(standing_landmarks(1.7, kStandingToeOut), 1.7, 0.42),
       {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70.0, .sits = true});
-  PostureMeter meter(body);
-  const auto start = meter.measure(body.start(), right_hand(body));
+  PostureMeter meter(posed, posed.home);
+  const auto start = meter.measure(posed.home.angles, right_hand(posed));
   EXPECT_EQ(posture_words(start), "sitting");
-  const auto bent = meter.measure(mode(body, "lean", radians(60.0)), right_hand(body));
+  const auto bent = meter.measure(mode(posed, "lean", radians(60.0)), right_hand(posed));
   EXPECT_GT(bent.stoop_squat_index.value_or(0.0), kStoopIndex);  // hips cannot come down
   EXPECT_EQ(posture_words(bent), "sitting, leaning");
 }
 
 TEST(FinalPosture, TurnToTheLeftIsPositive) {
-  const BodyModel body = full_body();
-  PostureMeter meter(body);
-  const FinalPosture left = meter.measure(mode(body, "twist", radians(40.0)), right_hand(body));
-  const FinalPosture right = meter.measure(mode(body, "twist", radians(-40.0)), right_hand(body));
+  const PosedBody posed = full_body();
+  PostureMeter meter(posed, posed.home);
+  const FinalPosture left = meter.measure(mode(posed, "twist", radians(40.0)), right_hand(posed));
+  const FinalPosture right = meter.measure(mode(posed, "twist", radians(-40.0)), right_hand(posed));
   EXPECT_GT(left.trunk_turn, radians(20.0));
   EXPECT_NEAR(right.trunk_turn, -left.trunk_turn, 0.1);
   EXPECT_EQ(posture_words(left), "upright, turned left");

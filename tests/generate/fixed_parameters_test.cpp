@@ -22,7 +22,7 @@ const Vec3d kAtTheFeet{-0.05, 0.1, 0.3};
 Task fixed_task(Preset preset, const std::vector<const char*>& assignments) {
   Task task = with_preset(Task(full_body(), {.goals = {{"right_hand", kAtTheFeet}}}), preset);
   task.evaluations = 600;
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   task.fixed = no_fixed_parameters(list);
   for (const char* assignment : assignments) {
     EXPECT_TRUE(fix_parameter(list, assignment, *task.fixed)) << assignment;
@@ -47,12 +47,12 @@ TEST_P(Fixed, ParametersAreThoseOfEveryCandidateAndOthersAreNot) {
       EXPECT_FALSE(candidate.parameters.locked[dof(name)]) << name;
     }
     EXPECT_TRUE(candidate.parameters.locked[dof("left_knee.flexion")]);
-    EXPECT_EQ(value_of(task.body, candidate.parameters, "twist"), radians(10.0));
-    EXPECT_EQ(value_of(task.body, candidate.parameters, "bow"), 0.05);
+    EXPECT_EQ(value_of(task, candidate.parameters, "twist"), radians(10.0));
+    EXPECT_EQ(value_of(task, candidate.parameters, "bow"), 0.05);
     // a locked joint keeps its start angle
     const Clip& clip = candidate.motion.clip;
     const std::size_t knee = dof("left_knee.flexion");
-    EXPECT_NEAR(clip.frame(clip.frames - 1)[knee], task.body.start()[knee], 1e-3);
+    EXPECT_NEAR(clip.frame(clip.frames - 1)[knee], task.home.angles[knee], 1e-3);
   }
   for (std::size_t k = 1; k < generation.candidates.size(); ++k) {
     EXPECT_NE(generation.candidates[0].parameters, generation.candidates[k].parameters);
@@ -77,7 +77,7 @@ TEST(SquatTarget, IsTheKneesFlexionAtTheEnd) {
     Task task = fixed_task(Preset::flat, {text.c_str()});
     task.evaluations = 3000;
     const double start =
-        task.body.start()[static_cast<std::size_t>(*task.body.find_dof("right_knee.flexion"))];
+        task.home.angles[static_cast<std::size_t>(*task.body.find_dof("right_knee.flexion"))];
     const GenerateResult generation = generate(task).value();
     for (const Candidate& candidate : generation.candidates) {
       EXPECT_NEAR(degrees(candidate.final_posture.knee_flexion - start), target, 13.0);
@@ -88,7 +88,7 @@ TEST(SquatTarget, IsTheKneesFlexionAtTheEnd) {
 TEST(FixedParameters, AreNoCoordinatesOfTheSearch) {
   const Task task = fixed_task(Preset::flat, {"squat_deg=60", "right_elbow.weight=3"});
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   const ParameterSpace all(problem, list, GeneCode::natural);
   const ParameterSpace rest(problem, list, GeneCode::natural, task.fixed);
   EXPECT_EQ(rest.genes(), all.genes() - 2);
@@ -109,7 +109,7 @@ TEST(FixedParameters, OfAnotherBodyAreRefused) {
   Task task = fixed_task(Preset::flat, {});
   task.fixed = no_fixed_parameters(list_of(half_body()));
   EXPECT_FALSE(generate(task));
-  task.fixed = no_fixed_parameters(list_of(task.body));
+  task.fixed = no_fixed_parameters(list_of(task));
   task.fixed->set.pop_back();
   EXPECT_FALSE(generate(task));
 }

@@ -24,14 +24,14 @@ using testing::Not;
 
 constexpr Vec3d kAtTheFeet{-0.15, 0.05, 0.45};
 
-Task flat_task(const BodyModel& body, const Vec3d& goal) {
-  return Task(body, {.goals = {{"right_hand", goal}}});
+Task flat_task(const PosedBody& posed, const Vec3d& goal) {
+  return Task(posed, {.goals = {{"right_hand", goal}}});
 }
 
 TEST(ParameterSpace, StartsAtThePlainMotion) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   const ParameterSpace space(problem, list, GeneCode::natural);
   const Parameters start = space.decode(space.start());
   const Parameters plain = list.start();
@@ -46,7 +46,7 @@ TEST(ParameterSpace, StartsAtThePlainMotion) {
 TEST(ParameterSpace, SearchesOnlyWhatMovesAGoalOrAFoot) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   const std::vector<std::string> names = ParameterSpace(problem, list, GeneCode::natural).names();
   for (const char* name : {"hip.flexion", "knee.flexion", "right_elbow.flexion", "squat", "lean",
                            "twist", "right_swivel", "bow", "sway"}) {
@@ -61,7 +61,7 @@ TEST(ParameterSpace, SearchesOnlyWhatMovesAGoalOrAFoot) {
 TEST(ParameterSpace, PaperCodesAreThePapersWeights) {
   const Task task = flat_task(half_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   const ParameterSpace space(problem, list, GeneCode::paper);
   ASSERT_EQ(space.genes(), 9);
   std::vector<double> point;
@@ -76,7 +76,7 @@ TEST(ParameterSpace, PaperCodesAreThePapersWeights) {
 TEST(ParameterSpace, DelayAndSkewAreSearchedOnRequestOnly) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   const ParameterSpace natural(problem, list, GeneCode::natural);
   const ParameterSpace every(problem, list, GeneCode::every);
   EXPECT_EQ(every.genes(), natural.genes() + 2);
@@ -89,7 +89,7 @@ TEST(ParameterSpace, DelayAndSkewAreSearchedOnRequestOnly) {
 TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
   const Task task = flat_task(full_body(), kAtTheFeet);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   ParameterSpace space(problem, list, GeneCode::every);
   Random random(2);
   std::vector<double> points;
@@ -100,7 +100,7 @@ TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
   const auto genes = static_cast<std::size_t>(space.genes());
   for (std::size_t i = 0; i < 3; ++i) {
     const Parameters p = space.decode(std::span(points).subspan(i * genes, genes));
-    const std::vector<double> change = posture_change(task.body, modes_of(task.body, p));
+    const std::vector<double> change = posture_change(task.body, modes_of(task, p));
     for (std::size_t d = 0; d < dofs; ++d) {
       EXPECT_NEAR(static_cast<double>(rows.inverse_weights[i * dofs + d]) * p.values[d], 1.0, 1e-6);
       EXPECT_NEAR(static_cast<double>(rows.posture[i * dofs + d]), change[d], 1e-6);
@@ -113,11 +113,11 @@ TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
 }
 
 TEST(Archive, KeepsTheBestOfEachCellAndDropsWhatMissed) {
-  const BodyModel body = half_body();
-  Archive archive(body);
-  const std::size_t dofs = body.dofs().size();
+  const PosedBody posed = half_body();
+  Archive archive(posed);
+  const std::size_t dofs = posed.body.dofs().size();
   // the mode's own direction: knees bend under an upright trunk, hips sink with the shoulders
-  const std::vector<double> squat = posture_modes(body)[0].direction;
+  const std::vector<double> squat = posture_modes(posed)[0].direction;
   std::vector<float> postures(10 * dofs, 0.0F);
   std::vector<double> points;
   std::vector<double> scores;
@@ -267,9 +267,9 @@ TEST(FlatSearch, EditedPostureIsCheckedAndPlayed) {
   Parameters parameters = uniform_parameters(task.body);
   parameters.posed = true;
   EXPECT_TRUE(regenerate(task, parameters).has_value());
-  value_of(task.body, parameters, "bow") = 1.0;
+  value_of(task, parameters, "bow") = 1.0;
   EXPECT_FALSE(regenerate(task, parameters).has_value());
-  value_of(task.body, parameters, "bow") = 0.0;
+  value_of(task, parameters, "bow") = 0.0;
   parameters.values.pop_back();
   EXPECT_FALSE(regenerate(task, parameters).has_value());
 }

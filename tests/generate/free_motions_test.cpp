@@ -52,11 +52,12 @@ struct Found {
   double shank = 0.0;
 };
 
-Found free_motions(const BodyModel& body) {
+Found free_motions(const PosedBody& posed) {
+  const BodyModel& body = posed.body;
   Random random(77);
   Found found;
   for (int k = 0; k < kGoals; ++k) {
-    Task task(body);
+    Task task(posed);
     task.goals = {{"right_hand", awkward_goal(k, random) * body.stature()}};
     task.seed = random.next();
     task.evaluations = 400;
@@ -75,7 +76,7 @@ Found free_motions(const BodyModel& body) {
 
 class FreeMotions : public testing::TestWithParam<const char*> {
  protected:
-  BodyModel body() { return std::string(GetParam()) == "human" ? human_body() : full_body(); }
+  PosedBody body() { return std::string(GetParam()) == "human" ? human_body() : full_body(); }
 };
 
 TEST_P(FreeMotions, PassThroughNeitherHeadNorShank) {
@@ -88,15 +89,16 @@ TEST_P(FreeMotions, PassThroughNeitherHeadNorShank) {
 // The other geometry detects the collisions that the capsules prevent: straight to a goal, without
 // a search that would begin at motions known to be free.
 TEST_P(FreeMotions, WouldWithoutTheirCapsules) {
-  BodyDefinition bare = body().definition();
+  BodyDefinition bare = body().body.definition();
   std::erase_if(bare.capsules, [](const Capsule& capsule) {
     return capsule.name == "head" || capsule.name == "jaw" || capsule.name.ends_with("shank");
   });
-  const BodyModel body(bare);
+  const PosedBody posed{BodyModel(bare), body().home};
+  const BodyModel& body = posed.body;
   Random random(77);
   double deepest = 0.0;
   for (int k = 0; k < kPlainGoals; ++k) {
-    const Task task(body, {.goals = {{"right_hand", awkward_goal(k, random) * body.stature()}}});
+    const Task task(posed, {.goals = {{"right_hand", awkward_goal(k, random) * body.stature()}}});
     const Parameters plain = uniform_parameters(body);
     const GenerateResult played = regenerate(task, plain).value();
     const ClipPlaces places(body, played.candidates[0].motion.clip);

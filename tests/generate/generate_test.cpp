@@ -20,8 +20,8 @@ using namespace testing_support;
 constexpr Vec3d kFrontLow{-0.15, 0.5, 0.5};
 constexpr Vec3d kOutOfReach{-1.5, 1.5, 1.2};
 
-Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) {
-  Task task = with_preset(Task(body, {.goals = {{"right_hand", goal}}}), Preset::paper);
+Task task_for(const PosedBody& posed, const Vec3d& goal, std::uint64_t seed = 1) {
+  Task task = with_preset(Task(posed, {.goals = {{"right_hand", goal}}}), Preset::paper);
   task.seed = seed;
   return task;
 }
@@ -110,8 +110,8 @@ TEST(Generate, CandidatesMeetTheGoal) {
 }
 
 TEST(Generate, FeetStayWhereTheyStand) {
-  const BodyModel body = full_body();
-  const ReachProblem problem = reach_with(body, "right_hand", kFrontLow);
+  const PosedBody posed = full_body();
+  const ReachProblem problem = reach_with(posed, "right_hand", kFrontLow);
   for (const Candidate& candidate : full_generation().candidates) {
     ASSERT_EQ(candidate.contacts.size(), 2u);
     const MeasuredMotion measured(problem, candidate.motion.clip);
@@ -142,9 +142,9 @@ TEST(Generate, BestCandidateComesFirst) {
 }
 
 TEST(Generate, ScoresAreThoseOfTheMotions) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   for (const Candidate& candidate : full_generation().candidates) {
-    EXPECT_EQ(candidate.score.total, score_motion(body, candidate.motion, {}).total);
+    EXPECT_EQ(candidate.score.total, score_motion(posed, candidate.motion, {}).total);
     EXPECT_LT(candidate.score.total, worst_score({}));
   }
   EXPECT_LE(full_generation().best_seen_score, full_generation().candidates[0].score.total);
@@ -161,7 +161,7 @@ TEST(Generate, KeepsToTheNumberOfCandidates) {
 
 TEST(Generate, ParametersArePapersCode) {
   for (const Candidate& candidate : full_generation().candidates) {
-    for (std::size_t d = 0; d < full_body().dofs().size(); ++d) {
+    for (std::size_t d = 0; d < full_body().body.dofs().size(); ++d) {
       const double weight = candidate.parameters.values[d];
       EXPECT_EQ(weight, std::floor(weight));
       EXPECT_TRUE(weight >= 1.0 && weight <= 15.0);
@@ -170,11 +170,11 @@ TEST(Generate, ParametersArePapersCode) {
 }
 
 TEST(Generate, TellsWhichLimitsAreExceeded) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   for (const Candidate& candidate : full_generation().candidates) {
     for (std::size_t i = 0; i < candidate.measures.over_limit.size(); ++i) {
       const LimitExcess& over = candidate.measures.over_limit[i];
-      EXPECT_TRUE(body.find_dof(over.dof)) << over.dof;
+      EXPECT_TRUE(posed.body.find_dof(over.dof)) << over.dof;
       EXPECT_GT(degrees(over.excess), 0.1);
       if (i > 0) {
         EXPECT_LE(over.excess, candidate.measures.over_limit[i - 1].excess);
@@ -197,14 +197,14 @@ TEST(Generate, BothHandsReachTogether) {
 }
 
 // The largest change (rad) of any angle of these joints during a motion.
-double largest_change(const BodyModel& body, const Clip& clip,
+double largest_change(const PosedBody& posed, const Clip& clip,
                       const std::function<bool(const Dof&)>& counts) {
   double largest = 0.0;
   for (int f = 0; f < clip.frames; ++f) {
-    for (int d = 0; d < body.dof_count(); ++d) {
+    for (int d = 0; d < posed.body.dof_count(); ++d) {
       const auto k = static_cast<std::size_t>(d);
-      if (!counts(body.dof(d))) continue;
-      largest = std::fmax(largest, std::fabs(clip.frame(f)[k] - body.start()[k]));
+      if (!counts(posed.body.dof(d))) continue;
+      largest = std::fmax(largest, std::fabs(clip.frame(f)[k] - posed.home.angles[k]));
     }
   }
   return largest;
@@ -214,20 +214,20 @@ TEST(Generate, LimbsThatNoGoalNeedsKeepTheirAngles) {
   // the other arm, and a leg that is lifted at the start; in reach and out of it
   Landmarks person = standing_landmarks(1.7, 0.1);
   lift_leg(person.left_leg, 1.0);
-  const BodyModel body = build_human(person, {"one_leg_up", BodyExtent::full, 1.7, 70.0});
+  const PosedBody posed = build_human(person, {"one_leg_up", BodyExtent::full, 1.7, 70.0});
   const auto is_left = [](const Dof& dof) { return dof.joint.starts_with("left_"); };
   for (const Vec3d& goal : {kFrontLow, kOutOfReach}) {
-    for (const Candidate& candidate : generated(task_for(body, goal)).candidates) {
-      EXPECT_EQ(largest_change(body, candidate.motion.clip, is_left), 0.0);
-      EXPECT_GT(largest_change(body, candidate.motion.clip, std::not_fn(is_left)), 0.1);
+    for (const Candidate& candidate : generated(task_for(posed, goal)).candidates) {
+      EXPECT_EQ(largest_change(posed, candidate.motion.clip, is_left), 0.0);
+      EXPECT_GT(largest_change(posed, candidate.motion.clip, std::not_fn(is_left)), 0.1);
     }
   }
 }
 
 TEST(Generate, PeopleOfAllSizesReachInProportion) {
   for (const double stature : {0.5, 1.0, 2.5}) {
-    const BodyModel body = full_body({stature, 70.0, Sex::female});
-    const GenerateResult generation = generated(task_for(body, kFrontLow * (stature / 1.741)));
+    const PosedBody posed = full_body({stature, 70.0, Sex::female});
+    const GenerateResult generation = generated(task_for(posed, kFrontLow * (stature / 1.741)));
     EXPECT_TRUE(generation.meets_goals()) << stature;
     EXPECT_LE(generation.candidates[0].goals[0].error, kReachTolerance);
   }
@@ -242,8 +242,8 @@ TEST(Generate, WrongTaskIsAnError) {
 }
 
 TEST(Generate, UnreachableGoalIsAStatusWithTheDistanceLeft) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const GenerateResult generation = generated(task_for(body, kOutOfReach));
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const GenerateResult generation = generated(task_for(posed, kOutOfReach));
     EXPECT_EQ(generation.status, ReachStatus::unreachable);
     ASSERT_FALSE(generation.candidates.empty());
     const Candidate& best = generation.candidates[0];
@@ -257,9 +257,9 @@ TEST(Generate, UnreachableGoalIsAStatusWithTheDistanceLeft) {
 
 TEST(Generate, MotionTowardsAnUnreachableGoalIsCalm) {
   // joints turn by no more in a frame than a fast reach asks for, and the hand does not turn back
-  const BodyModel body = full_body();
-  const GenerateResult generation = generated(task_for(body, kOutOfReach));
-  const ReachProblem problem = reach_with(body, "right_hand", kOutOfReach);
+  const PosedBody posed = full_body();
+  const GenerateResult generation = generated(task_for(posed, kOutOfReach));
+  const ReachProblem problem = reach_with(posed, "right_hand", kOutOfReach);
   for (const Candidate& candidate : generation.candidates) {
     const MeasuredMotion measured(problem, candidate.motion.clip);
     EXPECT_TRUE(measured.finite);
@@ -405,9 +405,9 @@ TEST(Generate, CriterionThatIsAlwaysNaNStillGivesMotions) {
 }
 
 TEST(Regenerate, GivesTheCandidateAgain) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
+  for (const PosedBody& posed : {half_body(), full_body()}) {
     for (const Vec3d& goal : {kFrontLow, kOutOfReach}) {
-      const Task task = task_for(body, goal);
+      const Task task = task_for(posed, goal);
       MotionPlayer player = MotionPlayer::of(task).value();
       for (const Candidate& candidate : generated(task).candidates) {
         const GenerateResult again = regenerate(task, candidate.parameters).value();
@@ -437,12 +437,13 @@ double travel(const Clip& clip, int dof) {
 TEST(Regenerate, LargerWeightMovesTheJointLessAndTheHandArrivesAllTheSame) {
   // exactly true of one step, and in the end of nearly all motions; the two hips of the full body,
   // which turn the trunk together, are an exception
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const Task task = task_for(body, kFrontLow);
-    const Parameters uniform = uniform_parameters(body);
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const Task task = task_for(posed, kFrontLow);
+    const Parameters uniform = uniform_parameters(posed);
     const GenerateResult before = regenerate(task, uniform).value();
-    for (int d = 0; d < body.dof_count(); ++d) {
-      if (body.dof(d).name.ends_with("hip.flexion") || body.dof(d).joint.starts_with("left_")) {
+    for (int d = 0; d < posed.body.dof_count(); ++d) {
+      if (posed.body.dof(d).name.ends_with("hip.flexion") ||
+          posed.body.dof(d).joint.starts_with("left_")) {
         continue;
       }
       Parameters heavier = uniform;
@@ -452,28 +453,28 @@ TEST(Regenerate, LargerWeightMovesTheJointLessAndTheHandArrivesAllTheSame) {
       EXPECT_LE(after.candidates[0].goals[0].error, kReachTolerance);
       EXPECT_LT(travel(after.candidates[0].motion.clip, d),
                 travel(before.candidates[0].motion.clip, d))
-          << body.name() << " " << body.dof(d).name;
+          << posed.body.name() << " " << posed.body.dof(d).name;
     }
   }
 }
 
 TEST(Regenerate, LockedJointStaysAndTheHandArrivesAllTheSame) {
-  const BodyModel body = half_body();
-  Parameters parameters = uniform_parameters(body);
-  const int knee = body.find_dof("right_knee.flexion").value();
+  const PosedBody posed = half_body();
+  Parameters parameters = uniform_parameters(posed);
+  const int knee = posed.body.find_dof("right_knee.flexion").value();
   parameters.locked[static_cast<std::size_t>(knee)] = true;
-  const GenerateResult generation = regenerate(task_for(body, kFrontLow), parameters).value();
+  const GenerateResult generation = regenerate(task_for(posed, kFrontLow), parameters).value();
   EXPECT_TRUE(generation.meets_goals());
   EXPECT_EQ(travel(generation.candidates[0].motion.clip, knee), 0.0);
 }
 
 TEST(Regenerate, WithAllJointsLockedTellsHowFarTheGoalIs) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    Parameters parameters = uniform_parameters(body);
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    Parameters parameters = uniform_parameters(posed);
     testing_support::lock_all(parameters);
-    const GenerateResult generation = regenerate(task_for(body, kFrontLow), parameters).value();
+    const GenerateResult generation = regenerate(task_for(posed, kFrontLow), parameters).value();
     EXPECT_EQ(generation.status, ReachStatus::unreachable);
-    const Vec3d hand = effector_position(body, body.start(), "right_hand");
+    const Vec3d hand = effector_position(posed, posed.home.angles, "right_hand");
     EXPECT_NEAR(generation.remaining_distance, norm(hand - kFrontLow), 1e-12);
   }
 }
@@ -486,25 +487,25 @@ TEST(Regenerate, RefusesParametersOfAnotherBody) {
 }
 
 TEST(Regenerate, RefusesWeightsOutsideOfTheirRange) {
-  const BodyModel body = half_body();
+  const PosedBody posed = half_body();
   for (const double weight : {0.0, -1.0, 1e-7, 1e7, std::numeric_limits<double>::quiet_NaN()}) {
-    Parameters parameters = uniform_parameters(body);
+    Parameters parameters = uniform_parameters(posed);
     parameters.values[1] = weight;
-    const Result<GenerateResult> generation = regenerate(task_for(body, kFrontLow), parameters);
+    const Result<GenerateResult> generation = regenerate(task_for(posed, kFrontLow), parameters);
     ASSERT_FALSE(generation);
     EXPECT_EQ(generation.error().place, "right_knee.flexion");
   }
 }
 
 TEST(Regenerate, AnyOneWeightMayBeAnythingInItsRange) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const Task task = task_for(body, kFrontLow);
-    for (std::size_t d = 0; d < body.dofs().size(); ++d) {
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const Task task = task_for(posed, kFrontLow);
+    for (std::size_t d = 0; d < posed.body.dofs().size(); ++d) {
       for (const double weight : {kWeightMin, 0.1, 10.0, kWeightMax}) {
-        Parameters parameters = uniform_parameters(body);
+        Parameters parameters = uniform_parameters(posed);
         parameters.values[d] = weight;
         const GenerateResult generation = regenerate(task, parameters).value();
-        EXPECT_TRUE(generation.meets_goals()) << body.dofs()[d].name << " " << weight;
+        EXPECT_TRUE(generation.meets_goals()) << posed.body.dofs()[d].name << " " << weight;
       }
     }
   }

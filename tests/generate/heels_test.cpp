@@ -41,10 +41,10 @@ double most_lifted(const Candidate& candidate) {
   return most;
 }
 
-double least_inside(const BodyModel& body, std::span<const double> angles, LiftedHeels lifted) {
-  const Vec3d com = centre_of_mass(body, placed(body, angles));
+double least_inside(const PosedBody& posed, std::span<const double> angles, LiftedHeels lifted) {
+  const Vec3d com = centre_of_mass(posed, placed(posed, angles));
   double inside = 1e9;
-  for (const SupportEdge& e : support_edges(body, start_state(body), lifted)) {
+  for (const SupportEdge& e : support_edges(posed, posed.home, lifted)) {
     inside = min(inside, e.offset + e.x * com.x + e.z * com.z);
   }
   return inside;
@@ -72,14 +72,14 @@ TEST(Heels, LiftForWhatFlatFeetDoNotReach) {
       for (const ContactResult& foot : candidate.contacts) EXPECT_LE(foot.max_slide, 1e-3);
       // and stands on the forefeet at the end
       const Clip& clip = candidate.motion.clip;
-      EXPECT_GT(least_inside(task.body, clip.frame(clip.frames - 1), 3U), 0.0) << rise;
+      EXPECT_GT(least_inside(task, clip.frame(clip.frames - 1), 3U), 0.0) << rise;
     }
   }
 }
 
 TEST(Heels, LiftInASquatThatTheAnklesEndBefore) {
   Task task = task_for({-0.1, 0.3, 0.4});
-  const ParameterList list = testing_support::list_of(task.body);
+  const ParameterList list = testing_support::list_of(task);
   FixedParameters fixed = no_fixed_parameters(list);
   // with the hips not put back
   testing_support::fix_value(list, "squat", radians(110.0), fixed);
@@ -112,7 +112,7 @@ TEST(Heels, ToldHeightIsThatOfTheHeel) {
     // the link that the heel is on, and where it is there
     const bool base = foot.link == kBaseLink;
     const int link = base ? foot.heel->toes : task.body.dof(foot.link).parent;
-    const Kinematics<double> start = placed(task.body, task.body.start());
+    const Kinematics<double> start = placed(task.body, task.home.angles);
     const Vec3d heel = start.point(foot.link, foot.heel->back);
     const Vec3d in_link =
         transpose_times(start.link_rotation(link), heel - start.link_origin(link));
@@ -136,9 +136,9 @@ TEST(Heels, LiftOfOneFootThatStands) {
 // A heel reaches its goal by the ankle above it, while its toes stay.
 TEST(Heels, LiftsForAGoalOfTheAnkle) {
   Task task = task_for(kFrontLow);
-  const Vec3d from = effector_position(task.body, task.body.start(), "left_ankle");
+  const Vec3d from = effector_position(task.body, task.home.angles, "left_ankle");
   const int toes = task.body.feet()[1].heel->toes;
-  const Kinematics<double> start = placed(task.body, task.body.start());
+  const Kinematics<double> start = placed(task.body, task.home.angles);
   const Mat3d& foot = start.link_rotation(toes);
   const Vec3d hinge = start.link_origin(toes);
   const double angle = radians(22.0);
@@ -156,7 +156,7 @@ TEST(Heels, LiftsForAGoalOfTheAnkle) {
 // A foot lands flat after a step, toes included.
 TEST(Heels, AStepLandsLevel) {
   Task task = task_for(kFrontLow);
-  const Vec3d from = effector_position(task.body, task.body.start(), "left_foot");
+  const Vec3d from = effector_position(task.body, task.home.angles, "left_foot");
   task.goals = {{"left_foot", from + Vec3d{0.05, 0.0, 0.2}}};
   const GenerateResult generation = generate(task).value();
   ASSERT_TRUE(generation.meets_goals());
@@ -177,7 +177,7 @@ TEST(Heels, LanesScoreAsDoubleDoes) {
   std::vector<float> timing;
   for (int i = 0; i < 48; ++i) {
     Parameters parameters = random_parameters(task.body, random);
-    testing_support::pose(task.body, parameters, [&](const PostureMode& mode) {
+    testing_support::pose(task, parameters, [&](const PostureMode& mode) {
       return (mode.name == "squat" ? 1.0 : 0.1) * random.uniform(mode.lower, mode.upper);
     });
     // toes that give as readily as others
@@ -187,8 +187,7 @@ TEST(Heels, LanesScoreAsDoubleDoes) {
     played.add(problem, parameters, task.criteria);
     for (const double w : inverse_weights(task.body, parameters))
       rows.push_back(static_cast<float>(w));
-    for (const double q :
-         posture_change(task.body, testing_support::modes_of(task.body, parameters))) {
+    for (const double q : posture_change(task.body, testing_support::modes_of(task, parameters))) {
       postures.push_back(static_cast<float>(q));
     }
     timing.insert(timing.end(), kTimings, 0.0F);

@@ -20,8 +20,8 @@ constexpr Vec3d kLowFront{-0.25, 0.6, 0.5};
 constexpr Vec3d kAtTheFeet{-0.05, 0.1, 0.3};
 constexpr Vec3d kHigh{-0.45, 1.75, 0.35};
 
-Task task_for(const BodyModel& body, const Vec3d& goal, const char* hand = "right_hand") {
-  Task task = with_preset(Task(body, {.goals = {{hand, goal}}}), Preset::human);
+Task task_for(const PosedBody& posed, const Vec3d& goal, const char* hand = "right_hand") {
+  Task task = with_preset(Task(posed, {.goals = {{hand, goal}}}), Preset::human);
   task.seed = 1;
   task.evaluations = 160;
   return task;
@@ -39,9 +39,9 @@ double travel(const Task& task, const Candidate& candidate, const char* dof) {
 TEST(GenerateHuman, HandArrivesFeetStayAndLimitsHoldAtRandomGoals) {
   Random random(11);
   int over_limit = 0;
-  for (const BodyModel& body : {half_body(), full_body()}) {
+  for (const PosedBody& posed : {half_body(), full_body()}) {
     for (int i = 0; i < 16; ++i) {
-      Task task = task_for(body, near_goal(body, random));
+      Task task = task_for(posed, near_goal(posed, random));
       task.evaluations = 100;
       task.candidates = 2;
       const GenerateResult generation = generated(task);
@@ -102,7 +102,7 @@ TEST(GenerateHuman, FreeArmFollowsAMinimumJerkToItsFinalAngles) {
   const Clip& clip = candidate.motion.clip;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto d = static_cast<std::size_t>(task.body.find_dof(dofs[k]).value());
-    const double start = task.body.start()[d];
+    const double start = task.home.angles[d];
     for (int f = 0; f < clip.frames; ++f) {
       const double schedule = minimum_jerk(f / (clip.frames - 1.0));
       EXPECT_NEAR(clip.frame(f)[d], start + (finals[k] - start) * schedule, 1e-12);
@@ -177,8 +177,8 @@ TEST(GenerateHuman, GoalOutOfReachIsAStatusWithTheDistanceLeft) {
 }
 
 TEST(RegenerateHuman, GivesTheCandidateAgain) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const Task task = task_for(body, kLowFront);
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const Task task = task_for(posed, kLowFront);
     const GenerateResult generation = generated(task);
     // motions impossible in their usual duration got a longer one
     const Task played = played_task(task, generation);

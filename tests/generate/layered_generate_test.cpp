@@ -24,8 +24,8 @@ constexpr Vec3d kFrontLow{-0.15, 0.5, 0.5};
 constexpr Vec3d kFront{-0.3, 1.2, 0.35};
 constexpr Vec3d kOutOfReach{-1.5, 1.5, 1.2};
 
-Task task_for(const BodyModel& body, const Vec3d& goal, std::uint64_t seed = 1) {
-  Task task = with_preset(Task(body, {.goals = {{"right_hand", goal}}}), Preset::layers);
+Task task_for(const PosedBody& posed, const Vec3d& goal, std::uint64_t seed = 1) {
+  Task task = with_preset(Task(posed, {.goals = {{"right_hand", goal}}}), Preset::layers);
   task.seed = seed;
   return task;
 }
@@ -50,9 +50,9 @@ std::vector<double> numbers(const GenerateResult& g) {
 }
 
 TEST(GenerateLayers, HandArrivesAndFeetStay) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
+  for (const PosedBody& posed : {half_body(), full_body()}) {
     for (const Vec3d& goal : {kFrontLow, kFront, Vec3d{-0.5, 1.6, 0.2}}) {
-      const Task task = task_for(body, goal);
+      const Task task = task_for(posed, goal);
       expect_layers_kept(task, generated(task));
     }
   }
@@ -61,13 +61,13 @@ TEST(GenerateLayers, HandArrivesAndFeetStay) {
 TEST(GenerateLayers, PeopleOfAllSizesAndShapesReach) {
   Landmarks lifted = standing_landmarks(1.7, 0.1);
   lift_leg(lifted.right_leg, 1.0);
-  const std::vector<BodyModel> people{
+  const std::vector<PosedBody> people{
       full_body({0.5, 8.0, Sex::female}), full_body({2.5, 150.0, Sex::male}),
       build_human(asymmetric_person(), {"asymmetric", BodyExtent::full, 1.6, 60.0}),
       build_human(asymmetric_person(), {"asymmetric_half", BodyExtent::half, 1.6, 60.0}),
       build_human(lifted, {"right_leg_up", BodyExtent::full, 1.7, 70.0})};
-  for (const BodyModel& body : people) {
-    const Task task = task_for(body, kFront * (body.stature() / 1.741));
+  for (const PosedBody& posed : people) {
+    const Task task = task_for(posed, kFront * (posed.body.stature() / 1.741));
     expect_layers_kept(task, generated(task));
   }
 }
@@ -81,8 +81,8 @@ TEST(GenerateLayers, EitherHandAndBothTogetherReach) {
 }
 
 TEST(GenerateLayers, BothReadingsReach) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    Task task = task_for(body, kFront);
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    Task task = task_for(posed, kFront);
     const GenerateResult shared = generated(task);
     task.layer_reading = LayerReading::contraction_a_limb;
     const GenerateResult each = generated(task);
@@ -92,15 +92,15 @@ TEST(GenerateLayers, BothReadingsReach) {
 }
 
 TEST(GenerateLayers, ArmWithoutAGoalHangs) {
-  const BodyModel body = full_body();
-  for (const Candidate& candidate : generated(task_for(body, kFrontLow)).candidates) {
+  const PosedBody posed = full_body();
+  for (const Candidate& candidate : generated(task_for(posed, kFrontLow)).candidates) {
     for (int f = 0; f < candidate.motion.clip.frames; ++f) {
-      for (int d = 0; d < body.dof_count(); ++d) {
+      for (int d = 0; d < posed.body.dof_count(); ++d) {
         const bool left_arm =
-            body.dof(d).joint == "left_shoulder" || body.dof(d).joint == "left_elbow";
+            posed.body.dof(d).joint == "left_shoulder" || posed.body.dof(d).joint == "left_elbow";
         const auto k = static_cast<std::size_t>(d);
         if (!left_arm) continue;
-        EXPECT_EQ(candidate.motion.clip.frame(f)[k], body.start()[k]);
+        EXPECT_EQ(candidate.motion.clip.frame(f)[k], posed.home.angles[k]);
       }
     }
   }
@@ -192,13 +192,13 @@ TEST(GenerateLayers, CallsAUsersCriterionOnTheCallersThread) {
 }
 
 TEST(GenerateLayers, GoalOutOfReachIsAStatusWithTheDistanceLeft) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const GenerateResult generation = generated(task_for(body, kOutOfReach));
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const GenerateResult generation = generated(task_for(posed, kOutOfReach));
     EXPECT_EQ(generation.status, ReachStatus::unreachable);
     ASSERT_FALSE(generation.candidates.empty());
     EXPECT_GT(generation.remaining_distance, 0.1);
     for (const Candidate& candidate : generation.candidates) {
-      const MeasuredMotion measured(reach_with(body, "right_hand", kOutOfReach),
+      const MeasuredMotion measured(reach_with(posed, "right_hand", kOutOfReach),
                                     candidate.motion.clip);
       EXPECT_TRUE(measured.finite);
       EXPECT_LE(measured.contact_slide, kReachTolerance);
@@ -223,9 +223,9 @@ TEST(GenerateLayers, GoalsAtTheEdgeOfReachAreMet) {
 TEST(GenerateLayers, ClosestMotionsEndNearWhereTheBodyCould) {
   // what layers lack: a limb's last 5° of bend, and 5 mm for more than one candidate
   constexpr double kShort = 0.025;
-  for (const BodyModel& body : {half_body(), full_body()}) {
+  for (const PosedBody& posed : {half_body(), full_body()}) {
     for (const Vec3d& goal : {Vec3d{-0.2, 2.36, 0.31}, {0.06, 1.98, 1.67}, {-1.96, 2.45, 0.62}}) {
-      const Task task = task_for(body, goal, 0);
+      const Task task = task_for(posed, goal, 0);
       const double closest = closest_reach(make_problem(task).value()).distance;
       const GenerateResult generation = generated(task);
       EXPECT_EQ(generation.status, ReachStatus::unreachable);
@@ -296,8 +296,8 @@ TEST(GenerateLayers, CollisionThatNoArmCanAvoidIsSaid) {
 }
 
 TEST(RegenerateLayers, GivesTheCandidateAgain) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const Task task = task_for(body, kFront);
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const Task task = task_for(posed, kFront);
     for (const Candidate& candidate : generated(task).candidates) {
       const GenerateResult again = regenerate(task, candidate.parameters).value();
       ASSERT_EQ(again.candidates.size(), 1u);
@@ -309,10 +309,10 @@ TEST(RegenerateLayers, GivesTheCandidateAgain) {
 
 // The paper's figure 7.
 TEST(RegenerateLayers, MoreContractionOfTheLegsBendsTheKneesMore) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const Task task = task_for(body, {-0.1, 0.35, 0.4});
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const Task task = task_for(posed, {-0.1, 0.35, 0.4});
     Parameters parameters = generated(task).candidates[0].parameters;
-    const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+    const auto knee = static_cast<std::size_t>(posed.body.find_dof("right_knee.flexion").value());
     double last = 0.0;
     for (const double contraction : {1.5, 3.0, 5.25}) {
       value_of(parameter_list(task.body, task.start, task).value(), parameters, "legs") =
@@ -321,7 +321,7 @@ TEST(RegenerateLayers, MoreContractionOfTheLegsBendsTheKneesMore) {
       expect_layers_kept(task, edited);
       const Clip& clip = edited.candidates[0].motion.clip;
       const double bend = clip.frame(clip.frames - 1)[knee];
-      EXPECT_GT(bend, last + 0.1) << body.name();
+      EXPECT_GT(bend, last + 0.1) << posed.body.name();
       last = bend;
     }
   }

@@ -13,7 +13,7 @@ namespace {
 
 // Random upper motions of a layered task.
 struct Layered {
-  Layered(const BodyModel& body, Preset preset, std::vector<Goal> goals, int motions)
+  Layered(const PosedBody& body, Preset preset, std::vector<Goal> goals, int motions)
       : task(with_preset(Task(body, {.goals = std::move(goals)}), preset)),
         problem(testing_support::make_layered_problem(task)) {
     Random random(6);

@@ -29,10 +29,10 @@ struct Begun {
   ParameterList list;
   ParameterSpace space;
 
-  Begun(const BodyModel& body, std::vector<Goal> goals)
-      : task(with_preset(Task(body, {.goals = std::move(goals)}), Preset::flat)),
+  Begun(const PosedBody& posed, std::vector<Goal> goals)
+      : task(with_preset(Task(posed, {.goals = std::move(goals)}), Preset::flat)),
         problem(make_problem(task).value()),
-        list(testing_support::list_of(task.body)),
+        list(testing_support::list_of(task)),
         space(problem, list, GeneCode::natural) {}
 
   [[nodiscard]] std::vector<double> starts() const { return nearest_starts(problem, space, kMost); }
@@ -64,8 +64,8 @@ TEST(StartTable, HasADigitForEachCoordinateOfItsRows) {
 }
 
 TEST(StartTable, NamesAllCoordinatesOfTheBuiltInBodies) {
-  for (const BodyModel& body : {half_body(), full_body(), human_body()}) {
-    const Begun begun(body, {{"right_hand", kTable}});
+  for (const PosedBody& posed : {half_body(), full_body(), human_body()}) {
+    const Begun begun(posed, {{"right_hand", kTable}});
     const std::vector<std::string> names = begun.space.names();
     std::string all;
     for (const std::string& name : names) all += (all.empty() ? "" : " ") + name;
@@ -108,21 +108,21 @@ TEST(NearestStarts, OfATallerPersonAreThoseOfTheSamePlaceInStatures) {
 // length.
 TEST(StartPlace, IsByTheOwnArm) {
   using F = StatureFractions;
-  const BodyModel usual = human_body();
-  BodyDefinition long_armed = usual.definition();
-  const auto elbow = static_cast<std::size_t>(usual.find_dof("right_elbow.flexion").value());
-  const int hand = usual.find_effector("right_hand").value();
+  const PosedBody usual = human_body();
+  BodyDefinition long_armed = usual.body.definition();
+  const auto elbow = static_cast<std::size_t>(usual.body.find_dof("right_elbow.flexion").value());
+  const int hand = usual.body.find_effector("right_hand").value();
   const Vec3d goal{-0.6, 1.6, 0.3};
-  const Vec3d before = start_place(usual, hand, goal).value();
-  const Vec3d shoulder = (goal * (1.0 / usual.stature()) - before) * usual.stature();
-  const double arm = (F::kUpperArm + F::kForearm + kGripFraction * F::kHand) * usual.stature();
+  const Vec3d before = start_place(usual.body, usual.home, hand, goal).value();
+  const Vec3d shoulder = (goal * (1.0 / usual.body.stature()) - before) * usual.body.stature();
+  const double arm = (F::kUpperArm + F::kForearm + kGripFraction * F::kHand) * usual.body.stature();
   long_armed.dofs[elbow].offset.y -= 0.3;
   const BodyModel changed(long_armed);
-  const Vec3d after = start_place(changed, hand, goal).value();
+  const Vec3d after = start_place(changed, usual.home, hand, goal).value();
   EXPECT_LE(norm(after * ((arm + 0.3) / arm) - before), 1e-3);
   // below the shoulder, height counts in the own shoulder's height
   const Vec3d low{-0.2, 0.5 * shoulder.y, 0.3};
-  EXPECT_NEAR(start_place(changed, hand, low)->y, -0.5 * F::kShoulderHeight, 1e-3);
+  EXPECT_NEAR(start_place(changed, usual.home, hand, low)->y, -0.5 * F::kShoulderHeight, 1e-3);
 }
 
 TEST(NearestStarts, OfTwoHandsSetBothArms) {

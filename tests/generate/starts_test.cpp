@@ -38,7 +38,7 @@ std::vector<double> any_point(const ParameterSpace& space, std::uint64_t seed) {
 TEST(ParameterSpace, EncodesWhatItDecodes) {
   const Task task = asked({{"right_hand", kTable}}, 16);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   for (const GeneCode code : {GeneCode::natural, GeneCode::every}) {
     const ParameterSpace space(problem, list, code);
     const std::vector<double> point = any_point(space, 3);
@@ -52,7 +52,7 @@ TEST(ParameterSpace, EncodesWhatItDecodes) {
 TEST(ParameterSpace, EncodesALockedFreedomAsTheHeaviest) {
   const Task task = asked({{"right_hand", kTable}}, 16);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   const ParameterSpace space(problem, list, GeneCode::natural);
   Parameters values = space.decode(space.start());
   values.locked[number_of(list, "right_elbow.flexion")] = true;
@@ -63,7 +63,7 @@ TEST(ParameterSpace, EncodesALockedFreedomAsTheHeaviest) {
 TEST(KnownStarts, PutGivenMotionsBeforeTheNearestOfTheTable) {
   const Task task = asked({{"right_hand", kTable}}, 16);
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   const ParameterSpace space(problem, list, GeneCode::natural);
   const auto genes = static_cast<std::size_t>(space.genes());
   const std::vector<Parameters> given{space.decode(any_point(space, 1)),
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Starts,
 
 TEST(Starts, AreReadWhereTheSquatIsFixed) {
   Task task = asked({{"right_hand", {-0.2, 0.4, 0.4}}}, 40);
-  const ParameterList list = list_of(task.body);
+  const ParameterList list = list_of(task);
   task.fixed = no_fixed_parameters(list);
   fix_value(list, "squat", radians(60.0), *task.fixed);
   Task longer = task;
@@ -131,7 +131,7 @@ TEST(Starts, OfAnotherBodyAreRefused) {
 TEST(Starts, OutOfRangeAreRefusedByName) {
   Task task = asked({{"right_hand", kTable}}, 16);
   task.starts = {uniform_parameters(task.body)};
-  value_of(task.body, task.starts[0], "bow") = 1.0;
+  value_of(task, task.starts[0], "bow") = 1.0;
   const Result<GenerateResult> refused = generate(task);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().place, "starts[0]: bow");

@@ -22,18 +22,18 @@ State end_of(const Task& task) {
   return clip.state(clip.frames - 1);
 }
 
-Task asked(const BodyModel& body, const std::string& effector, const Vec3d& goal) {
-  Task task(body, {.goals = {{effector, goal}}});
+Task asked(const PosedBody& posed, const std::string& effector, const Vec3d& goal) {
+  Task task(posed, {.goals = {{effector, goal}}});
   task.evaluations = 256;
   return task;
 }
 
 // Places the named sole at the end of a motion, and at its start.
-double slide_of(const BodyModel& body, const Clip& clip, const std::string& foot) {
-  for (const Foot& known : body.feet()) {
+double slide_of(const PosedBody& posed, const Clip& clip, const std::string& foot) {
+  for (const Foot& known : posed.body.feet()) {
     if (known.name != foot) continue;
     const auto at = [&](int f) {
-      return placed(body, clip.state(f)).point(known.link, known.centre);
+      return placed(posed, clip.state(f)).point(known.link, known.centre);
     };
     return norm(at(clip.frames - 1) - at(0));
   }
@@ -41,9 +41,9 @@ double slide_of(const BodyModel& body, const Clip& clip, const std::string& foot
 }
 
 TEST(State, ASecondMotionBeginsWhereTheFirstEnds) {
-  const BodyModel body = human_body();
-  const State low = end_of(asked(body, "right_hand", {-0.2, 0.3, 0.45}));
-  Task task = asked(body, "right_hand", {-0.3, 1.2, 0.4});
+  const PosedBody posed = human_body();
+  const State low = end_of(asked(posed, "right_hand", {-0.2, 0.3, 0.45}));
+  Task task = asked(posed, "right_hand", {-0.3, 1.2, 0.4});
   task.start = low;
   const GenerateResult result = generate(task).value();
   EXPECT_EQ(result.status, ReachStatus::reached);
@@ -52,53 +52,54 @@ TEST(State, ASecondMotionBeginsWhereTheFirstEnds) {
     EXPECT_EQ(clip.state(0), low);
     EXPECT_LE(candidate.goals[0].error, kReachTolerance);
     for (const ContactResult& foot : candidate.contacts) EXPECT_LE(foot.max_slide, kReachTolerance);
-    EXPECT_LE(slide_of(body, clip, "left_foot"), kReachTolerance);
+    EXPECT_LE(slide_of(posed, clip, "left_foot"), kReachTolerance);
   }
 }
 
 TEST(State, WhoBeginsBentRisesToWhereTheHipsStand) {
-  const BodyModel body = human_body();
-  const State low = end_of(asked(body, "right_hand", {-0.2, 0.15, 0.4}));
-  const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+  const PosedBody posed = human_body();
+  const State low = end_of(asked(posed, "right_hand", {-0.2, 0.15, 0.4}));
+  const auto knee = static_cast<std::size_t>(posed.body.find_dof("right_knee.flexion").value());
   ASSERT_GT(low.angles[knee], radians(15.0));
-  Task task = asked(body, "hips", effector_position(body, body.start(), "hips"));
+  Task task = asked(posed, "hips", effector_position(posed, posed.home.angles, "hips"));
   task.start = low;
   EXPECT_LT(end_of(task).angles[knee], radians(15.0));
 }
 
 TEST(State, AFootThatSteppedStaysWhereItIs) {
-  const BodyModel body = human_body();
-  const Vec3d sole = effector_position(body, body.start(), "left_foot");
-  const State stepped = end_of(asked(body, "left_foot", sole + Vec3d{0.05, 0.0, 0.15}));
-  Task task = asked(body, "right_hand", {-0.2, 1.1, 0.5});
+  const PosedBody posed = human_body();
+  const Vec3d sole = effector_position(posed, posed.home.angles, "left_foot");
+  const State stepped = end_of(asked(posed, "left_foot", sole + Vec3d{0.05, 0.0, 0.15}));
+  Task task = asked(posed, "right_hand", {-0.2, 1.1, 0.5});
   task.start = stepped;
   const GenerateResult result = generate(task).value();
   EXPECT_EQ(result.status, ReachStatus::reached);
   const Clip& clip = result.candidates[0].motion.clip;
-  EXPECT_LE(slide_of(body, clip, "left_foot"), kReachTolerance);
+  EXPECT_LE(slide_of(posed, clip, "left_foot"), kReachTolerance);
   // the first motion did step, most of the way of the sole's node
-  const Vec3d at = placed(body, stepped).point(body.feet()[1].link, body.feet()[1].centre);
+  const Vec3d at =
+      placed(posed, stepped).point(posed.body.feet()[1].link, posed.body.feet()[1].centre);
   EXPECT_NEAR(at.z, sole.z + 0.15, 0.08);
 }
 
 // A motion that sets out from the middle of another one, to another goal.
-Task turned_aside(const BodyModel& body, const Candidate& first) {
-  Task task = asked(body, "right_hand", {-0.1, 1.4, 0.35});
+Task turned_aside(const PosedBody& posed, const Candidate& first) {
+  Task task = asked(posed, "right_hand", {-0.1, 1.4, 0.35});
   task.start = first.motion.clip.state(first.motion.clip.frames / 2);
   return task;
 }
 
 TEST(State, AMotionGoesOnWithTheVelocitiesItBeginsWith) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   const Candidate first =
-      generate(asked(body, "right_hand", {-0.3, 0.7, 0.5})).value().candidates[0];
-  const Task task = turned_aside(body, first);
+      generate(asked(posed, "right_hand", {-0.3, 0.7, 0.5})).value().candidates[0];
+  const Task task = turned_aside(posed, first);
   const GenerateResult result = generate(task).value();
   EXPECT_EQ(result.status, ReachStatus::reached);
-  const auto hand = static_cast<std::size_t>(body.find_effector("right_hand").value());
-  const Effector& effector = body.effectors()[hand];
+  const auto hand = static_cast<std::size_t>(posed.body.find_effector("right_hand").value());
+  const Effector& effector = posed.body.effectors()[hand];
   const auto at = [&](const Clip& clip, int f) {
-    return placed(body, clip.state(f)).point(effector.link, effector.point);
+    return placed(posed, clip.state(f)).point(effector.link, effector.point);
   };
   const Clip& before = first.motion.clip;
   const int middle = before.frames / 2;
@@ -118,10 +119,10 @@ TEST(State, AMotionGoesOnWithTheVelocitiesItBeginsWith) {
 }
 
 TEST(State, AMovingStartIsScoredInTheSearchAsInTheStoredMotion) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   const Candidate first =
-      generate(asked(body, "right_hand", {-0.3, 0.7, 0.5})).value().candidates[0];
-  const GenerateResult result = generate(turned_aside(body, first)).value();
+      generate(asked(posed, "right_hand", {-0.3, 0.7, 0.5})).value().candidates[0];
+  const GenerateResult result = generate(turned_aside(posed, first)).value();
   EXPECT_LE(result.log.replay_difference, 0.01);
 }
 
@@ -131,7 +132,7 @@ TEST(State, OfAnotherBodyOrWithoutANumberIsRefused) {
   EXPECT_EQ(generate(task).error().place, "start");
   task.start.angles.push_back(std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(generate(task).error().place, "start");
-  task.start = start_state(task.body);
+  task.start = task.home;
   task.start.velocities = {0.1};
   EXPECT_EQ(generate(task).error().message.key, "start_state");
   task.start.velocities.assign(task.start.angles.size(), 0.0);

@@ -17,16 +17,16 @@ using namespace testing_support;
 using testing::HasSubstr;
 
 // Measures of a motion without any demand.
-MotionMeasures nothing_of(const BodyModel& body) {
+MotionMeasures nothing_of(const PosedBody& posed) {
   MotionMeasures measures;
-  for (int d = 0; d < body.dof_count(); ++d) measures.loads.push_back({.dof = d});
+  for (int d = 0; d < posed.body.dof_count(); ++d) measures.loads.push_back({.dof = d});
   measures.support = SupportMargins{{0.1, 0.0}, {0.1, 0.0}};
   return measures;
 }
 
-MotionMeasures loaded(const BodyModel& body, double share) {
-  MotionMeasures measures = nothing_of(body);
-  const double torque = share * body.dof(2).torque_positive;
+MotionMeasures loaded(const PosedBody& posed, double share) {
+  MotionMeasures measures = nothing_of(posed);
+  const double torque = share * posed.body.dof(2).torque_positive;
   measures.loads[2] = {.dof = 2, .torque = torque, .share = share, .time = 0.25};
   return measures;
 }
@@ -34,18 +34,18 @@ MotionMeasures loaded(const BodyModel& body, double share) {
 Verdict verdict_on(const MotionMeasures& measures) { return judge(full_body(), measures).verdict; }
 
 TEST(Verdict, WhatAsksForNothingIsPossible) {
-  const BodyModel body = full_body();
-  const Judgement judgement = judge(body, nothing_of(body));
+  const PosedBody posed = full_body();
+  const Judgement judgement = judge(posed, nothing_of(posed));
   EXPECT_EQ(judgement.verdict, Verdict::possible);
   EXPECT_TRUE(judgement.reasons.empty());
 }
 
 TEST(Verdict, GoesByTheShareOfStrength) {
-  const BodyModel body = full_body();
-  EXPECT_EQ(verdict_on(loaded(body, 0.99)), Verdict::possible);
-  EXPECT_EQ(verdict_on(loaded(body, 1.01)), Verdict::strains);
-  EXPECT_EQ(verdict_on(loaded(body, 1.49)), Verdict::strains);
-  EXPECT_EQ(verdict_on(loaded(body, 1.51)), Verdict::impossible);
+  const PosedBody posed = full_body();
+  EXPECT_EQ(verdict_on(loaded(posed, 0.99)), Verdict::possible);
+  EXPECT_EQ(verdict_on(loaded(posed, 1.01)), Verdict::strains);
+  EXPECT_EQ(verdict_on(loaded(posed, 1.49)), Verdict::strains);
+  EXPECT_EQ(verdict_on(loaded(posed, 1.51)), Verdict::impossible);
 }
 
 TEST(Verdict, GoesByHowFarThePressureLeavesTheFeet) {
@@ -86,19 +86,19 @@ TEST(Verdict, GoesByHowFarAJointIsBeyondItsRange) {
 }
 
 TEST(Verdict, DrivesOfARobotGiveNoMoreThanItsFileSays) {
-  BodyDefinition definition = full_body().definition();
-  definition.robot = RobotFrame{};
-  const BodyModel robot(definition);
+  BodyDefinition definition = full_body().body.definition();
+  definition.robot = true;
+  const PosedBody robot{BodyModel(definition), full_body().home};
   EXPECT_EQ(judge(robot, loaded(robot, 0.99)).verdict, Verdict::possible);
   EXPECT_EQ(judge(robot, loaded(robot, 1.01)).verdict, Verdict::impossible);
 }
 
 TEST(Verdict, IsThatOfTheWorstReasonWhichComesFirst) {
-  const BodyModel body = full_body();
-  MotionMeasures measures = loaded(body, 1.2);
+  const PosedBody posed = full_body();
+  MotionMeasures measures = loaded(posed, 1.2);
   measures.collides = {0.08, "right_forearm", "head", 0.4};
   measures.over_limit = {{"left_knee.flexion", radians(20.0)}};
-  const Judgement judgement = judge(body, measures);
+  const Judgement judgement = judge(posed, measures);
   EXPECT_EQ(judgement.verdict, Verdict::impossible);
   ASSERT_EQ(judgement.reasons.size(), 3u);
   EXPECT_EQ(judgement.reasons[0].kind, ReasonKind::collision);  // 4 times the bound of impossible
@@ -108,14 +108,14 @@ TEST(Verdict, IsThatOfTheWorstReasonWhichComesFirst) {
 }
 
 TEST(Verdict, ReasonsSayJointNumberAndTime) {
-  const BodyModel body = full_body();
-  MotionMeasures measures = loaded(body, 2.0);
+  const PosedBody posed = full_body();
+  MotionMeasures measures = loaded(posed, 2.0);
   measures.support->pressure = {-0.353, 0.61};
   measures.collides = {0.042, "right_forearm", "head", 0.4};
   measures.over_limit = {{"left_knee.flexion", radians(12.0)}};
   std::string words;
-  for (const Reason& reason : judge(body, measures).reasons) words += reason_words(reason) + "\n";
-  EXPECT_THAT(words, HasSubstr(body.dof(2).name + " needs "));
+  for (const Reason& reason : judge(posed, measures).reasons) words += reason_words(reason) + "\n";
+  EXPECT_THAT(words, HasSubstr(posed.body.dof(2).name + " needs "));
   EXPECT_THAT(words, HasSubstr("at 0.25 s, 2.0 times its strength of "));
   EXPECT_THAT(words, HasSubstr("the floor would have to press 353 mm outside the feet at 0.61 s"));
   EXPECT_THAT(words, HasSubstr("right_forearm is 42 mm in head at 0.40 s"));
@@ -125,33 +125,33 @@ TEST(Verdict, ReasonsSayJointNumberAndTime) {
 // A mass of 1 kg on a rod of 1 m that swings up from hanging sideways, within its strength if there
 // is enough time.
 struct Swing {
-  static BodyModel body(double strength) {
+  static PosedBody body(double strength) {
     BodyDefinition chain = chain_definition({{Axis::x, 1.0, 1.0}});
     chain.dofs[0].torque_positive = chain.dofs[0].torque_negative = strength;
-    return BodyModel(chain);
+    return at_zero(chain);
   }
-  static Motion motion(const BodyModel& body, double duration) {
+  static Motion motion(const PosedBody& posed, double duration) {
     std::vector<std::vector<double>> frames;
     constexpr int kSteps = 60;
     for (int f = 0; f <= kSteps; ++f) {
       frames.push_back({1.0 - minimum_jerk(static_cast<double>(f) / kSteps)});
     }
-    Clip clip = motion_through(body, frames).clip;
+    Clip clip = motion_through(posed, frames).clip;
     clip.frame_time = duration / kSteps;
-    return ClipDynamics(body).completed(clip);
+    return ClipDynamics(posed).completed(clip);
   }
 };
 
 TEST(Verdict, TellsTheDurationInWhichAHastyMotionIsPossible) {
-  const BodyModel body = Swing::body(16.0);
-  const Motion hasty = Swing::motion(body, 0.3);
-  const Judgement judgement = judge(body, hasty, measure_motion(body, hasty, {}));
+  const PosedBody posed = Swing::body(16.0);
+  const Motion hasty = Swing::motion(posed, 0.3);
+  const Judgement judgement = judge(posed, hasty, measure_motion(posed, hasty, {}));
   ASSERT_EQ(judgement.verdict, Verdict::impossible);
   ASSERT_TRUE(judgement.possible_in);
   EXPECT_GT(*judgement.possible_in, 0.3);
   const auto in = [&](double duration) {
-    const Motion motion = Swing::motion(body, duration);
-    return judge(body, measure_motion(body, motion, {})).verdict;
+    const Motion motion = Swing::motion(posed, duration);
+    return judge(posed, measure_motion(posed, motion, {})).verdict;
   };
   EXPECT_EQ(in(*judgement.possible_in), Verdict::possible);
   // six halvings of the range up to three times the duration
@@ -159,9 +159,9 @@ TEST(Verdict, TellsTheDurationInWhichAHastyMotionIsPossible) {
 }
 
 TEST(Verdict, NoTimeMakesWhatIsTooHeavyPossible) {
-  const BodyModel body = Swing::body(4.0);  // of some 8 N·m that the mass takes at the start
-  const Motion motion = Swing::motion(body, 1.0);
-  const Judgement judgement = judge(body, motion, measure_motion(body, motion, {}));
+  const PosedBody posed = Swing::body(4.0);  // of some 8 N·m that the mass takes at the start
+  const Motion motion = Swing::motion(posed, 1.0);
+  const Judgement judgement = judge(posed, motion, measure_motion(posed, motion, {}));
   EXPECT_EQ(judgement.verdict, Verdict::impossible);
   EXPECT_FALSE(judgement.possible_in);
 }
@@ -169,8 +169,8 @@ TEST(Verdict, NoTimeMakesWhatIsTooHeavyPossible) {
 TEST(JudgeStart, OfWhoLeansBesideTheFeetIsImpossibleWhateverTheGoal) {
   Landmarks leaning = standing_landmarks(1.7, kStandingToeOut);
   const auto judged = [&leaning] {
-    const BodyModel body = build_human(leaning, {.stature = 1.7});
-    return judge_start(body, start_state(body));
+    const PosedBody posed = build_human(leaning, {.stature = 1.7});
+    return judge_start(posed, posed.home);
   };
   EXPECT_EQ(judged().verdict, Verdict::possible);
   for_each_point(leaning, [](Vec3d& p) { p.z += p.y > 0.1 ? 0.3 * p.y : 0.0; });

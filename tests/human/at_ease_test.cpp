@@ -156,9 +156,9 @@ TEST(AtEase, ArmsGoOutwardsUntilTheyClearTheBody) {
   for (const double radius : {0.17, 0.18, 0.19, 0.2}) {
     const Landmarks person = at_ease(with_thighs(radius), 1.7);
     EXPECT_NEAR(out_of_plumb(person.right_arm), -out_of_plumb(person.left_arm), 1e-6);
-    const BodyModel body = build_human(person, {.extent = BodyExtent::human, .stature = 1.7});
-    const Effector& hand = body.effector(body.find_effector("left_hand").value());
-    const double depth = limb_penetration(body, start_kinematics(body), hand).depth;
+    const PosedBody posed = build_human(person, {.extent = BodyExtent::human, .stature = 1.7});
+    const Effector& hand = posed.body.effector(posed.body.find_effector("left_hand").value());
+    const double depth = limb_penetration(posed, home_kinematics(posed), hand).depth;
     EXPECT_LE(depth, -0.005 + 1e-6) << radius;
     EXPECT_GE(depth, -0.02) << radius;  // a degree less would not do
   }
@@ -211,24 +211,25 @@ TEST(Seated, FeetHangFromAHighSeatAndGoAheadAtALowOne) {
 
 TEST(Seated, BodyTipsOverItsThighsAndNothingBelowMoves) {
   const Landmarks sitting = seated(standing_landmarks(1.7, kStandingToeOut), 1.7, 0.42);
-  const BodyModel body = build_human(
+  const PosedBody posed = build_human(
       sitting,
       {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70, .sits = true});
-  EXPECT_EQ(body.dof_count(), 39);  // 45 less two knees and ankles
-  EXPECT_FALSE(body.find_dof("right_knee.flexion"));
-  ASSERT_EQ(body.feet().size(), 2u);
-  EXPECT_EQ(body.feet()[0].name, "right_upper_leg");
-  EXPECT_EQ(body.feet()[0].link, kBaseLink);
-  EXPECT_EQ(body.feet()[1].name, "left_upper_leg");
-  EXPECT_NEAR(body.mass(), 70.0, 1e-9);
+  EXPECT_EQ(posed.body.dof_count(), 39);  // 45 less two knees and ankles
+  EXPECT_FALSE(posed.body.find_dof("right_knee.flexion"));
+  ASSERT_EQ(posed.body.feet().size(), 2u);
+  EXPECT_EQ(posed.body.feet()[0].name, "right_upper_leg");
+  EXPECT_EQ(posed.body.feet()[0].link, kBaseLink);
+  EXPECT_EQ(posed.body.feet()[1].name, "left_upper_leg");
+  EXPECT_NEAR(posed.body.mass(), 70.0, 1e-9);
   // the soles on the floor bear too: the polygon reaches the toes
   double front = -1.0;
-  for (const Vec3d& corner : body.feet()[0].outline) front = max(front, (body.base() * corner).z);
+  for (const Vec3d& corner : posed.body.feet()[0].outline)
+    front = max(front, (posed.body.base() * corner).z);
   EXPECT_NEAR(front, sitting.right_leg.toe.z, 0.02);
-  const BodyModel high = build_human(
+  const PosedBody high = build_human(
       seated(standing_landmarks(1.7, 0.0), 1.7, 1.0),
       {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70, .sits = true});
-  EXPECT_EQ(high.feet()[0].outline.size(), 4u);
+  EXPECT_EQ(high.body.feet()[0].outline.size(), 4u);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace shigusa {
 namespace {
 
-using Body = BodyModel (*)(const BodyBuild&);
+using Body = PosedBody (*)(const BodyBuild&);
 
 std::string refusal(Body body, const BodyBuild& build) {
   try {

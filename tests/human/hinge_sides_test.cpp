@@ -10,8 +10,8 @@ namespace shigusa {
 namespace {
 
 double angle_of(const Landmarks& person, const char* name) {
-  const BodyModel body = build_human(person, {});
-  return degrees(body.start()[static_cast<std::size_t>(body.find_dof(name).value())]);
+  const PosedBody posed = build_human(person, {});
+  return degrees(posed.home.angles[static_cast<std::size_t>(posed.body.find_dof(name).value())]);
 }
 
 // A person whose left thigh and shank lean back by these angles (degrees from hanging), and whose

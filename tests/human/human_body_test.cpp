@@ -14,9 +14,9 @@ namespace {
 
 using namespace testing_support;
 
-std::vector<std::string> dof_names(const BodyModel& body) {
+std::vector<std::string> dof_names(const PosedBody& posed) {
   std::vector<std::string> names;
-  for (const Dof& dof : body.dofs()) names.push_back(dof.name);
+  for (const Dof& dof : posed.body.dofs()) names.push_back(dof.name);
   return names;
 }
 
@@ -39,29 +39,29 @@ TEST(FullBody, HasTwiceTheHalfBodysDofs) {
 }
 
 TEST(HalfBody, ReachesWithTheRightHand) {
-  const BodyModel body = half_body();
-  ASSERT_EQ(body.effectors().size(), 1u);
-  EXPECT_EQ(body.effectors()[0].name, "right_hand");
-  EXPECT_EQ(body.effectors()[0].limb_root, body.find_dof("right_shoulder.flexion"));
-  ASSERT_EQ(body.feet().size(), 1u);
-  EXPECT_EQ(body.feet()[0].link, kBaseLink);
+  const PosedBody posed = half_body();
+  ASSERT_EQ(posed.body.effectors().size(), 1u);
+  EXPECT_EQ(posed.body.effectors()[0].name, "right_hand");
+  EXPECT_EQ(posed.body.effectors()[0].limb_root, posed.body.find_dof("right_shoulder.flexion"));
+  ASSERT_EQ(posed.body.feet().size(), 1u);
+  EXPECT_EQ(posed.body.feet()[0].link, kBaseLink);
 }
 
 TEST(FullBody, ReachesWithBothHandsOnBothFeet) {
-  const BodyModel body = full_body();
-  EXPECT_TRUE(body.find_effector("right_hand") && body.find_effector("left_hand"));
-  ASSERT_EQ(body.feet().size(), 2u);
-  EXPECT_EQ(body.feet()[0].name, "right_foot");
-  EXPECT_EQ(body.feet()[0].link, kBaseLink);
-  EXPECT_EQ(body.feet()[1].name, "left_foot");
-  EXPECT_EQ(body.feet()[1].link, body.find_dof("left_ankle.flexion"));
+  const PosedBody posed = full_body();
+  EXPECT_TRUE(posed.body.find_effector("right_hand") && posed.body.find_effector("left_hand"));
+  ASSERT_EQ(posed.body.feet().size(), 2u);
+  EXPECT_EQ(posed.body.feet()[0].name, "right_foot");
+  EXPECT_EQ(posed.body.feet()[0].link, kBaseLink);
+  EXPECT_EQ(posed.body.feet()[1].name, "left_foot");
+  EXPECT_EQ(posed.body.feet()[1].link, posed.body.find_dof("left_ankle.flexion"));
 }
 
 TEST(HumanBody, TrunkCapsuleReachesFromTheHipsToTheShoulders) {
   const Landmarks person = standing_landmarks(1.741, kStandingToeOut);
-  const BodyModel body = full_body();
-  const Kinematics<double> kinematics = placed(body, body.start());
-  for (const Capsule& capsule : body.capsules()) {
+  const PosedBody posed = full_body();
+  const Kinematics<double> kinematics = placed(posed, posed.home.angles);
+  for (const Capsule& capsule : posed.body.capsules()) {
     if (capsule.name != "trunk") continue;
     const Vec3d low = kinematics.point(capsule.link, capsule.from);
     const Vec3d high = kinematics.point(capsule.link, capsule.to);
@@ -71,51 +71,51 @@ TEST(HumanBody, TrunkCapsuleReachesFromTheHipsToTheShoulders) {
 }
 
 TEST(HumanBody, WeighsWhatIsAsked) {
-  EXPECT_NEAR(half_body({1.741, 73.0, Sex::male}).mass(), 73.0, 1e-10);
-  EXPECT_NEAR(full_body({1.6, 90.0, Sex::male}).mass(), 90.0, 1e-10);
+  EXPECT_NEAR(half_body({1.741, 73.0, Sex::male}).body.mass(), 73.0, 1e-10);
+  EXPECT_NEAR(full_body({1.6, 90.0, Sex::male}).body.mass(), 90.0, 1e-10);
   // the printed women's table adds up to 0.9999
-  EXPECT_NEAR(full_body({1.735, 61.9, Sex::female}).mass(), 0.9999 * 61.9, 1e-10);
+  EXPECT_NEAR(full_body({1.735, 61.9, Sex::female}).body.mass(), 0.9999 * 61.9, 1e-10);
 }
 
 TEST(HumanBody, StandsWithItsCentreOfMassWherePeopleHaveIt) {
   // an upright mean person has it at 0.575 of the stature by de Leva's lengths, at 0.55 to 0.58 in
   // the literature, and some centimetres ahead of the ankles
-  for (const BodyModel& body : {half_body(), full_body(), full_body({1.735, 61.9, Sex::female})}) {
-    const Vec3d com = centre_of_mass(body, placed(body, body.start()));
+  for (const PosedBody& posed : {half_body(), full_body(), full_body({1.735, 61.9, Sex::female})}) {
+    const Vec3d com = centre_of_mass(posed, placed(posed, posed.home.angles));
     EXPECT_NEAR(com.x, 0.0, 1e-10);
-    EXPECT_GT(com.y, 0.55 * body.stature());
-    EXPECT_LT(com.y, 0.58 * body.stature());
-    EXPECT_GT(com.z, body.base().translation.z + 0.02);
-    EXPECT_LT(com.z, body.base().translation.z + 0.07);
+    EXPECT_GT(com.y, 0.55 * posed.body.stature());
+    EXPECT_LT(com.y, 0.58 * posed.body.stature());
+    EXPECT_GT(com.z, posed.body.base().translation.z + 0.02);
+    EXPECT_LT(com.z, posed.body.base().translation.z + 0.07);
   }
 }
 
 TEST(HalfBody, WeighsAndStandsAsTheWholePerson) {
   const Landmarks person = standing_landmarks(1.7, 0.0);
-  const BodyModel half = build_human(person, {"half", BodyExtent::half, 1.7, 70.0, Sex::male});
-  const BodyModel full = build_human(person, {"full", BodyExtent::full, 1.7, 70.0, Sex::male});
-  EXPECT_NEAR(half.mass(), full.mass(), 1e-10);
-  EXPECT_LT(norm(centre_of_mass(half, placed(half, half.start())) -
-                 centre_of_mass(full, placed(full, full.start()))),
+  const PosedBody half = build_human(person, {"half", BodyExtent::half, 1.7, 70.0, Sex::male});
+  const PosedBody full = build_human(person, {"full", BodyExtent::full, 1.7, 70.0, Sex::male});
+  EXPECT_NEAR(half.body.mass(), full.body.mass(), 1e-10);
+  EXPECT_LT(norm(centre_of_mass(half, placed(half, half.home.angles)) -
+                 centre_of_mass(full, placed(full, full.home.angles))),
             1e-12);
 }
 
 TEST(HalfBody, LegsCountForBoth) {
-  const BodyModel half = half_body();
-  const BodyModel full = full_body();
+  const PosedBody half = half_body();
+  const PosedBody full = full_body();
   for (const char* name : {"right_ankle.flexion", "right_knee.flexion", "right_hip.flexion"}) {
-    const Dof& one = half.dof(*half.find_dof(name));
-    const Dof& two = full.dof(*full.find_dof(name));
+    const Dof& one = half.body.dof(*half.body.find_dof(name));
+    const Dof& two = full.body.dof(*full.body.find_dof(name));
     EXPECT_DOUBLE_EQ(one.torque_positive, 2 * two.torque_positive) << name;
     EXPECT_DOUBLE_EQ(one.torque_negative, 2 * two.torque_negative) << name;
   }
-  const Dof& elbow = half.dof(*half.find_dof("right_elbow.flexion"));
+  const Dof& elbow = half.body.dof(*half.body.find_dof("right_elbow.flexion"));
   EXPECT_DOUBLE_EQ(elbow.torque_positive, kElbowFlexion.torque_positive);
 }
 
 TEST(HumanBody, StrengthGrowsWithMassAndIsSmallerInWomen) {
-  const auto elbow = [](const BodyModel& body) {
-    return body.dof(*body.find_dof("right_elbow.flexion")).torque_positive;
+  const auto elbow = [](const PosedBody& posed) {
+    return posed.body.dof(*posed.body.find_dof("right_elbow.flexion")).torque_positive;
   };
   EXPECT_DOUBLE_EQ(elbow(full_body({1.741, 73.0, Sex::male})), 70.0);
   EXPECT_DOUBLE_EQ(elbow(full_body({1.741, 146.0, Sex::male})), 140.0);
@@ -124,11 +124,11 @@ TEST(HumanBody, StrengthGrowsWithMassAndIsSmallerInWomen) {
 
 TEST(HumanBody, ThighHasDeLevasInertia) {
   // the thigh alone is the link that the right knee moves; its frame has y along the segment
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   const SegmentParameters& p = segment_table(Sex::male).thigh;
-  const double length = StatureFractions::kThigh * body.stature();
-  const double mass = p.mass * body.mass();
-  const MassProperties& thigh = body.link_mass(*body.find_dof("right_knee.flexion"));
+  const double length = StatureFractions::kThigh * posed.body.stature();
+  const double mass = p.mass * posed.body.mass();
+  const MassProperties& thigh = posed.body.link_mass(*posed.body.find_dof("right_knee.flexion"));
   EXPECT_NEAR(thigh.mass, mass, 1e-12);
   EXPECT_LT(norm(thigh.com - Vec3d{0, length * (1 - p.com), 0}), 1e-12);
   const auto moment = [&](double radius) { return mass * radius * length * radius * length; };
@@ -143,13 +143,13 @@ TEST(HumanBody, ThighHasDeLevasInertia) {
 // Each landmark with its position in the body's start posture, through the nodes of its skeleton.
 class NodePlaces {
  public:
-  explicit NodePlaces(const BodyModel& body)
-      : body_(body), kinematics_(placed(body, body.start())) {}
+  explicit NodePlaces(const PosedBody& posed)
+      : body_(posed), kinematics_(placed(posed, posed.home.angles)) {}
 
   [[nodiscard]] Vec3d of(const std::string& name) const { return at(find(name)); }
   // the end site under the node
   [[nodiscard]] Vec3d tip_of(const std::string& name) const {
-    const auto nodes = body_.nodes();
+    const auto nodes = body_.body.nodes();
     const auto tip = std::find_if(nodes.begin(), nodes.end(), [&](const BodyNode& node) {
       return node.end_site && node.parent == find(name);
     });
@@ -158,24 +158,24 @@ class NodePlaces {
 
  private:
   [[nodiscard]] int find(const std::string& name) const {
-    const auto nodes = body_.nodes();
+    const auto nodes = body_.body.nodes();
     return static_cast<int>(std::find_if(nodes.begin(), nodes.end(),
                                          [&](const BodyNode& node) { return node.name == name; }) -
                             nodes.begin());
   }
   [[nodiscard]] Vec3d at(int index) const {
-    if (index >= static_cast<int>(body_.nodes().size())) return {NAN, NAN, NAN};
-    const BodyNode& node = body_.nodes()[static_cast<std::size_t>(index)];
+    if (index >= static_cast<int>(body_.body.nodes().size())) return {NAN, NAN, NAN};
+    const BodyNode& node = body_.body.nodes()[static_cast<std::size_t>(index)];
     return kinematics_.point(node.link, node.point);
   }
 
-  const BodyModel& body_;
+  const PosedBody& body_;
   Kinematics<double> kinematics_;
 };
 
 // Largest distance (m) of a landmark from its position in the body.
-double misplacement(const Landmarks& person, const BodyModel& body, bool left_too = true) {
-  const NodePlaces nodes(body);
+double misplacement(const Landmarks& person, const PosedBody& posed, bool left_too = true) {
+  const NodePlaces nodes(posed);
   double largest = 0.0;
   const auto compare = [&](const Vec3d& expected, const Vec3d& seen) {
     const double distance = norm(expected - seen);
@@ -199,7 +199,7 @@ double misplacement(const Landmarks& person, const BodyModel& body, bool left_to
     compare(arm.fingertip, nodes.tip_of(prefix + "hand_grip"));
     const Vec3d grip = arm.wrist + (arm.fingertip - arm.wrist) * kGripFraction;
     compare(grip, nodes.of(prefix + "hand_grip"));
-    compare(grip, effector_position(body, body.start(), (prefix + "hand").c_str()));
+    compare(grip, effector_position(posed, posed.home.angles, (prefix + "hand").c_str()));
   }
   return largest;
 }
@@ -274,18 +274,18 @@ Landmarks t_pose() {
 
 TEST(BuildHuman, TPoseIsArmsAbductedByARightAngle) {
   const Landmarks person = t_pose();
-  const BodyModel body = build_human(person, {});
-  EXPECT_LT(misplacement(person, body), kExact);
+  const PosedBody posed = build_human(person, {});
+  EXPECT_LT(misplacement(person, posed), kExact);
   for (const char* side : {"left_", "right_"}) {
     const auto angle = [&](const char* freedom) {
-      const int d = body.find_dof(std::string(side) + "shoulder." + freedom).value();
-      return degrees(body.start()[static_cast<std::size_t>(d)]);
+      const int d = posed.body.find_dof(std::string(side) + "shoulder." + freedom).value();
+      return degrees(posed.home.angles[static_cast<std::size_t>(d)]);
     };
     EXPECT_NEAR(angle("abduction"), 90.0, 1e-6);
     EXPECT_NEAR(angle("flexion"), 0.0, 1e-6);
     EXPECT_NEAR(angle("rotation"), 0.0, 1e-6);
   }
-  EXPECT_TRUE(body.doubts().empty());
+  EXPECT_TRUE(posed.doubts.empty());
 }
 
 TEST(BuildHuman, ArmsRaisedSidewaysStayWithinTheLimits) {
@@ -294,9 +294,9 @@ TEST(BuildHuman, ArmsRaisedSidewaysStayWithinTheLimits) {
     const SinCos<double> a = sin_cos(radians(abduction));
     Landmarks person = standing_landmarks(1.741, 0.1);
     point_arm(person.left_arm, {a.sin, -a.cos, 0}, {a.sin, -a.cos, 0});
-    const BodyModel body = build_human(person, {});
-    ASSERT_LT(misplacement(person, body), kExact);
-    ASSERT_TRUE(body.doubts().empty()) << abduction << ": " << body.doubts()[0].text;
+    const PosedBody posed = build_human(person, {});
+    ASSERT_LT(misplacement(person, posed), kExact);
+    ASSERT_TRUE(posed.doubts.empty()) << abduction << ": " << posed.doubts[0].text;
   }
 }
 
@@ -315,28 +315,28 @@ TEST(BuildHuman, LimbAtTheSingularityIsPlacedToAMicrometre) {
 TEST(BuildHuman, StandsOnTheLeftFootWhereTheRightIsLifted) {
   Landmarks person = standing_landmarks(1.741, 0.1);
   lift_leg(person.right_leg, 1.0);
-  const BodyModel body = build_human(person, {});
-  EXPECT_LT(misplacement(person, body), kExact);
-  ASSERT_EQ(body.feet().size(), 1u);
-  EXPECT_EQ(body.feet()[0].name, "left_foot");
-  EXPECT_EQ(body.feet()[0].link, kBaseLink);
-  EXPECT_EQ(body.dof(0).name, "left_ankle.flexion");
-  EXPECT_FALSE(body.doubts().empty());
+  const PosedBody posed = build_human(person, {});
+  EXPECT_LT(misplacement(person, posed), kExact);
+  ASSERT_EQ(posed.body.feet().size(), 1u);
+  EXPECT_EQ(posed.body.feet()[0].name, "left_foot");
+  EXPECT_EQ(posed.body.feet()[0].link, kBaseLink);
+  EXPECT_EQ(posed.body.dof(0).name, "left_ankle.flexion");
+  EXPECT_FALSE(posed.doubts.empty());
 }
 
 TEST(BuildHuman, StandsOnTheRightFootWhereTheLeftIsLifted) {
   Landmarks person = standing_landmarks(1.741, 0.1);
   lift_leg(person.left_leg, 1.0);
-  const BodyModel body = build_human(person, {});
-  EXPECT_LT(misplacement(person, body), kExact);
-  ASSERT_EQ(body.feet().size(), 1u);
-  EXPECT_EQ(body.feet()[0].name, "right_foot");
+  const PosedBody posed = build_human(person, {});
+  EXPECT_LT(misplacement(person, posed), kExact);
+  ASSERT_EQ(posed.body.feet().size(), 1u);
+  EXPECT_EQ(posed.body.feet()[0].name, "right_foot");
 }
 
 TEST(BuildHuman, FeetLieOnTheFloorInTheirDirection) {
-  const BodyModel body = full_body();
-  const Kinematics<double> kinematics = placed(body, body.start());
-  for (const Foot& foot : body.feet()) {
+  const PosedBody posed = full_body();
+  const Kinematics<double> kinematics = placed(posed, posed.home.angles);
+  for (const Foot& foot : posed.body.feet()) {
     double left_most = -1.0;
     double length = 0.0;
     for (const Vec3d& corner : foot.outline) {
@@ -348,7 +348,7 @@ TEST(BuildHuman, FeetLieOnTheFloorInTheirDirection) {
       }
     }
     // the diagonal of the sole
-    const double h = body.stature();
+    const double h = posed.body.stature();
     EXPECT_NEAR(length, std::hypot(0.152 * h, 0.055 * h), 1e-12);
     EXPECT_EQ(left_most > 0.0, foot.name == "left_foot");
   }
@@ -361,12 +361,12 @@ TEST(BuildHuman, LimitsHoldTheStartPosture) {
     for (Landmarks::Arm* arm : {&person.left_arm, &person.right_arm}) {
       point_arm(*arm, random_direction(random), random_direction(random));
     }
-    const BodyModel body = build_human(person, {});
-    for (std::size_t d = 0; d < body.dofs().size(); ++d) {
-      ASSERT_GE(body.start()[d], body.dofs()[d].lower);
+    const PosedBody posed = build_human(person, {});
+    for (std::size_t d = 0; d < posed.body.dofs().size(); ++d) {
+      ASSERT_GE(posed.home.angles[d], posed.body.dofs()[d].lower);
       // hips: the widened limit counts on the bend of the knee
-      if (body.dofs()[d].name.ends_with("hip.flexion")) continue;
-      ASSERT_LE(body.start()[d], body.dofs()[d].upper);
+      if (posed.body.dofs()[d].name.ends_with("hip.flexion")) continue;
+      ASSERT_LE(posed.home.angles[d], posed.body.dofs()[d].upper);
     }
   }
 }
@@ -375,18 +375,18 @@ TEST(BuildHuman, SaysWhichLimitItWidened) {
   Landmarks person = standing_landmarks(1.741, 0.1);
   // a hyperextended elbow: the forearm 30° back
   point_arm(person.left_arm, {0, -1, 0}, {0, -0.87, -0.5});
-  const BodyModel body = build_human(person, {});
-  const Dof& elbow = body.dof(*body.find_dof("left_elbow.flexion"));
+  const PosedBody posed = build_human(person, {});
+  const Dof& elbow = posed.body.dof(*posed.body.find_dof("left_elbow.flexion"));
   EXPECT_LT(elbow.lower, radians(-29));
-  ASSERT_EQ(body.doubts().size(), 1u);
-  EXPECT_NE(body.doubts()[0].text.find("left_elbow.flexion"), std::string::npos)
-      << body.doubts()[0].text;
+  ASSERT_EQ(posed.doubts.size(), 1u);
+  EXPECT_NE(posed.doubts[0].text.find("left_elbow.flexion"), std::string::npos)
+      << posed.doubts[0].text;
 }
 
 TEST(BuildHuman, KeepsTheDoubtsItIsGiven) {
-  const BodyModel body = build_human(standing_landmarks(1.7, 0.1), {}, {"the unit is a guess"});
-  ASSERT_EQ(body.doubts().size(), 1u);
-  EXPECT_EQ(body.doubts()[0], "the unit is a guess");
+  const PosedBody posed = build_human(standing_landmarks(1.7, 0.1), {}, {"the unit is a guess"});
+  ASSERT_EQ(posed.doubts.size(), 1u);
+  EXPECT_EQ(posed.doubts[0], "the unit is a guess");
 }
 
 TEST(BuildHuman, AnatomicalAnglesOfAKnownPosture) {
@@ -399,9 +399,9 @@ TEST(BuildHuman, AnatomicalAnglesOfAKnownPosture) {
   leg.knee = leg.hip + Vec3d{0, 0, thigh};
   leg.ankle = leg.knee - Vec3d{0, shank, 0};
   leg.toe = leg.ankle + foot;
-  const BodyModel body = build_human(person, {});
+  const PosedBody posed = build_human(person, {});
   const auto angle = [&](const char* name) {
-    return degrees(body.start()[static_cast<std::size_t>(body.find_dof(name).value())]);
+    return degrees(posed.home.angles[static_cast<std::size_t>(posed.body.find_dof(name).value())]);
   };
   EXPECT_NEAR(angle("left_hip.flexion"), 90.0, 1e-9);
   EXPECT_NEAR(angle("left_hip.abduction"), 0.0, 1e-9);
@@ -427,19 +427,20 @@ TEST(BuildHuman, BothSidesTurnTheSameWayIntoTheirLimits) {
                         mirrored(leg.toe)};
     person.right_arm = {mirrored(arm.shoulder), mirrored(arm.elbow), mirrored(arm.wrist),
                         mirrored(arm.fingertip)};
-    const BodyModel body = build_human(person, {});
-    for (std::size_t d = 0; d < body.dofs().size(); ++d) {
-      const std::string& name = body.dofs()[d].name;
+    const PosedBody posed = build_human(person, {});
+    for (std::size_t d = 0; d < posed.body.dofs().size(); ++d) {
+      const std::string& name = posed.body.dofs()[d].name;
       if (!name.starts_with("right_")) continue;
-      const auto left = static_cast<std::size_t>(body.find_dof("left_" + name.substr(6)).value());
-      ASSERT_NEAR(body.start()[d], body.start()[left], 1e-9) << name;
+      const auto left =
+          static_cast<std::size_t>(posed.body.find_dof("left_" + name.substr(6)).value());
+      ASSERT_NEAR(posed.home.angles[d], posed.home.angles[left], 1e-9) << name;
     }
   }
 }
 
-std::vector<std::string> capsule_names(const BodyModel& body) {
+std::vector<std::string> capsule_names(const PosedBody& posed) {
   std::vector<std::string> names;
-  for (const Capsule& capsule : body.capsules()) names.push_back(capsule.name);
+  for (const Capsule& capsule : posed.body.capsules()) names.push_back(capsule.name);
   return names;
 }
 
@@ -462,11 +463,11 @@ TEST(HumanBody, EveryPartHasItsCapsule) {
 
 // Skull and jaw reach from the vertex to the chin, and as far ahead, back and sideways as a head.
 TEST(HumanBody, HeadsAreAsLargeAsPeoplesAre) {
-  const BodyModel body = full_body();
-  const Kinematics<double> start = placed(body, body.start());
+  const PosedBody posed = full_body();
+  const Kinematics<double> start = placed(posed, posed.home.angles);
   Vec3d low{1e9, 1e9, 1e9};
   Vec3d high{-1e9, -1e9, -1e9};
-  for (const Capsule& capsule : body.capsules()) {
+  for (const Capsule& capsule : posed.body.capsules()) {
     if (capsule.name != "head" && capsule.name != "jaw") continue;
     for (const Vec3d& end : {capsule.from, capsule.to}) {
       const Vec3d at = start.point(capsule.link, end);
@@ -476,7 +477,7 @@ TEST(HumanBody, HeadsAreAsLargeAsPeoplesAre) {
       }
     }
   }
-  const double h = body.stature();
+  const double h = posed.body.stature();
   EXPECT_NEAR(high.x - low.x, 0.150 / 1.756 * h, 1e-9);
   EXPECT_NEAR(high.z - low.z, 0.195 / 1.756 * h, 1e-9);
   EXPECT_NEAR(high.y - low.y, 0.130 * h, 1e-9);

@@ -14,9 +14,9 @@ using namespace testing_support;
 
 constexpr double kRounding = 1e-12;
 
-Vec3d node_position(const BodyModel& body, std::span<const double> angles, const char* name) {
-  const Kinematics<double> kinematics = placed(body, angles);
-  for (const BodyNode& node : body.nodes()) {
+Vec3d node_position(const PosedBody& posed, std::span<const double> angles, const char* name) {
+  const Kinematics<double> kinematics = placed(posed, angles);
+  for (const BodyNode& node : posed.body.nodes()) {
     if (node.name == name) return kinematics.point(node.link, node.point);
   }
   ADD_FAILURE() << name;
@@ -24,29 +24,30 @@ Vec3d node_position(const BodyModel& body, std::span<const double> angles, const
 }
 
 // a spine with `joints` joints; the others are rigid
-BodyModel with_spine(std::size_t joints) {
+PosedBody with_spine(std::size_t joints) {
   Landmarks person = standing_landmarks(1.7, kStandingToeOut);
   person.spine.resize(joints);
   return build_human(person, {"human", BodyExtent::human, 1.7, 70.0, Sex::male});
 }
 
-double upper_limit(const BodyModel& body, const char* freedom) {
+double upper_limit(const PosedBody& posed, const char* freedom) {
   double sum = 0.0;
   for (const char* joint : {"spine", "chest", "upper_chest"}) {
-    if (const auto d = body.find_dof(std::string(joint) + freedom)) sum += body.dof(*d).upper;
+    if (const auto d = posed.body.find_dof(std::string(joint) + freedom))
+      sum += posed.body.dof(*d).upper;
   }
   return sum;
 }
 
 TEST(WholeHuman, HasFiftyOneFreedomsWithThePelvisSix) {
-  EXPECT_EQ(human_body().dof_count() + 6, 51);
+  EXPECT_EQ(human_body().body.dof_count() + 6, 51);
 }
 
 TEST(WholeHuman, StandsWithTheLandmarksOfThePerson) {
   const Landmarks person = asymmetric_person();
-  const BodyModel body = build_human(person, {"human", BodyExtent::human, 1.6, 55.0, Sex::female});
+  const PosedBody posed = build_human(person, {"human", BodyExtent::human, 1.6, 55.0, Sex::female});
   const auto expect_at = [&](const char* node, const Vec3d& at) {
-    EXPECT_LT(norm(node_position(body, body.start(), node) - at), kRounding) << node;
+    EXPECT_LT(norm(node_position(posed, posed.home.angles, node) - at), kRounding) << node;
   };
   expect_at("spine", person.spine[0]);
   expect_at("upper_chest", person.spine[2]);
@@ -61,18 +62,18 @@ TEST(WholeHuman, StandsOnBothFeetWhereOneIsOnAStep) {
   Landmarks person = standing_landmarks(1.7, kStandingToeOut);
   lift_leg(person.left_leg, 1.2);
   HumanSettings settings{"human", BodyExtent::human, 1.7, 70.0, Sex::male};
-  EXPECT_EQ(build_human(person, settings).feet().size(), 1u);
+  EXPECT_EQ(build_human(person, settings).body.feet().size(), 1u);
   settings.on_both = true;
   for (const Side base : {Side::left, Side::right}) {
     settings.base = base;
-    const BodyModel body = build_human(person, settings);
-    ASSERT_EQ(body.feet().size(), 2u);
-    EXPECT_EQ(body.feet()[0].link, kBaseLink);
-    const Kinematics<double> start = placed(body, body.start());
+    const PosedBody posed = build_human(person, settings);
+    ASSERT_EQ(posed.body.feet().size(), 2u);
+    EXPECT_EQ(posed.body.feet()[0].link, kBaseLink);
+    const Kinematics<double> start = placed(posed, posed.home.angles);
     const auto height = [&](const Foot& foot) { return start.point(foot.link, foot.centre).y; };
     const double step = norm(person.left_leg.ankle - person.right_leg.ankle);
     EXPECT_GT(step, 0.1);
-    const double rise = height(body.feet()[1]) - height(body.feet()[0]);
+    const double rise = height(posed.body.feet()[1]) - height(posed.body.feet()[0]);
     const double wanted = person.left_leg.ankle.y - person.right_leg.ankle.y;
     EXPECT_NEAR(base == Side::right ? rise : -rise, wanted, 1e-9);
   }
@@ -84,10 +85,10 @@ TEST(WholeHuman, SpineJointsThatDoNotRiseLeaveAWholeBody) {
   const Vec3d hips = (person.left_leg.hip + person.right_leg.hip) * 0.5;
   for (const double rise : {-0.05, 0.0}) {
     person.spine = {hips + Vec3d{0, rise, 0}, hips + Vec3d{0, rise, 0}, person.neck};
-    const BodyModel body = build_human(person, {"human", BodyExtent::human, 1.7, 70.0, Sex::male});
-    double mass = body.link_mass(kBaseLink).mass;
-    for (int d = 0; d < body.dof_count(); ++d) {
-      const MassProperties& link = body.link_mass(d);
+    const PosedBody posed = build_human(person, {"human", BodyExtent::human, 1.7, 70.0, Sex::male});
+    double mass = posed.body.link_mass(kBaseLink).mass;
+    for (int d = 0; d < posed.body.dof_count(); ++d) {
+      const MassProperties& link = posed.body.link_mass(d);
       EXPECT_TRUE(std::isfinite(norm(link.com)) && std::isfinite(link.inertia.cx.x)) << d;
       mass += link.mass;
     }
@@ -97,16 +98,16 @@ TEST(WholeHuman, SpineJointsThatDoNotRiseLeaveAWholeBody) {
 
 TEST(WholeHuman, WeighsWhatIsAskedWhateverItsJoints) {
   for (const std::size_t joints : {0u, 1u, 2u, 3u}) {
-    EXPECT_NEAR(with_spine(joints).mass(), 70.0, 1e-10) << joints;
+    EXPECT_NEAR(with_spine(joints).body.mass(), 70.0, 1e-10) << joints;
   }
 }
 
 // kg m, of all links but the standing foot
-Vec3d moment_of_mass(const BodyModel& body) {
-  const Kinematics<double> kinematics = placed(body, body.start());
+Vec3d moment_of_mass(const PosedBody& posed) {
+  const Kinematics<double> kinematics = placed(posed, posed.home.angles);
   Vec3d moment{};
-  for (int d = 0; d < body.dof_count(); ++d) {
-    const MassProperties& mass = body.link_mass(d);
+  for (int d = 0; d < posed.body.dof_count(); ++d) {
+    const MassProperties& mass = posed.body.link_mass(d);
     moment += kinematics.point(d, mass.com) * mass.mass;
   }
   return moment;
@@ -114,9 +115,9 @@ Vec3d moment_of_mass(const BodyModel& body) {
 
 // One trunk in three parts of even density compared with de Leva's whole one.
 TEST(WholeHuman, HasItsCentreOfMassWhereTheRigidTrunkHasIt) {
-  const BodyModel whole = human_body();
+  const PosedBody whole = human_body();
   const Vec3d apart = moment_of_mass(whole) - moment_of_mass(full_body());
-  EXPECT_LT(norm(apart) / whole.mass(), 0.012);
+  EXPECT_LT(norm(apart) / whole.body.mass(), 0.012);
 }
 
 TEST(WholeHuman, CentreOfMassDoesNotDependOnTheSpinesJoints) {
@@ -136,11 +137,11 @@ TEST(WholeHuman, FewerSpineJointsHaveTheSameRangeTogether) {
 
 // Positive angles move nodes in the direction that the dof's name states.
 TEST(WholeHuman, FreedomsTurnTheWayTheirNamesSay) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   const auto moved = [&](const char* dof, const char* node) {
-    std::vector<double> angles(body.start().begin(), body.start().end());
-    angles[static_cast<std::size_t>(body.find_dof(dof).value())] += 0.2;
-    return node_position(body, angles, node) - node_position(body, body.start(), node);
+    std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
+    angles[static_cast<std::size_t>(posed.body.find_dof(dof).value())] += 0.2;
+    return node_position(posed, angles, node) - node_position(posed, posed.home.angles, node);
   };
   EXPECT_GT(moved("spine.flexion", "head").z, 0.01);
   EXPECT_GT(moved("chest.lateral", "head").x, 0.01);
@@ -161,19 +162,19 @@ TEST(WholeHuman, FreedomsTurnTheWayTheirNamesSay) {
 }
 
 TEST(WholeHuman, RoundsAndTwistsItsSpine) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   std::vector<std::string> names;
-  for (const PostureMode& mode : posture_modes(body)) names.push_back(mode.name);
+  for (const PostureMode& mode : posture_modes(posed)) names.push_back(mode.name);
   EXPECT_EQ(names, (std::vector<std::string>{"squat", "lean", "round", "twist", "right_elbow",
                                              "left_elbow", "right_swivel", "left_swivel",
                                              "right_wrist", "left_wrist"}));
 }
 
 TEST(WholeHuman, IsAsStrongAsItsSexAndMass) {
-  const BodyModel woman = human_body({1.7, 60.0, Sex::female});
-  const BodyModel man = human_body({1.7, 60.0, Sex::male});
-  const int back = man.find_dof("spine.flexion").value();
-  const double ratio = woman.dof(back).torque_negative / man.dof(back).torque_negative;
+  const PosedBody woman = human_body({1.7, 60.0, Sex::female});
+  const PosedBody man = human_body({1.7, 60.0, Sex::male});
+  const int back = man.body.find_dof("spine.flexion").value();
+  const double ratio = woman.body.dof(back).torque_negative / man.body.dof(back).torque_negative;
   EXPECT_NEAR(ratio, kFemaleStrength * 73.0 / 61.9, 1e-9);
 }
 

@@ -82,16 +82,16 @@ TEST(BallTurns, WithTheLimbStraightOutToTheSideKeepTheFlexion) {
 
 TEST(BallTurns, AreTheHipsOfABody) {
   // both ways round: the right hip is climbed from the thigh, the left one descended
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   Random random(9);
-  const std::vector<double> q = random_posture(body, random);
-  const Kinematics<double> placed_body = placed(body, q);
+  const std::vector<double> q = random_posture(posed, random);
+  const Kinematics<double> placed_body = placed(posed, q);
   const auto angle = [&](const char* name) {
-    const int d = body.find_dof(name).value();
-    return q[static_cast<std::size_t>(d)] * body.dof(d).sign;
+    const int d = posed.body.find_dof(name).value();
+    return q[static_cast<std::size_t>(d)] * posed.body.dof(d).sign;
   };
   const auto link = [&](const char* name) {
-    return placed_body.link_rotation(body.find_dof(name).value());
+    return placed_body.link_rotation(posed.body.find_dof(name).value());
   };
   const Mat3d trunk = link("right_hip.flexion");
   const BallTurns right{-angle("right_hip.flexion"), -angle("right_hip.abduction"),

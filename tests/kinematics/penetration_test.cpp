@@ -53,15 +53,15 @@ TEST(NearestPoints, OfPointsAreThePoints) {
   EXPECT_NEAR(norm(pair.on_a - pair.on_b), 5.0, 1e-12);
 }
 
-double depth_with(const BodyModel& body,
+double depth_with(const PosedBody& posed,
                   const std::vector<std::pair<const char*, double>>& angles) {
-  std::vector<double> q(body.start().begin(), body.start().end());
+  std::vector<double> q(posed.home.angles.begin(), posed.home.angles.end());
   for (const auto& [name, angle] : angles) {
-    q[static_cast<std::size_t>(*body.find_dof(name))] = radians(angle);
+    q[static_cast<std::size_t>(*posed.body.find_dof(name))] = radians(angle);
   }
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, q, kinematics);
-  return limb_penetration(body, kinematics, body.effectors()[0]).depth;
+  Kinematics<double> kinematics(posed);
+  forward_kinematics<double>(posed, q, kinematics);
+  return limb_penetration(posed, kinematics, posed.body.effectors()[0]).depth;
 }
 
 TEST(LimbPenetration, OfAHangingArmIsNone) {
@@ -76,13 +76,13 @@ TEST(LimbPenetration, OfAForearmAcrossTheBellyIsDeep) {
 }
 
 TEST(LimbPenetration, PointsOutOfTheThigh) {
-  const BodyModel body = full_body();
-  std::vector<double> q(body.start().begin(), body.start().end());
-  q[static_cast<std::size_t>(*body.find_dof("right_shoulder.abduction"))] = radians(-8);
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, q, kinematics);
+  const PosedBody posed = full_body();
+  std::vector<double> q(posed.home.angles.begin(), posed.home.angles.end());
+  q[static_cast<std::size_t>(*posed.body.find_dof("right_shoulder.abduction"))] = radians(-8);
+  Kinematics<double> kinematics(posed);
+  forward_kinematics<double>(posed, q, kinematics);
   // the arm swings in from the right, so the way out is to the right
-  EXPECT_LT(limb_penetration(body, kinematics, body.effectors()[0]).outward.x, -0.5);
+  EXPECT_LT(limb_penetration(posed, kinematics, posed.body.effectors()[0]).outward.x, -0.5);
 }
 
 }  // namespace

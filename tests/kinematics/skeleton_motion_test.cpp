@@ -12,7 +12,7 @@ using namespace testing_support;
 
 constexpr int kFrames = 20;
 
-BodyModel character() {
+PosedBody character() {
   return build_human(asymmetric_person(), {"character", BodyExtent::full, 1.6, 55.0, Sex::female});
 }
 
@@ -27,7 +27,7 @@ Clip random_clip(const BodyModel& body) {
 }
 
 TEST(SkeletonMotion, PutsEachNodeWhereTheBodyHasIt) {
-  for (const BodyModel& body : {half_body(), full_body(), character()}) {
+  for (const BodyModel& body : {half_body().body, full_body().body, character().body}) {
     const Clip clip = random_clip(body);
     const SkeletonMotion motion = skeleton_motion(body, clip);
     for (int f = 0; f < kFrames; ++f) {
@@ -65,7 +65,7 @@ TEST(SkeletonMotion, BonesKeepTheirLength) {
 }
 
 TEST(SkeletonMotion, EffectorsAndFeetAreNodesOfTheSkeleton) {
-  for (const BodyModel& body : {half_body(), full_body(), character()}) {
+  for (const BodyModel& body : {half_body().body, full_body().body, character().body}) {
     const Skeleton skeleton = body_skeleton(body);
     Random random(6);
     const Kinematics<double> kinematics = placed(body, random_posture(body, random));

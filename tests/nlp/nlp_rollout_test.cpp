@@ -32,13 +32,13 @@ std::vector<double> angles_of(NlpRollout& rollout, const MotionInput<double>& in
 }
 
 // rad, largest excess of the clip's angles beyond their limits
-double most_excess(const BodyModel& body, const Clip& clip) {
+double most_excess(const PosedBody& posed, const Clip& clip) {
   double excess = 0.0;
   for (int f = 0; f < clip.frames; ++f) {
-    for (int d = 0; d < body.dof_count(); ++d) {
+    for (int d = 0; d < posed.body.dof_count(); ++d) {
       const double angle = clip.frame(f)[static_cast<std::size_t>(d)];
-      excess = std::fmax(excess, body.dof(d).lower - angle);
-      excess = std::fmax(excess, angle - upper_limit(body, d, clip.frame(f)));
+      excess = std::fmax(excess, posed.body.dof(d).lower - angle);
+      excess = std::fmax(excess, angle - upper_limit(posed, d, clip.frame(f)));
     }
   }
   return excess;
@@ -55,7 +55,7 @@ RC_GTEST_PROP(NlpRolloutProperty, HandIsOnItsPathAndFeetArePlanted,
   RC_ASSERT(measured.contact_slide <= kReachTolerance);
   RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
   RC_ASSERT(rolled.outcome.met());
-  RC_ASSERT(most_excess(reach.body, rolled.motion.clip) <= 0.0);
+  RC_ASSERT(most_excess(reach.posed, rolled.motion.clip) <= 0.0);
 }
 
 RC_GTEST_PROP(NlpRolloutProperty, FeetStandAndLimitsHoldWhateverIsAsked, (std::uint64_t seed)) {
@@ -73,14 +73,15 @@ RC_GTEST_PROP(NlpRolloutProperty, DrawnToAPostureTheHandIsStillOnItsPath,
               (std::uint64_t seed, bool whole)) {
   RandomReach reach(whole ? full() : half(), seed);
   Random random(seed, 1);
-  pose(reach.body, reach.parameters, [&](const PostureMode&) { return random.uniform(-0.5, 0.5); });
-  value_of(reach.body, reach.parameters, "delay") = random.uniform(0.0, kDelayMax);
+  pose(reach.posed, reach.parameters,
+       [&](const PostureMode&) { return random.uniform(-0.5, 0.5); });
+  value_of(reach.posed, reach.parameters, "delay") = random.uniform(0.0, kDelayMax);
   const Clip clip = roll_out_nlp(reach.problem, reach.parameters).motion.clip;
   const MeasuredMotion measured(reach.problem, clip);
   RC_ASSERT(measured.path_error <= kReachTolerance);
   RC_ASSERT(measured.contact_slide <= kReachTolerance);
   RC_ASSERT(measured.contact_tilt <= kTiltTolerance);
-  RC_ASSERT(most_excess(reach.body, clip) <= 0.0);
+  RC_ASSERT(most_excess(reach.posed, clip) <= 0.0);
   reach.parameters.posed = false;
   RC_ASSERT(roll_out_nlp(reach.problem, reach.parameters).motion.clip.angles != clip.angles);
 }
@@ -101,7 +102,7 @@ RC_GTEST_PROP(NlpRolloutProperty, OutcomeIsWhatTheMotionDoes, (std::uint64_t see
 RC_GTEST_PROP(NlpRolloutProperty, LockedJointsKeepTheirStartAngles,
               (std::uint64_t seed, bool whole)) {
   RandomReach reach(whole ? full() : half(), seed);
-  for (std::size_t d = 0; d < reach.body.dofs().size(); ++d) {
+  for (std::size_t d = 0; d < reach.posed.body.dofs().size(); ++d) {
     reach.parameters.locked[d] = *rc::gen::inRange(0, 4) == 0;
   }
   const Clip clip = roll_out_nlp(reach.problem, reach.parameters).motion.clip;
@@ -113,29 +114,29 @@ RC_GTEST_PROP(NlpRolloutProperty, ScalingAllWeightsByAPowerOfTwoChangesNoByte,
   RandomReach reach(whole ? full() : half(), seed);
   const std::vector<double> before =
       roll_out_nlp(reach.problem, reach.parameters).motion.clip.angles;
-  for (std::size_t d = 0; d < reach.body.dofs().size(); ++d) {
+  for (std::size_t d = 0; d < reach.posed.body.dofs().size(); ++d) {
     reach.parameters.values[d] *= 0x1p-7;
   }
   RC_ASSERT(roll_out_nlp(reach.problem, reach.parameters).motion.clip.angles == before);
 }
 
 // The half body with practically no limits.
-BodyModel boundless_body() {
-  BodyDefinition definition = half().definition();
+PosedBody boundless_body() {
+  BodyDefinition definition = half().body.definition();
   definition.couplings.clear();
   for (Dof& dof : definition.dofs) {
     dof.lower = -100.0;
     dof.upper = 100.0;
   }
-  return BodyModel(std::move(definition));
+  return {BodyModel(std::move(definition)), half().home};
 }
 
 RC_GTEST_PROP(NlpRolloutProperty, WithoutLimitsAndInShortStepsItIsTheMotionOfWeightedIk,
               (std::uint64_t seed)) {
   // both take the least weighted step along the path, and differ by the curvature of arcs within a
   // step
-  static const BodyModel body = boundless_body();
-  RandomReach reach(body, seed);
+  static const PosedBody posed = boundless_body();
+  RandomReach reach(posed, seed);
   const auto difference = [&](int steps) {
     reach.problem.steps = steps;
     const Clip nlp = roll_out_nlp(reach.problem, reach.parameters).motion.clip;
@@ -166,7 +167,7 @@ TEST(NlpRollout, UsedAgainGivesTheSameMotion) {
 }
 
 TEST(NlpRollout, ReachingForWhereTheHandIsMovesNothing) {
-  const Vec3d here = effector_position(full(), full().start(), "right_hand");
+  const Vec3d here = effector_position(full(), full().home.angles, "right_hand");
   const ReachProblem problem = reach_with(full(), "right_hand", here);
   const RolledOut rolled = roll_out_nlp(problem, uniform_parameters(full()));
   EXPECT_LT(MeasuredMotion(problem, rolled.motion.clip).largest_step, 1e-12);
@@ -177,7 +178,7 @@ TEST(NlpRollout, FramesSayHowTheBodyMovesThere) {
   const ReachProblem problem = reach_with(full(), "right_hand", kLow);
   const RolledOut rolled = roll_out_nlp(problem, uniform_parameters(full()));
   const Motion& motion = rolled.motion;
-  const std::size_t dofs = full().dofs().size();
+  const std::size_t dofs = full().body.dofs().size();
   DynamicsWorkspace<double> work(full());
   std::vector<double> speeds(dofs);
   std::vector<double> accelerations(dofs);
@@ -228,7 +229,7 @@ TEST(NlpRollout, APostureChangesAfterItsDelayAndThePathBows) {
   problem.goals[0].sway = {0, 0, 0.1};
   const std::vector<double> weights(9, 1.0);
   std::vector<double> change(9, 0.0);
-  const auto knee = static_cast<std::size_t>(half().find_dof("right_knee.flexion").value());
+  const auto knee = static_cast<std::size_t>(half().body.find_dof("right_knee.flexion").value());
   change[knee] = 0.5;
   NlpRollout rollout(problem);
   const std::vector<double> plain = angles_of(rollout, weights);
@@ -252,9 +253,9 @@ TEST(NlpRollout, APostureChangesAfterItsDelayAndThePathBows) {
 }
 
 TEST(NlpRollout, BeyondReachItComesNearAndNeitherShakesNorBreaksApart) {
-  for (const BodyModel* body : {&half(), &full()}) {
-    const ReachProblem problem = reach_with(*body, "right_hand", {-3.0, 4.0, 5.0});
-    const RolledOut rolled = roll_out_nlp(problem, uniform_parameters(*body));
+  for (const PosedBody* posed : {&half(), &full()}) {
+    const ReachProblem problem = reach_with(*posed, "right_hand", {-3.0, 4.0, 5.0});
+    const RolledOut rolled = roll_out_nlp(problem, uniform_parameters(*posed));
     const MeasuredMotion measured(problem, rolled.motion.clip);
     EXPECT_TRUE(measured.finite);
     EXPECT_FALSE(rolled.outcome.met());

@@ -19,19 +19,19 @@ using namespace testing_support;
 // Both sides compute in double precision over at most 45 joints: they differ by some 1e-13.
 constexpr double kTolerance = 1e-9;
 
-BodyModel character(BodyExtent extent = BodyExtent::full) {
+PosedBody character(BodyExtent extent = BodyExtent::full) {
   return build_human(asymmetric_person(), {"character", extent, 1.6, 55.0, Sex::female});
 }
 
-BodyModel one_leg_up() {
+PosedBody one_leg_up() {
   Landmarks person = asymmetric_person();
   lift_leg(person.right_leg, 1.2);
   return build_human(person, {"one_leg_up", BodyExtent::full, 1.6, 80.0, Sex::male});
 }
 
 // Every other dof about an axis that is no coordinate axis, as in robots.
-BodyModel slanting() {
-  BodyDefinition body = character().definition();
+PosedBody slanting() {
+  BodyDefinition body = character().body.definition();
   Random random(5);
   for (std::size_t d = 0; d < body.dofs.size(); d += 2) {
     body.dofs[d].turn = rotation(Axis::x, random.uniform(-2.0, 2.0)) *
@@ -39,10 +39,10 @@ BodyModel slanting() {
                         rotation(Axis::z, random.uniform(-2.0, 2.0));
   }
   body.name = "slanting";
-  return BodyModel(std::move(body));
+  return {BodyModel(std::move(body)), character().home};
 }
 
-BodyModel robot() {
+PosedBody robot() {
   const Robot robot = parse_urdf(RobotFile().text(), "small.urdf").value();
   return build_robot(robot, find_humanoid(robot).value()).value();
 }
@@ -89,7 +89,7 @@ double difference(const Mat3d& a, const Mat3d& b) { return distance(a, b); }
 
 struct NamedBody {
   const char* name;
-  BodyModel (*make)();
+  PosedBody (*make)();
 };
 void PrintTo(const NamedBody& body, std::ostream* out) { *out << body.name; }
 

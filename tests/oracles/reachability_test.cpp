@@ -22,13 +22,13 @@ using namespace testing_support;
 constexpr double kNearEqual = 5.1e-3;
 
 TEST(ReachabilityAgainstSecondSearch, OneHand) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   Random random(101);
   int unreachable = 0;
   for (int trial = 0; trial < 100; ++trial) {
     const Vec3d goal{random.uniform(-1.3, 1.3), random.uniform(0.0, 2.3),
                      random.uniform(-1.3, 1.3)};
-    const ReachProblem problem = reach_with(body, "right_hand", goal);
+    const ReachProblem problem = reach_with(posed, "right_hand", goal);
     const ClosestReach reach = closest_reach(problem);
     if (reach.reached()) continue;
     ++unreachable;
@@ -40,7 +40,7 @@ TEST(ReachabilityAgainstSecondSearch, OneHand) {
 }
 
 TEST(ReachabilityAgainstSecondSearch, BothHands) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   Random random(102);
   int unreachable = 0;
   for (int trial = 0; trial < 60; ++trial) {
@@ -48,8 +48,8 @@ TEST(ReachabilityAgainstSecondSearch, BothHands) {
                      random.uniform(-1.0, 1.0)};
     const Vec3d apart{random.uniform(0.0, 0.9), random.uniform(-0.5, 0.5),
                       random.uniform(-0.5, 0.5)};
-    ReachProblem problem = reach_with(body, "right_hand", goal);
-    problem.goals.push_back(reach_with(body, "left_hand", goal + apart).goals[0]);
+    ReachProblem problem = reach_with(posed, "right_hand", goal);
+    problem.goals.push_back(reach_with(posed, "left_hand", goal + apart).goals[0]);
     const ClosestReach reach = closest_reach(problem);
     if (reach.reached()) continue;
     ++unreachable;
@@ -62,13 +62,13 @@ TEST(ReachabilityAgainstSecondSearch, BothHands) {
 
 TEST(ReachabilityAgainstSecondSearch, NearTheEdge) {
   // goals that the library calls unreachable by less than 3 cm
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   Random random(103);
   int near = 0;
   while (near < 25) {
     const Vec3d goal{random.uniform(-1.3, 1.3), random.uniform(0.0, 2.3),
                      random.uniform(-1.3, 1.3)};
-    const ReachProblem problem = reach_with(body, "right_hand", goal);
+    const ReachProblem problem = reach_with(posed, "right_hand", goal);
     const ClosestReach reach = closest_reach(problem);
     if (reach.reached() || reach.distance > 0.03) continue;
     ++near;
@@ -93,7 +93,7 @@ constexpr int kGoals = 1000;
 // paper's algorithm: enough to exercise the library's handling of any goal.
 class ManyGoals {
  public:
-  explicit ManyGoals(BodyModel body) : task_(with_preset(Task(std::move(body)), Preset::paper)) {
+  explicit ManyGoals(PosedBody posed) : task_(with_preset(Task(std::move(posed)), Preset::paper)) {
     task_.genetic.max_generations = 2;
   }
 

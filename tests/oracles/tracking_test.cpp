@@ -26,10 +26,11 @@ constexpr double kDamping = 0.1;                 // s, of speed beside angle
 
 class Tracking {
  public:
-  explicit Tracking(const BodyModel& body) : body_(body), mujoco_(body, MujocoBase::on_the_floor) {
-    for (int d = 0; d < body.dof_count(); ++d) {
+  explicit Tracking(const PosedBody& posed)
+      : body_(posed), mujoco_(posed, MujocoBase::on_the_floor) {
+    for (int d = 0; d < posed.body.dof_count(); ++d) {
       const auto k = static_cast<std::size_t>(d);
-      const Dof& dof = body.dof(d);
+      const Dof& dof = posed.body.dof(d);
       stiffness_.push_back(max(dof.torque_positive, dof.torque_negative) / kFullStrength);
       mujoco_.model()->dof_armature[mujoco_.address(k)] = kArmature;
       // MuJoCo integrates this part implicitly
@@ -89,7 +90,7 @@ class Tracking {
     return torques;
   }
 
-  const BodyModel& body_;
+  const PosedBody& body_;
   MujocoBody mujoco_;
   std::vector<double> stiffness_;  // (dofs) N m/rad
 };
@@ -100,13 +101,13 @@ Vec3d any_goal(Random& random) {
 }
 
 TEST(Tracking, EightOfAHundredMotionsFallAtMost) {
-  const BodyModel body = human_body();
-  Tracking tracking(body);
+  const PosedBody posed = human_body();
+  Tracking tracking(posed);
   Random random(17);
   int played = 0;
   int fallen = 0;
   for (std::uint64_t seed = 1; played < kGoals; ++seed) {
-    Task task(body);
+    Task task(posed);
     task.goals = {{"right_hand", any_goal(random)}};
     task.seed = seed;
     const GenerateResult generation = generate(task).value();

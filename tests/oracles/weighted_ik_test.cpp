@@ -31,18 +31,19 @@ struct Step {
   IkSettings settings = kExact;
 };
 
-Vector shigusas_step(const BodyModel& body, const Step& step) {
-  IkWorkspace<double> workspace(body);
-  const auto dq = weighted_ik_step<double>(body, placed(body, step.q),
+Vector shigusas_step(const PosedBody& posed, const Step& step) {
+  IkWorkspace<double> workspace(posed);
+  const auto dq = weighted_ik_step<double>(posed, placed(posed, step.q),
                                            {step.targets, step.inverse_weights, step.reference},
                                            step.settings, workspace);
   return Eigen::Map<const Vector>(dq.data(), static_cast<Eigen::Index>(dq.size()));
 }
 
 // (dofs) 1 / w, with w uniform in its logarithm
-std::vector<double> random_inverse_weights(const BodyModel& body, Random& random) {
+std::vector<double> random_inverse_weights(const PosedBody& posed, Random& random) {
   std::vector<double> inverse;
-  for (int d = 0; d < body.dof_count(); ++d) inverse.push_back(std::exp(random.uniform(-2.5, 2.5)));
+  for (int d = 0; d < posed.body.dof_count(); ++d)
+    inverse.push_back(std::exp(random.uniform(-2.5, 2.5)));
   return inverse;
 }
 
@@ -56,23 +57,24 @@ Constraint<double> random_goal(const Kinematics<double>& kinematics, const Effec
 }
 
 // The chain from the standing foot to a hand for Orocos KDL.
-KDL::Chain kdl_chain(const BodyModel& body, const Effector& effector) {
+KDL::Chain kdl_chain(const PosedBody& posed, const Effector& effector) {
   const auto vector = [](const Vec3d& v) { return KDL::Vector(v.x, v.y, v.z); };
-  const Mat3d& r = body.base().rotation;
+  const Mat3d& r = posed.body.base().rotation;
   const KDL::Rotation base(vector(r.cx), vector(r.cy), vector(r.cz));
   KDL::Chain chain;
-  for (int d = 0; d < body.dof_count(); ++d) {
-    if (!body.moves(d, effector.link)) continue;
-    const Dof& dof = body.dof(d);
+  for (int d = 0; d < posed.body.dof_count(); ++d) {
+    if (!posed.body.moves(d, effector.link)) continue;
+    const Dof& dof = posed.body.dof(d);
     if (chain.getNrOfSegments() == 0) {
-      const KDL::Frame frame(base, vector(body.base().translation) + base * vector(dof.offset));
+      const KDL::Frame frame(base,
+                             vector(posed.body.base().translation) + base * vector(dof.offset));
       chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), frame));
     }
     // a segment's joint comes first and its frame, the way to the next joint, second
     const bool last = d == effector.link;
     int next = d + 1;
-    while (!last && !body.moves(next, effector.link)) ++next;
-    const Vec3d tip = last ? effector.point : body.dof(next).offset;
+    while (!last && !posed.body.moves(next, effector.link)) ++next;
+    const Vec3d tip = last ? effector.point : posed.body.dof(next).offset;
     const auto type =
         static_cast<KDL::Joint::JointType>(KDL::Joint::RotX + static_cast<int>(dof.axis));
     chain.addSegment(KDL::Segment(KDL::Joint(dof.name, type, dof.sign), KDL::Frame(vector(tip))));
@@ -81,10 +83,10 @@ KDL::Chain kdl_chain(const BodyModel& body, const Effector& effector) {
 }
 
 TEST(WeightedIkAgainstKdl, OneHandTakesTheSameStep) {
-  const BodyModel body = half_body();
-  const Effector& hand = body.effectors()[0];
-  const KDL::Chain chain = kdl_chain(body, hand);
-  ASSERT_EQ(static_cast<int>(chain.getNrOfJoints()), body.dof_count());
+  const PosedBody posed = half_body();
+  const Effector& hand = posed.body.effectors()[0];
+  const KDL::Chain chain = kdl_chain(posed, hand);
+  ASSERT_EQ(static_cast<int>(chain.getNrOfJoints()), posed.body.dof_count());
   KDL::ChainIkSolverVel_wdls solver(chain, 1e-12, 500);
   solver.setLambda(1e-9);
   // the hand's position counts, its orientation does not
@@ -93,14 +95,14 @@ TEST(WeightedIkAgainstKdl, OneHandTakesTheSameStep) {
   solver.setWeightTS(task);
   Random random(21);
   for (int trial = 0; trial < 200; ++trial) {
-    Step step{.q = random_posture(body, random)};
-    const Kinematics<double> kinematics = placed(body, step.q);
+    Step step{.q = random_posture(posed, random)};
+    const Kinematics<double> kinematics = placed(posed, step.q);
     step.targets = {random_goal(kinematics, hand, random)};
-    step.inverse_weights = random_inverse_weights(body, random);
+    step.inverse_weights = random_inverse_weights(posed, random);
     // KDL minimises |M⁻¹ Δq|²
-    Matrix m = Matrix::Zero(body.dof_count(), body.dof_count());
+    Matrix m = Matrix::Zero(posed.body.dof_count(), posed.body.dof_count());
     KDL::JntArray q(chain.getNrOfJoints());
-    for (int d = 0; d < body.dof_count(); ++d) {
+    for (int d = 0; d < posed.body.dof_count(); ++d) {
       m(d, d) = std::sqrt(step.inverse_weights[static_cast<std::size_t>(d)]);
       q(static_cast<unsigned>(d)) = step.q[static_cast<std::size_t>(d)];
     }
@@ -109,7 +111,7 @@ TEST(WeightedIkAgainstKdl, OneHandTakesTheSameStep) {
     KDL::JntArray expected(chain.getNrOfJoints());
     solver.CartToJnt(q, KDL::Twist(KDL::Vector(way.x, way.y, way.z), KDL::Vector::Zero()),
                      expected);
-    ASSERT_LT((shigusas_step(body, step) - expected.data).norm(), 1e-9 * expected.data.norm());
+    ASSERT_LT((shigusas_step(posed, step) - expected.data).norm(), 1e-9 * expected.data.norm());
   }
 }
 
@@ -120,8 +122,8 @@ TEST(WeightedIkAgainstKdl, OneHandTakesTheSameStep) {
 // with the goals' damping d_g = share · mean diagonal of J_g W⁻¹ J_gᵀ.
 class KktSystem {
  public:
-  KktSystem(const BodyModel& body, const Step& step) : body_(body), step_(step) {
-    for (int d = 0; d < body.dof_count(); ++d) {
+  KktSystem(const PosedBody& posed, const Step& step) : body_(posed), step_(step) {
+    for (int d = 0; d < posed.body.dof_count(); ++d) {
       if (step.inverse_weights[static_cast<std::size_t>(d)] > 0.0) free_.push_back(d);
     }
     const auto n = static_cast<Eigen::Index>(free_.size());
@@ -132,7 +134,7 @@ class KktSystem {
       hessian_(i, i) = 1.0 / step.inverse_weights[d];
       if (!step.reference.empty()) gradient_(i) = hessian_(i, i) * step.reference[d];
     }
-    const Kinematics<double> kinematics = placed(body, step.q);
+    const Kinematics<double> kinematics = placed(posed, step.q);
     for (const Constraint<double>& target : step.targets) add_target(kinematics, target);
   }
 
@@ -147,7 +149,7 @@ class KktSystem {
     Vector right(n + m);
     right << gradient_, residual_;
     const Vector solved = kkt.fullPivLu().solve(right);
-    Vector dq = Vector::Zero(body_.dof_count());
+    Vector dq = Vector::Zero(body_.body.dof_count());
     for (Eigen::Index i = 0; i < n; ++i) dq(free_[static_cast<std::size_t>(i)]) = solved(i);
     return dq;
   }
@@ -167,7 +169,7 @@ class KktSystem {
     }
     for (Eigen::Index i = 0; i < n; ++i) {
       const int d = free_[static_cast<std::size_t>(i)];
-      if (!body_.moves(d, target.link)) continue;
+      if (!body_.body.moves(d, target.link)) continue;
       const auto index = static_cast<std::size_t>(d);
       const Vec3d arm = at - kinematics.origin[index];
       const Vec3d v = cross(kinematics.axis[index], arm);
@@ -196,7 +198,7 @@ class KktSystem {
     residual_.tail(e.size()) = e;
   }
 
-  const BodyModel& body_;
+  const PosedBody& body_;
   const Step& step_;
   std::vector<int> free_;
   Matrix hessian_;
@@ -207,22 +209,22 @@ class KktSystem {
 
 // Goals for both hands, and the second foot held at its place, from a posture near the start that
 // has moved the foot slightly.
-Step both_hands_and_foot(const BodyModel& body, Random& random) {
-  Step step{.q = {body.start().begin(), body.start().end()}};
+Step both_hands_and_foot(const PosedBody& posed, Random& random) {
+  Step step{.q = {posed.home.angles.begin(), posed.home.angles.end()}};
   for (double& angle : step.q) angle += random.uniform(-0.3, 0.3);
-  const Kinematics<double> kinematics = placed(body, step.q);
-  for (const Effector& effector : body.effectors()) {
+  const Kinematics<double> kinematics = placed(posed, step.q);
+  for (const Effector& effector : posed.body.effectors()) {
     step.targets.push_back(random_goal(kinematics, effector, random));
   }
-  const Foot& foot = body.feet()[1];
-  const Kinematics<double> start = placed(body, body.start());
+  const Foot& foot = posed.body.feet()[1];
+  const Kinematics<double> start = placed(posed, posed.home.angles);
   step.targets.push_back({.link = foot.link,
                           .point = foot.centre,
                           .place = start.point(foot.link, foot.centre),
                           .exact = true,
                           .turning = Turning::whole,
                           .orientation = start.link_rotation(foot.link)});
-  step.inverse_weights = random_inverse_weights(body, random);
+  step.inverse_weights = random_inverse_weights(posed, random);
   return step;
 }
 
@@ -230,13 +232,13 @@ Step both_hands_and_foot(const BodyModel& body, Random& random) {
 // squares the condition number of J, which costs up to six of a double's sixteen digits here.
 template <class Change>
 void compare_with_kkt(Change change) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   Random random(22);
   for (int trial = 0; trial < 200; ++trial) {
-    Step step = both_hands_and_foot(body, random);
+    Step step = both_hands_and_foot(posed, random);
     change(step, random);
-    const Vector expected = KktSystem(body, step).solution();
-    const Vector seen = shigusas_step(body, step);
+    const Vector expected = KktSystem(posed, step).solution();
+    const Vector seen = shigusas_step(posed, step);
     ASSERT_LT((seen - expected).norm(), 1e-9 * (1.0 + expected.norm())) << trial;
   }
 }

@@ -15,16 +15,17 @@ constexpr int kFrames = 61;
 
 // An arm alone, with everything needed to measure its motion.
 struct Arm {
-  explicit Arm(const BodyModel& body, std::size_t index = 0)
-      : limb(find_limbs(body).value().arms[index]), model(arm_body(body, limb)) {}
+  explicit Arm(const PosedBody& posed, std::size_t index = 0)
+      : limb(find_limbs(posed.body, posed.home).value().arms[index]),
+        model(arm_body(posed.body, posed.home, limb)) {}
 
   [[nodiscard]] Vec3d hand(std::span<const double> q) const {
-    return effector_position(model, q, model.effectors()[0].name.c_str());
+    return effector_position(model, q, model.body.effectors()[0].name.c_str());
   }
   [[nodiscard]] Vec3d elbow(std::span<const double> q) const { return placed(model, q).origin[3]; }
   // minimum jerk along a straight line from where the hand hangs
   [[nodiscard]] std::vector<Vec3d> way_to(const Vec3d& goal) const {
-    const Vec3d from = hand(model.start());
+    const Vec3d from = hand(model.home.angles);
     std::vector<Vec3d> path;
     for (int f = 0; f < kFrames; ++f) {
       path.push_back(from + (goal - from) * minimum_jerk(f / (kFrames - 1.0)));
@@ -44,12 +45,12 @@ struct Arm {
   }
 
   BodyLimb limb;
-  BodyModel model;
+  PosedBody model;
 };
 
 // A goal that the arm reaches on a straight path, all of which is within reach.
 Vec3d arm_goal(const Arm& arm, Random& random) {
-  const Vec3d from = arm.hand(arm.model.start());
+  const Vec3d from = arm.hand(arm.model.home.angles);
   for (;;) {
     const Vec3d goal = random_direction(random) * random.uniform(0.2, 0.6);
     const Vec3d way = goal - from;
@@ -60,10 +61,10 @@ Vec3d arm_goal(const Arm& arm, Random& random) {
 
 TEST(SwivelArm, FollowsItsPathWithAnySwivel) {
   Random random(1);
-  for (const BodyModel& body :
+  for (const PosedBody& posed :
        {full_body(), build_human(asymmetric_person(), {"crooked", BodyExtent::full, 1.6, 60.0})}) {
     for (const std::size_t side : {0u, 1u}) {
-      const Arm arm(body, side);
+      const Arm arm(posed, side);
       for (int i = 0; i < 50; ++i) {
         const std::vector<Vec3d> path = arm.way_to(arm_goal(arm, random));
         const auto angles = arm.moved(path, random.uniform(-1.5, 1.5));
@@ -71,7 +72,7 @@ TEST(SwivelArm, FollowsItsPathWithAnySwivel) {
           EXPECT_LT(norm(arm.hand(Arm::frame(angles, f)) - path[static_cast<std::size_t>(f)]),
                     1e-9);
         }
-        for (std::size_t d = 0; d < kArmDofs; ++d) EXPECT_EQ(angles[d], arm.model.start()[d]);
+        for (std::size_t d = 0; d < kArmDofs; ++d) EXPECT_EQ(angles[d], arm.model.home.angles[d]);
       }
     }
   }
@@ -128,14 +129,14 @@ TEST(SwivelArm, ElbowGoesOnEvenlyOnAnyWay) {
 
 TEST(SwivelArm, HangingArmSwivelsInPlace) {
   const Arm arm(full_body());
-  const std::vector<Vec3d> path(kFrames, arm.hand(arm.model.start()));
+  const std::vector<Vec3d> path(kFrames, arm.hand(arm.model.home.angles));
   const auto angles = arm.moved(path, radians(60.0));
   for (int f = 1; f < kFrames; ++f) {
     for (std::size_t d = 0; d < kArmDofs; ++d) {
       EXPECT_LT(abs(Arm::frame(angles, f)[d] - Arm::frame(angles, f - 1)[d]), radians(3.0));
     }
   }
-  EXPECT_NEAR(Arm::frame(angles, 60)[3], arm.model.start()[3], 1e-6);
+  EXPECT_NEAR(Arm::frame(angles, 60)[3], arm.model.home.angles[3], 1e-6);
 }
 
 TEST(SwivelArm, TellsWhatIsMissedBeyondItsLength) {
@@ -146,7 +147,7 @@ TEST(SwivelArm, TellsWhatIsMissedBeyondItsLength) {
   moved.follow(arm.way_to({0.0, 0.0, longest + 0.1}));
   EXPECT_NEAR(moved.run(0.0, angles), 0.1, 1e-3);
   // through the shoulder itself
-  const Vec3d from = arm.hand(arm.model.start());
+  const Vec3d from = arm.hand(arm.model.home.angles);
   moved.follow(arm.way_to(-from));
   EXPECT_LT(moved.run(0.5, angles), 1.0);
   for (const double angle : angles) EXPECT_TRUE(std::isfinite(angle));

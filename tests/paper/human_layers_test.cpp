@@ -15,10 +15,10 @@ using namespace testing_support;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::vector<Layer> to_goals(const BodyModel& body, const std::vector<std::string>& hands) {
+std::vector<Layer> to_goals(const PosedBody& posed, const std::vector<std::string>& hands) {
   std::vector<Goal> goals;
   for (const std::string& hand : hands) goals.push_back({hand, {}});
-  return layers_to_goals(body, goals, {.stack = LayerStack::human}).value();
+  return layers_to_goals(posed.body, posed.home, goals, {.stack = LayerStack::human}).value();
 }
 
 std::vector<std::string> names(const std::vector<Layer>& layers) {
@@ -34,19 +34,19 @@ std::vector<std::string> genes(const Layer& layer) {
 }
 
 TEST(HumanLayers, AreTrunkThenSwivelsThenTheRest) {
-  const auto layers = human_layers(full_body()).value();
+  const auto layers = human_layers(full_body().body, full_body().home).value();
   EXPECT_THAT(names(layers),
               ElementsAre("trunk_and_limb_lengths", "right_arm", "left_arm", "rest"));
   EXPECT_EQ(layers[0].parameters.size(), 14u);
   EXPECT_THAT(genes(layers[1]), ElementsAre("right_arm"));
   EXPECT_THAT(genes(layers[2]), ElementsAre("left_arm"));
   EXPECT_EQ(layers[3].parameters.size(), 6u);
-  EXPECT_THAT(names(human_layers(half_body()).value()),
+  EXPECT_THAT(names(human_layers(half_body().body, half_body().home).value()),
               ElementsAre("trunk_and_limb_lengths", "right_arm", "rest"));
 }
 
 TEST(HumanLayers, HandEveryLimbToALayerThatThereIs) {
-  const auto layers = human_layers(full_body()).value();
+  const auto layers = human_layers(full_body().body, full_body().home).value();
   const auto known = [&layers](const std::string& name) {
     return std::any_of(layers.begin() + 1, layers.end(),
                        [&name](const Layer& layer) { return layer.name == name; });
@@ -61,7 +61,8 @@ TEST(HumanLayers, HandEveryLimbToALayerThatThereIs) {
 }
 
 TEST(HumanLayers, RefuseABodyThatIsNoPerson) {
-  EXPECT_EQ(human_layers(chain({{}, {}})).error().code, ErrorCode::unsupported);
+  EXPECT_EQ(human_layers(chain({{}, {}}).body, chain({{}, {}}).home).error().code,
+            ErrorCode::unsupported);
 }
 
 TEST(HumanLayersToGoals, LeaveToTheRestWhatNoGoalMoves) {
@@ -78,32 +79,32 @@ TEST(HumanLayersToGoals, LeaveToTheRestWhatNoGoalMoves) {
 }
 
 TEST(HumanLayersToGoals, RangesHoldTheStartAndJointLimits) {
-  for (const BodyModel& body :
+  for (const PosedBody& posed :
        {full_body(), build_human(asymmetric_person(), {"crooked", BodyExtent::full, 1.6, 60.0})}) {
-    const auto layers = to_goals(body, {"right_hand"});
+    const auto layers = to_goals(posed, {"right_hand"});
     ASSERT_EQ(layers[2].parameters.size(), 3u);
     for (const ParameterInfo& gene : layers[2].parameters) {
-      const int dof = body.find_dof(gene.name).value();
-      const double start = body.start()[static_cast<std::size_t>(dof)];
+      const int dof = posed.body.find_dof(gene.name).value();
+      const double start = posed.home.angles[static_cast<std::size_t>(dof)];
       EXPECT_LT(gene.low, gene.high);
       EXPECT_LE(gene.low, start);
       EXPECT_GE(gene.high, start);
-      EXPECT_GE(gene.low, min(body.dof(dof).lower, start));
-      EXPECT_LE(gene.high, max(body.dof(dof).upper, start));
+      EXPECT_GE(gene.low, min(posed.body.dof(dof).lower, start));
+      EXPECT_LE(gene.high, max(posed.body.dof(dof).upper, start));
     }
   }
 }
 
 TEST(HumanMembers, AreWeightsContractionsSwivelsAndFinalAngles) {
-  const BodyModel body = full_body();
-  const auto layers = to_goals(body, {"right_hand"});
+  const PosedBody posed = full_body();
+  const auto layers = to_goals(posed, {"right_hand"});
   const LayeredValues parameters = start_values(layers);
   EXPECT_EQ(parameter_list(layers).size(), 14u + 1u + 3u);
   EXPECT_TRUE(parameters.arms.empty());
   EXPECT_THAT(parameters.swivels, ElementsAre(0.0));
   ASSERT_EQ(parameters.finals.size(), 3u);
-  const auto elbow = static_cast<std::size_t>(body.find_dof("left_elbow.flexion").value());
-  EXPECT_EQ(parameters.finals[2], body.start()[elbow]);
+  const auto elbow = static_cast<std::size_t>(posed.body.find_dof("left_elbow.flexion").value());
+  EXPECT_EQ(parameters.finals[2], posed.home.angles[elbow]);
   EXPECT_TRUE(parameter_list(layers).check(parameters_of(layers, parameters)));
 }
 

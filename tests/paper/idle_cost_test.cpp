@@ -14,20 +14,20 @@ namespace {
 using namespace testing_support;
 
 TEST(IdleCost, IsOfAFreeArmThatComesIntoTheBody) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   const Task task =
-      with_preset(Task(body, {.goals = {{"right_hand", {-0.3, 1.2, 0.4}}}}), Preset::human);
+      with_preset(Task(posed, {.goals = {{"right_hand", {-0.3, 1.2, 0.4}}}}), Preset::human);
   const LayeredProblem problem = testing_support::make_layered_problem(task);
   const LayeredSetup setup(problem);
   IdleCost<double> idle(setup);
-  const std::vector<double> none(body.dofs().size());
+  const std::vector<double> none(posed.body.dofs().size());
   // Of a frame at the start and another one, but for one angle.
   const auto cost_of = [&](const char* freedom, double before, double after) {
     idle.reset();
     for (const double by : {before, after}) {
-      std::vector<double> angles(body.start().begin(), body.start().end());
-      angles[static_cast<std::size_t>(body.find_dof(freedom).value())] += radians(by);
-      const Kinematics<double> now = placed(body, angles);
+      std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
+      angles[static_cast<std::size_t>(posed.body.find_dof(freedom).value())] += radians(by);
+      const Kinematics<double> now = placed(posed, angles);
       idle.add({{angles, none, {}, none, none, 0.02}, now, {}});
     }
     return idle.cost();

@@ -19,14 +19,14 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::Not;
 
-BodyModel crooked_human() {
+PosedBody crooked_human() {
   return build_human(asymmetric_person(), {"crooked", BodyExtent::human, 1.6, 60.0});
 }
 
-std::string link_name(const BodyModel& body, int link) { return body.dof(link).name; }
+std::string link_name(const PosedBody& posed, int link) { return posed.body.dof(link).name; }
 
-Task human_task(const BodyModel& body, const Vec3d& goal) {
-  return with_preset(Task(body, {.goals = {{"right_hand", goal}}}), Preset::human);
+Task human_task(const PosedBody& posed, const Vec3d& goal) {
+  return with_preset(Task(posed, {.goals = {{"right_hand", goal}}}), Preset::human);
 }
 
 // A motion of the upper layer with random weights and lengths, and the motion of all layers.
@@ -56,29 +56,31 @@ bool arrives(LayeredPlayer& player, const ReducedClip<double>& clip) {
 }
 
 TEST(FindLimbs, OfAWholeHumanHangOnPelvisAndClavicles) {
-  const BodyModel body = human_body();
-  const BodyLimbs limbs = find_limbs(body).value();
-  EXPECT_EQ(link_name(body, limbs.trunk), "right_hip.flexion");
+  const PosedBody posed = human_body();
+  const BodyLimbs limbs = find_limbs(posed.body, posed.home).value();
+  EXPECT_EQ(link_name(posed, limbs.trunk), "right_hip.flexion");
   ASSERT_EQ(limbs.legs.size(), 2u);
-  EXPECT_EQ(link_name(body, limbs.legs[0].inversion), "right_ankle.inversion");
-  EXPECT_EQ(link_name(body, limbs.legs[1].inversion), "left_ankle.inversion");
-  EXPECT_EQ(link_name(body, limbs.legs[1].ankle), "left_ankle.flexion");
+  EXPECT_EQ(link_name(posed, limbs.legs[0].inversion), "right_ankle.inversion");
+  EXPECT_EQ(link_name(posed, limbs.legs[1].inversion), "left_ankle.inversion");
+  EXPECT_EQ(link_name(posed, limbs.legs[1].ankle), "left_ankle.flexion");
   ASSERT_EQ(limbs.arms.size(), 2u);
-  EXPECT_EQ(link_name(body, limbs.arms[0].carrier), "right_clavicle.protraction");
+  EXPECT_EQ(link_name(posed, limbs.arms[0].carrier), "right_clavicle.protraction");
   EXPECT_EQ(limbs.joints.size(), 3u * 3u + 2u * 2u);
-  EXPECT_EQ(find_limbs(full_body()).value().legs[0].inversion, -1);
-  EXPECT_TRUE(find_limbs(full_body()).value().joints.empty());
+  EXPECT_EQ(find_limbs(full_body().body, full_body().home).value().legs[0].inversion, -1);
+  EXPECT_TRUE(find_limbs(full_body().body, full_body().home).value().joints.empty());
 }
 
 TEST(FindLimbs, RefuseHeelsThatLiftAndPeopleWhoSit) {
-  EXPECT_FALSE(find_limbs(human_body({.heels = true})));
+  const PosedBody lifts = human_body({.heels = true});
+  EXPECT_FALSE(find_limbs(lifts.body, lifts.home));
   const Landmarks person = seated(standing_landmarks(1.75, 0.1), 1.75, 0.45);
-  EXPECT_FALSE(find_limbs(
-      build_human(person, {.name = "seated", .extent = BodyExtent::human, .sits = true})));
+  const PosedBody sits =
+      build_human(person, {.name = "seated", .extent = BodyExtent::human, .sits = true});
+  EXPECT_FALSE(find_limbs(sits.body, sits.home));
 }
 
 TEST(LayeredHuman, LegsShareWeightsSpineGoesByOneAWayAndClaviclesByNone) {
-  const Layer upper = human_layers(human_body()).value()[0];
+  const Layer upper = human_layers(human_body().body, human_body().home).value()[0];
   std::vector<std::string> genes;
   for (const ParameterInfo& gene : upper.parameters) genes.push_back(gene.name);
   for (const char* name : {"spine.flexion", "spine.lateral", "spine.rotation", "ankle.inversion",
@@ -91,9 +93,9 @@ TEST(LayeredHuman, LegsShareWeightsSpineGoesByOneAWayAndClaviclesByNone) {
 }
 
 TEST(LayeredHuman, WholeBodyIsWhereTheReducedOneIsAndFeetStay) {
-  for (const BodyModel& body : {human_body(), human_body({.base = Side::left}), crooked_human()}) {
-    const double size = body.stature();
-    const Task task = human_task(body, {-0.1 * size, 0.5 * size, 0.28 * size});
+  for (const PosedBody& posed : {human_body(), human_body({.base = Side::left}), crooked_human()}) {
+    const double size = posed.body.stature();
+    const Task task = human_task(posed, {-0.1 * size, 0.5 * size, 0.28 * size});
     const LayeredProblem problem = testing_support::make_layered_problem(task);
     const BodyLimbs& limbs = problem.limbs;
     LayeredPlayer player(problem);
@@ -106,14 +108,14 @@ TEST(LayeredHuman, WholeBodyIsWhereTheReducedOneIsAndFeetStay) {
       const Clip& clip = played.whole.motion.clip;
       for (int f = 0; f < clip.frames; ++f) {
         const auto k = static_cast<std::size_t>(f);
-        const Kinematics<double> at = placed(body, clip.frame(f));
+        const Kinematics<double> at = placed(posed, clip.frame(f));
         EXPECT_LT(norm(at.link_origin(limbs.trunk) - played.clip.trunk[k].translation), 1e-6);
         EXPECT_LT(rotation_chord(at.link_rotation(limbs.trunk), played.clip.trunk[k].rotation),
                   1e-6);
         const Transformd& carrier = played.clip.carriers[0][k];
         const int link = limbs.arms[static_cast<std::size_t>(problem.arms[0])].carrier;
         EXPECT_LT(norm(at.link_origin(link) - carrier.translation), 1e-6);
-        const Effector& hand = body.effectors()[0];
+        const Effector& hand = posed.body.effectors()[0];
         EXPECT_LT(norm(at.point(hand.link, hand.point) - played.clip.hands[0][k]), 1e-6);
       }
       const MeasuredMotion measured(problem.reach, clip);
@@ -122,13 +124,13 @@ TEST(LayeredHuman, WholeBodyIsWhereTheReducedOneIsAndFeetStay) {
       EXPECT_LT(measured.goal_error, 1e-4);
       EXPECT_LT(measured.start_error, 1e-12);
     }
-    EXPECT_GE(arrived, 10) << body.name();
+    EXPECT_GE(arrived, 10) << posed.body.name();
   }
 }
 
 TEST(LayeredHuman, AnklesAndSpineKeepTheirLimitsInASquat) {
-  const BodyModel body = human_body();
-  const Task task = human_task(body, {-0.2, 0.25, 0.4});
+  const PosedBody posed = human_body();
+  const Task task = human_task(posed, {-0.2, 0.25, 0.4});
   const LayeredProblem problem = testing_support::make_layered_problem(task);
   LayeredPlayer player(problem);
   Random random(2);
@@ -145,29 +147,29 @@ TEST(LayeredHuman, AnklesAndSpineKeepTheirLimitsInASquat) {
       for (const int d : held) {
         const double angle = clip.frame(f)[static_cast<std::size_t>(d)];
         // a step that two chains share is closed to within the tolerance of planted feet
-        EXPECT_LT(angle - body.dof(d).upper, radians(0.5)) << body.dof(d).name;
-        EXPECT_LT(body.dof(d).lower - angle, radians(0.5)) << body.dof(d).name;
+        EXPECT_LT(angle - posed.body.dof(d).upper, radians(0.5)) << posed.body.dof(d).name;
+        EXPECT_LT(posed.body.dof(d).lower - angle, radians(0.5)) << posed.body.dof(d).name;
         if (d == problem.limbs.legs[0].ankle) largest = max(largest, angle);
       }
     }
   }
   EXPECT_GE(arrived, 5);
-  EXPECT_GT(largest, body.dof(problem.limbs.legs[0].ankle).upper - radians(3.0));
+  EXPECT_GT(largest, posed.body.dof(problem.limbs.legs[0].ankle).upper - radians(3.0));
 }
 
 TEST(LayeredHuman, HeadTurnsToTheGoalBeforeTheHandArrivesAndTheFreeArmHangs) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   const Vec3d goal{-0.5, 0.9, 0.35};
-  const Task task = human_task(body, goal);
+  const Task task = human_task(posed, goal);
   const LayeredProblem problem = testing_support::make_layered_problem(task);
   LayeredPlayer player(problem);
   Random random(9);
   const Played played = play_random(problem, player, random);
   ASSERT_TRUE(arrives(player, played.clip));
   const Clip& clip = played.whole.motion.clip;
-  const int head = body.find_dof("head.rotation").value();
+  const int head = posed.body.find_dof("head.rotation").value();
   const auto off = [&](int frame) {
-    const Kinematics<double> at = placed(body, clip.frame(frame));
+    const Kinematics<double> at = placed(posed, clip.frame(frame));
     const Vec3d way = normalized(goal - at.link_origin(head));
     return acos(dot(way, at.link_rotation(head).cz));
   };
@@ -175,18 +177,18 @@ TEST(LayeredHuman, HeadTurnsToTheGoalBeforeTheHandArrivesAndTheFreeArmHangs) {
   // the hand has a tenth of its way to go when the head has next to nothing left
   EXPECT_LT(abs(off(45) - off(60)), 0.25 * off(0));
   // upper arm within a share of the trunk's lean
-  const int arm = body.find_dof("left_shoulder.rotation").value();
-  const Kinematics<double> end = placed(body, clip.frame(60));
+  const int arm = posed.body.find_dof("left_shoulder.rotation").value();
+  const Kinematics<double> end = placed(posed, clip.frame(60));
   EXPECT_GT(end.link_rotation(arm).cy.y, 0.95);
   // the clavicle of the arm with the goal goes with the line from shoulder to hand
   const auto elevation =
-      static_cast<std::size_t>(body.find_dof("right_clavicle.elevation").value());
+      static_cast<std::size_t>(posed.body.find_dof("right_clavicle.elevation").value());
   const auto wanted = [&](int frame) {
-    const Kinematics<double> at = placed(body, clip.frame(frame));
-    const Effector& hand = body.effectors()[0];
+    const Kinematics<double> at = placed(posed, clip.frame(frame));
+    const Effector& hand = posed.body.effectors()[0];
     const Vec3d shoulder = at.link_origin(problem.limbs.arms[0].flexion);
     const Vec3d way = normalized(at.point(hand.link, hand.point) - shoulder);
-    const Mat3d& chest = at.link_rotation(body.dof(static_cast<int>(elevation)).parent);
+    const Mat3d& chest = at.link_rotation(posed.body.dof(static_cast<int>(elevation)).parent);
     return shrugged(transpose_times(chest, way));
   };
   const auto moved = [&](std::size_t d) { return clip.frame(60)[d] - clip.frame(0)[d]; };
@@ -196,29 +198,29 @@ TEST(LayeredHuman, HeadTurnsToTheGoalBeforeTheHandArrivesAndTheFreeArmHangs) {
 }
 
 TEST(LayeredHuman, ArmAloneHoldsForearmAndHand) {
-  const BodyModel body = human_body();
-  const BodyLimb arm = find_limbs(body).value().arms[0];
-  const BodyModel alone = arm_body(body, arm);
-  const Kinematics<double> whole = placed(body, body.start());
-  const Kinematics<double> own = placed(alone, alone.start());
-  const Effector& hand = body.effectors()[0];
+  const PosedBody posed = human_body();
+  const BodyLimb arm = find_limbs(posed.body, posed.home).value().arms[0];
+  const PosedBody alone = arm_body(posed.body, posed.home, arm);
+  const Kinematics<double> whole = placed(posed, posed.home.angles);
+  const Kinematics<double> own = placed(alone, alone.home.angles);
+  const Effector& hand = posed.body.effectors()[0];
   const Vec3d shoulder = whole.origin[static_cast<std::size_t>(arm.flexion)];
   const Vec3d way = transpose_times(whole.link_rotation(arm.carrier),
                                     whole.point(hand.link, hand.point) - shoulder);
-  EXPECT_LT(norm(own.point(3, alone.effectors()[0].point) - way), 1e-12);
+  EXPECT_LT(norm(own.point(3, alone.body.effectors()[0].point) - way), 1e-12);
   double mass = 0.0;
   LinkMass held;  // by the elbow
-  for (int link = arm.flexion; link < body.dof_count(); ++link) {
-    const MassProperties& part = body.link_mass(link);
-    if (body.moves(arm.flexion, link)) mass += part.mass;
+  for (int link = arm.flexion; link < posed.body.dof_count(); ++link) {
+    const MassProperties& part = posed.body.link_mass(link);
+    if (posed.body.moves(arm.flexion, link)) mass += part.mass;
     const Mat3d& turn = whole.link_rotation(link);
-    if (!body.moves(arm.hinge, link)) continue;
+    if (!posed.body.moves(arm.hinge, link)) continue;
     held.add(LinkMass::of(part.mass, whole.point(link, part.com),
                           turn * part.inertia * transpose(turn)));
   }
-  EXPECT_NEAR(alone.mass(), mass, 1e-12);
+  EXPECT_NEAR(alone.body.mass(), mass, 1e-12);
   const MassProperties wanted = held.in_frame(whole.link_rotation(arm.carrier), shoulder);
-  const MassProperties& found = alone.link_mass(3);
+  const MassProperties& found = alone.body.link_mass(3);
   EXPECT_NEAR(found.mass, wanted.mass, 1e-12);
   EXPECT_LT(norm(own.point(3, found.com) - wanted.com), 1e-12);
   const Mat3d& turn = own.link_rotation(3);
@@ -230,17 +232,17 @@ TEST(LayeredHuman, ArmAloneHoldsForearmAndHand) {
 
 // A hand's path from its start to a place in front of the chest, and the arm's motion along it.
 struct Turned {
-  BodyModel body = human_body();
-  BodyLimb arm = find_limbs(body).value().arms[0];
-  BodyModel alone = arm_body(body, arm, true);
+  PosedBody posed = human_body();
+  BodyLimb arm = find_limbs(posed.body, posed.home).value().arms[0];
+  PosedBody alone = arm_body(posed.body, posed.home, arm, true);
   std::vector<double> angles{};
 
   [[nodiscard]] std::span<const double> frame(int f) const {
     return std::span(angles).subspan(static_cast<std::size_t>(7 * f), 7);
   }
   double run(const Vec3d& goal, double swivel, const EffectorTurn& turn) {
-    const Effector& hand = alone.effectors()[0];
-    const Vec3d start = placed(alone, alone.start()).point(hand.link, hand.point);
+    const Effector& hand = alone.body.effectors()[0];
+    const Vec3d start = placed(alone, alone.home.angles).point(hand.link, hand.point);
     const EffectorPath path{start, goal};
     std::vector<Vec3d> places;
     for (int f = 0; f <= 60; ++f) places.push_back(path.at(f / 60.0));
@@ -269,7 +271,7 @@ TEST(TurningArm, EndsWithTheRotationWantedAndKeepsToItsPath) {
     EXPECT_LT(rotation_chord(end.link_rotation(6), turn.goal), 1e-7);
     for (std::size_t d = 0; d < 7; ++d) {
       EXPECT_LT(abs(arm.frame(31)[d] - arm.frame(30)[d]), 0.2);
-      EXPECT_EQ(arm.frame(0)[d], arm.alone.start()[d]);
+      EXPECT_EQ(arm.frame(0)[d], arm.alone.home.angles[d]);
     }
   }
 }
@@ -308,9 +310,9 @@ TEST(LayeredHuman, HandsAreTurnedAsTheirGoalsSay) {
 
 TEST(LayeredHuman, RotationsAreForHandsWithAWristAndThePresetHuman) {
   Goal goal{.position = {-0.2, 1.1, 0.4}, .axis = GoalAxis{}};
-  for (const auto& [body, preset] :
+  for (const auto& [posed, preset] :
        {std::pair{full_body(), Preset::human}, std::pair{human_body(), Preset::layers}}) {
-    const auto refused = generate(with_preset(Task(body, {.goals = {goal}}), preset));
+    const auto refused = generate(with_preset(Task(posed, {.goals = {goal}}), preset));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
   }

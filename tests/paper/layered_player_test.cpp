@@ -28,9 +28,9 @@ double leg_excess(const LayeredProblem& problem, const Clip& clip) {
 
 // Rule R4: the hand stays on its path where the pelvis leaves its range, and the score includes it.
 TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
+  for (const PosedBody& posed : {half_body(), full_body()}) {
     const Task task =
-        with_preset(Task(body, {.goals = {{"right_hand", {0.0, 0.3, 0.5}}}}), Preset::layers);
+        with_preset(Task(posed, {.goals = {{"right_hand", {0.0, 0.3, 0.5}}}}), Preset::layers);
     const LayeredProblem problem = testing_support::make_layered_problem(task);
     LayeredPlayer player(problem);
     Random random(3);
@@ -50,16 +50,16 @@ TEST(LayeredPlayer, PelvisOutOfRangeIsPenalisedNotClipped) {
       EXPECT_LT(played.outcome.path_error, kReachTolerance);
       if (check.excess < radians(2.0)) continue;
       ++outside;
-      EXPECT_GT(penalty_by<JointRange>(body, played.motion), 0.01);
+      EXPECT_GT(penalty_by<JointRange>(posed, played.motion), 0.01);
     }
-    EXPECT_GE(outside, 10) << body.name();
+    EXPECT_GE(outside, 10) << posed.body.name();
   }
 }
 
 TEST(LayeredPlayer, PathsOfTheHandsAreTheirsInTheTrunksFrame) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   const Task task = with_preset(
-      Task(body, {.goals = {{"left_hand", {0.2, 0.9, 0.45}}, {"right_hand", {-0.2, 1.1, 0.4}}}}),
+      Task(posed, {.goals = {{"left_hand", {0.2, 0.9, 0.45}}, {"right_hand", {-0.2, 1.1, 0.4}}}}),
       Preset::layers);
   const LayeredProblem problem = testing_support::make_layered_problem(task);
   LayeredPlayer player(problem);
@@ -70,7 +70,7 @@ TEST(LayeredPlayer, PathsOfTheHandsAreTheirsInTheTrunksFrame) {
   const std::vector<HandPath> paths = player.hand_paths(clip);
   const RolledOut played = player.expand(clip, {.joints = {}, .arms = std::vector<ArmWeights>(2)});
   for (const int f : {0, 20, 60}) {
-    const Kinematics<double> at = placed(body, played.motion.clip.frame(f));
+    const Kinematics<double> at = placed(posed, played.motion.clip.frame(f));
     for (std::size_t g = 0; g < 2; ++g) {
       const BodyLimb& arm = problem.limbs.arms[static_cast<std::size_t>(problem.arms[g])];
       const Vec3d hand = played.motion.effectors[g][static_cast<std::size_t>(f)] -

@@ -16,8 +16,8 @@ namespace {
 
 using namespace testing_support;
 
-BodyModel right_arm(const BodyModel& body = half_body()) {
-  return arm_body(body, find_limbs(body).value().arms[0]);
+PosedBody right_arm(const PosedBody& posed = half_body()) {
+  return arm_body(posed.body, posed.home, find_limbs(posed.body, posed.home).value().arms[0]);
 }
 
 LimbLibrary library(LimbSearch search = LimbSearch::ladder, BatchSettings batch = {}) {
@@ -25,29 +25,29 @@ LimbLibrary library(LimbSearch search = LimbSearch::ladder, BatchSettings batch 
 }
 
 TEST(ArmBody, MovesAsTheArmOfTheWholeBody) {
-  const BodyModel body = full_body();
-  const BodyLimbs limbs = find_limbs(body).value();
+  const PosedBody posed = full_body();
+  const BodyLimbs limbs = find_limbs(posed.body, posed.home).value();
   Random random(8);
   for (const BodyLimb& limb : limbs.arms) {
-    const BodyModel arm = arm_body(body, limb);
-    std::vector<double> whole(body.start().begin(), body.start().end());
+    const PosedBody arm = arm_body(posed.body, posed.home, limb);
+    std::vector<double> whole(posed.home.angles.begin(), posed.home.angles.end());
     const std::vector<double> q = random_posture(arm, random);
     for (const auto& [k, dof] :
          {std::pair{0u, limb.flexion}, {1u, limb.abduction}, {2u, limb.rotation}, {3u, limb.hinge}})
       whole[static_cast<std::size_t>(dof)] = q[k];
-    const Kinematics<double> at = placed(body, whole);
-    const char* name = body.effectors()[static_cast<std::size_t>(limb.effector)].name.c_str();
+    const Kinematics<double> at = placed(posed, whole);
+    const char* name = posed.body.effectors()[static_cast<std::size_t>(limb.effector)].name.c_str();
     const Vec3d hand =
-        effector_position(body, whole, name) - at.origin[static_cast<std::size_t>(limb.flexion)];
+        effector_position(posed, whole, name) - at.origin[static_cast<std::size_t>(limb.flexion)];
     const Vec3d alone = effector_position(arm, q, name);
     EXPECT_LT(norm(transpose_times(at.link_rotation(limbs.trunk), hand) - alone), 1e-12);
   }
 }
 
 TEST(ArmRollout, FollowsItsPathAndLargerWeightsMoveLess) {
-  const BodyModel arm = right_arm();
+  const PosedBody arm = right_arm();
   ArmRollout<double> rollout(arm);
-  const Vec3d from = effector_position(arm, arm.start(), "right_hand");
+  const Vec3d from = effector_position(arm, arm.home.angles, "right_hand");
   const EffectorPath way{.start = from, .goal = {-0.05, -0.1, 0.45}};
   std::vector<Vec3d> path;
   for (int f = 0; f <= 60; ++f) path.push_back(way.at(f / 60.0));
@@ -58,7 +58,7 @@ TEST(ArmRollout, FollowsItsPathAndLargerWeightsMoveLess) {
     std::vector<double> angles;
     EXPECT_LT(rollout.run(path, inverse_weights(weights), angles), 1e-6);
     ASSERT_EQ(angles.size(), 61u * kArmDofs);
-    const double turned = abs(angles[60 * kArmDofs + 2] - arm.start()[2]);
+    const double turned = abs(angles[60 * kArmDofs + 2] - arm.home.angles[2]);
     EXPECT_LT(turned, last);
     last = turned;
   }
@@ -104,14 +104,14 @@ TEST(LimbLibrary, LadderFindsWhatEnumerationFinds) {
 
 TEST(LimbLibrary, CellsAreScoredAsTheirMotionsAre) {
   LimbLibrary cells = library();
-  const BodyModel arm = right_arm();
+  const PosedBody arm = right_arm();
   CriteriaSettings lower;
   lower[CriterionKind::balance].weight = 0.0;
   int leads = 0;
   for (int cell = 0; cell < kLimbCells; cell += 97) {
     ReachProblem problem;
-    problem.body = &arm;
-    problem.context.start = start_state(arm);
+    problem.body = &arm.body;
+    problem.context.start = arm.home;
     problem.goals = {{0, cells.path_to(cell)}};
     problem.duration =
         reach_duration(norm(problem.goals[0].path.goal - problem.goals[0].path.start), false);

@@ -14,9 +14,9 @@ namespace {
 using namespace testing_support;
 
 TEST(ReducedLimits, FreedomGivesWayOverTheMarginBeforeTheLimitThatItIsPulledTo) {
-  const BodyModel body = human_body();
+  const PosedBody posed = human_body();
   const Task task =
-      with_preset(Task(body, {.goals = {{"right_hand", {-0.3, 1.2, 0.4}}}}), Preset::human);
+      with_preset(Task(posed, {.goals = {{"right_hand", {-0.3, 1.2, 0.4}}}}), Preset::human);
   const LayeredProblem problem = testing_support::make_layered_problem(task);
   const LayeredSetup setup(problem);
   const ReducedProblem& upper = setup.upper;

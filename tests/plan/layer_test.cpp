@@ -14,8 +14,9 @@ namespace {
 
 using namespace testing_support;
 
-Layer upper_layer(const BodyModel& body, LayerReading reading = LayerReading::shared_contractions) {
-  return paper_layers(body, {}, reading).value()[0];
+Layer upper_layer(const PosedBody& posed,
+                  LayerReading reading = LayerReading::shared_contractions) {
+  return paper_layers(posed.body, posed.home, {}, reading).value()[0];
 }
 
 int count(const Layer& layer, ParameterKind kind) {
@@ -40,7 +41,7 @@ TEST(PaperLayers, HaveEightParametersForTheRightHalf) {
 }
 
 TEST(PaperLayers, HaveFourParametersForAnArm) {
-  const auto layers = paper_layers(full_body()).value();
+  const auto layers = paper_layers(full_body().body, full_body().home).value();
   ASSERT_EQ(layers.size(), 3u);
   EXPECT_EQ(layers[1].name, "right_arm");
   EXPECT_EQ(layers[2].name, "left_arm");
@@ -51,7 +52,7 @@ TEST(PaperLayers, HaveFourParametersForAnArm) {
 }
 
 TEST(PaperLayers, HandDownEveryLimbToALayerThatThereIs) {
-  const auto layers = paper_layers(full_body()).value();
+  const auto layers = paper_layers(full_body().body, full_body().home).value();
   EXPECT_EQ(layers[0].delegates.size(), layers[0].body.limbs.size());
   for (const Delegate& handed : layers[0].delegates) {
     const bool known = std::any_of(layers.begin() + 1, layers.end(),
@@ -61,12 +62,12 @@ TEST(PaperLayers, HandDownEveryLimbToALayerThatThereIs) {
 }
 
 TEST(PaperLayers, RefuseABodyThatIsNoPerson) {
-  const auto layers = paper_layers(chain({{}, {}}));
+  const auto layers = paper_layers(chain({{}, {}}).body, chain({{}, {}}).home);
   ASSERT_FALSE(layers);
   EXPECT_EQ(layers.error().code, ErrorCode::unsupported);
 }
 
-std::vector<BodyModel> people() {
+std::vector<PosedBody> people() {
   Landmarks lifted = standing_landmarks(1.7, 0.1);
   lift_leg(lifted.right_leg, 1.0);
   return {half_body(),
@@ -81,22 +82,23 @@ std::vector<BodyModel> people() {
 }
 
 TEST(ReducedBody, StartsWithHandsFeetAndTrunkWhereTheBodyHasThem) {
-  for (const BodyModel& body : people()) {
-    const ReducedBody reduced = upper_layer(body).body;
+  for (const PosedBody& posed : people()) {
+    const ReducedBody reduced = upper_layer(posed).body;
     const ReducedPlacement<double> at = start_placement(reduced);
-    const Kinematics<double> whole = placed(body, body.start());
-    const BodyLimbs limbs = find_limbs(body).value();
+    const Kinematics<double> whole = placed(posed, posed.home.angles);
+    const BodyLimbs limbs = find_limbs(posed.body, posed.home).value();
     const auto trunk = static_cast<std::size_t>(reduced.trunk);
     EXPECT_LT(rotation_chord(at.rotation[trunk], whole.link_rotation(limbs.trunk)), 1e-12);
     EXPECT_LT(norm(at.origin[trunk] - whole.link_origin(limbs.trunk)), 1e-12);
     for (const ReducedLimb& limb : reduced.limbs) {
       const auto slide = static_cast<std::size_t>(limb.slide);
       if (limb.joints.kind == LimbKind::arm) {
-        const Effector& hand = body.effectors()[static_cast<std::size_t>(limb.joints.effector)];
+        const Effector& hand =
+            posed.body.effectors()[static_cast<std::size_t>(limb.joints.effector)];
         EXPECT_LT(norm(at.origin[slide] - whole.point(hand.link, hand.point)), 1e-12);
       } else if (!limb.joints.carries) {
         const Vec3d& ankle = whole.origin[static_cast<std::size_t>(limb.joints.ankle)];
-        EXPECT_LT(norm(at.origin[slide] - ankle), 1e-12) << body.name();
+        EXPECT_LT(norm(at.origin[slide] - ankle), 1e-12) << posed.body.name();
         const bool inverts = limb.joints.inversion >= 0;
         const Mat3d& foot =
             whole.link_rotation(inverts ? limb.joints.inversion : limb.joints.ankle);
@@ -168,22 +170,22 @@ constexpr Vec3d kFrontLow{-0.15, 0.5, 0.5};
 
 TEST(ReducedRollout, KeepsHandAndFeetWithAnyWeights) {
   Random random(4);
-  for (const BodyModel& body : people()) {
-    const Layer layer = upper_layer(body);
-    const ReachProblem problem = reach_with(body, "right_hand", kFrontLow);
+  for (const PosedBody& posed : people()) {
+    const Layer layer = upper_layer(posed);
+    const ReachProblem problem = reach_with(posed, "right_hand", kFrontLow);
     int kept = 0;
     for (int i = 0; i < 50; ++i) {
       const ReducedClip<double> clip = moved(layer, problem, random);
       if (clip.path_error < 1e-4 && clip.foot_error < 1e-4) ++kept;
     }
-    EXPECT_GE(kept, 48) << body.name();
+    EXPECT_GE(kept, 48) << posed.body.name();
   }
 }
 
 TEST(ReducedRollout, LimbsHaveTheLengthsOfTheirContractions) {
-  const BodyModel body = half_body();
-  const Layer layer = upper_layer(body);
-  const ReachProblem problem = reach_with(body, "right_hand", kFrontLow);
+  const PosedBody posed = half_body();
+  const Layer layer = upper_layer(posed);
+  const ReachProblem problem = reach_with(posed, "right_hand", kFrontLow);
   const std::vector<std::uint16_t> genes{3, 2, 5, 1, 4, 2, 6, 3};
   const ReducedClip<double> clip = moved_by(layer, problem, decode_layer_genes(layer, genes));
   EXPECT_LT(clip.path_error, 1e-4);
@@ -200,9 +202,9 @@ TEST(ReducedRollout, LimbsHaveTheLengthsOfTheirContractions) {
 }
 
 TEST(ReducedRollout, TwoLegsEndNearTheirContraction) {
-  const BodyModel body = full_body();
-  const Layer layer = upper_layer(body);
-  const ReachProblem problem = reach_with(body, "right_hand", {0.0, 0.45, 0.45});
+  const PosedBody posed = full_body();
+  const Layer layer = upper_layer(posed);
+  const ReachProblem problem = reach_with(posed, "right_hand", {0.0, 0.45, 0.45});
   std::vector<std::uint16_t> genes(layer.parameters.size(), 1);
   genes[12] = 5;
   genes[13] = 0;
@@ -216,9 +218,9 @@ TEST(ReducedRollout, TwoLegsEndNearTheirContraction) {
 }
 
 TEST(ReducedRollout, LargerWeightMovesAJointLess) {
-  const BodyModel body = half_body();
-  const Layer layer = upper_layer(body);
-  const ReachProblem problem = reach_with(body, "right_hand", kFrontLow);
+  const PosedBody posed = half_body();
+  const Layer layer = upper_layer(posed);
+  const ReachProblem problem = reach_with(posed, "right_hand", kFrontLow);
   for (std::size_t g = 0; g < 4; ++g) {
     std::vector<std::uint16_t> genes{1, 1, 1, 1, 1, 1, 4, 4};
     const auto dof = static_cast<std::size_t>(layer.parameters[g].applies_to[0]);

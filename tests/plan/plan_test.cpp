@@ -20,7 +20,7 @@ using testing::HasSubstr;
 const std::vector<Goal> kGoals{{"right_hand", {-0.3, 1.2, 0.35}}, {"left_hand", {0.3, 1.1, 0.4}}};
 
 Plan layers_of(LayerReading reading) {
-  return layers_to_goals(full_body(), kGoals, {.reading = reading}).value();
+  return layers_to_goals(full_body().body, full_body().home, kGoals, {.reading = reading}).value();
 }
 
 TEST(LayersToGoals, AreTheUpperOneAndEachGoalsArm) {
@@ -29,8 +29,9 @@ TEST(LayersToGoals, AreTheUpperOneAndEachGoalsArm) {
   EXPECT_EQ(layers[1].name, "right_arm");
   EXPECT_EQ(layers[2].name, "left_arm");
   const std::vector<Goal> left{kGoals[1]};
-  EXPECT_EQ(layers_to_goals(full_body(), left).value()[1].name, "left_arm");
-  EXPECT_EQ(layers_to_goals(half_body(), left).error().code, ErrorCode::not_found);
+  EXPECT_EQ(layers_to_goals(full_body().body, full_body().home, left).value()[1].name, "left_arm");
+  EXPECT_EQ(layers_to_goals(half_body().body, half_body().home, left).error().code,
+            ErrorCode::not_found);
 }
 
 // The paper's count: 14 parameters of the upper layer, and four for each arm.

@@ -23,7 +23,7 @@ Quatd about_x(double angle) {
 Task step_task(double up, bool heels = false) {
   Task task(human_body(BodyBuild{.heels = heels}));
   const int foot = task.body.find_effector("left_foot").value();
-  const Kinematics<double> start = start_kinematics(task.body);
+  const Kinematics<double> start = home_kinematics(task);
   const Effector& effector = task.body.effector(foot);
   task.goals = {{.effector = "left_foot",
                  .position = start.point(effector.link, effector.point) + Vec3d{0.05, up, 0.15}}};

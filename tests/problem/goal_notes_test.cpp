@@ -29,10 +29,10 @@ struct Part {
   double radius = 0.0;
 
   explicit Part(const std::string& name) {
-    const BodyModel body = human_body();
-    for (const Capsule& capsule : body.capsules()) {
+    const PosedBody posed = human_body();
+    for (const Capsule& capsule : posed.body.capsules()) {
       if (capsule.name != name) continue;
-      middle = start_kinematics(body).point(capsule.link, (capsule.from + capsule.to) * 0.5);
+      middle = home_kinematics(posed).point(capsule.link, (capsule.from + capsule.to) * 0.5);
       radius = capsule.radius;
     }
   }

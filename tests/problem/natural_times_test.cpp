@@ -134,15 +134,15 @@ TEST(NaturalWindows, AreTheSameInAMirror) {
   expect_same(windows_by({0.2, 0.3, 0.1}), windows_by({-0.2, 0.3, 0.1}));
 }
 
-ReachProblem problem_of(const BodyModel& body, Preset preset, const char* effector,
+ReachProblem problem_of(const PosedBody& posed, Preset preset, const char* effector,
                         const Vec3d& goal) {
-  const Task task = with_preset(Task(body, {.goals = {{effector, goal}}}), preset);
+  const Task task = with_preset(Task(posed, {.goals = {{effector, goal}}}), preset);
   return make_problem(task).value();
 }
 
 TEST(MakeProblem, ReachesOfPeopleTakePeoplesTimes) {
-  const BodyModel body = human_body();
-  const ReachProblem problem = problem_of(body, Preset::flat, "right_hand", {-0.2, 0.1, 0.4});
+  const PosedBody posed = human_body();
+  const ReachProblem problem = problem_of(posed, Preset::flat, "right_hand", {-0.2, 0.1, 0.4});
   const EffectorPath& path = problem.goals[0].path;
   EXPECT_EQ(path.haste, natural_haste(path));
   EXPECT_NE(path.haste, 0.0);
@@ -162,9 +162,10 @@ TEST(MakeProblem, ThePapersMotionsAreEven) {
 }
 
 TEST(MakeProblem, OnlyHandsHaveTimesOfTheirOwn) {
-  const BodyModel body = human_body();
-  const Vec3d head = effector_position(body, body.start(), "head");
-  const ReachProblem problem = problem_of(body, Preset::flat, "head", head + Vec3d{0.0, -0.2, 0.1});
+  const PosedBody posed = human_body();
+  const Vec3d head = effector_position(posed, posed.home.angles, "head");
+  const ReachProblem problem =
+      problem_of(posed, Preset::flat, "head", head + Vec3d{0.0, -0.2, 0.1});
   EXPECT_EQ(problem.goals[0].path.haste, 0.0);
   EXPECT_EQ(problem.goals[0].path.begin, 0.0);
 }

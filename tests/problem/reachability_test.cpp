@@ -16,8 +16,8 @@ namespace {
 
 using namespace testing_support;
 
-ClosestReach closest(const BodyModel& body, const Vec3d& goal) {
-  return closest_reach(reach_with(body, "right_hand", goal));
+ClosestReach closest(const PosedBody& posed, const Vec3d& goal) {
+  return closest_reach(reach_with(posed, "right_hand", goal));
 }
 
 Vec3d random_point(Random& random) {
@@ -61,7 +61,7 @@ TEST(ClosestReach, NeverBeatsTheStretchedChain) {
 
 TEST(ClosestReach, FarAwayLeavesWhatTheStretchedChainLeaves) {
   // straight ahead and up, all joints can line up with the goal
-  const Vec3d ahead = half().base().translation + Vec3d{0, 30.0, 40.0};
+  const Vec3d ahead = half().body.base().translation + Vec3d{0, 30.0, 40.0};
   EXPECT_NEAR(closest(half(), ahead).distance, half_body_distance(half(), ahead), 1e-3);
   EXPECT_NEAR(half_body_distance(half(), ahead), 50.0 - 1.9, 0.2);
 }
@@ -80,7 +80,7 @@ TEST(ClosestReach, KeepsThePlantedFootWhereItIs) {
   for (int trial = 0; trial < 100; ++trial) {
     const ReachProblem problem = reach_with(full(), "right_hand", random_point(random));
     const ClosestReach reach = closest_reach(problem);
-    Clip clip{.dofs = full().dof_count(), .frames = 1, .angles = reach.angles};
+    Clip clip{.dofs = full().body.dof_count(), .frames = 1, .angles = reach.angles};
     const MeasuredMotion measured(problem, clip);
     ASSERT_LT(measured.contact_slide, 2e-5);
     ASSERT_LT(measured.contact_tilt, 2e-4);
@@ -107,11 +107,11 @@ TEST(ClosestReach, LeavesIdleLimbsAlone) {
     const Vec3d goal{random.uniform(-1.6, -1.0), random.uniform(0.0, 2.2),
                      random.uniform(-1.2, 1.2)};
     const ClosestReach reach = closest(full(), goal);
-    for (int d = 0; d < full().dof_count(); ++d) {
-      const Dof& dof = full().dof(d);
+    for (int d = 0; d < full().body.dof_count(); ++d) {
+      const Dof& dof = full().body.dof(d);
       if (dof.joint != "left_shoulder" && dof.joint != "left_elbow") continue;
       const auto k = static_cast<std::size_t>(d);
-      ASSERT_EQ(reach.angles[k], full().start()[k]) << dof.name;
+      ASSERT_EQ(reach.angles[k], full().home.angles[k]) << dof.name;
     }
   }
 }
@@ -125,43 +125,43 @@ TEST(ClosestReach, IsTheSameEveryTime) {
 }
 
 TEST(ClosestReach, AtTheStartIsTheStartPosture) {
-  const Vec3d here = effector_position(full(), full().start(), "right_hand");
+  const Vec3d here = effector_position(full(), full().home.angles, "right_hand");
   const ClosestReach reach = closest(full(), here);
-  EXPECT_TRUE(std::equal(reach.angles.begin(), reach.angles.end(), full().start().begin()));
+  EXPECT_TRUE(std::equal(reach.angles.begin(), reach.angles.end(), full().home.angles.begin()));
   EXPECT_EQ(reach.distance, 0.0);
 }
 
 // The full body with a head as broad as its shoulders.
-BodyModel with_big_head() {
-  BodyDefinition body = full().definition();
+PosedBody with_big_head() {
+  BodyDefinition body = full().body.definition();
   for (Capsule& capsule : body.capsules) {
     if (capsule.name == "head") capsule.radius = capsule.to_radius = 0.25;
   }
-  return BodyModel{body};
+  return {BodyModel{body}, full().home};
 }
 
-double depth_at(const BodyModel& body, const std::vector<double>& angles) {
-  const Effector& hand = body.effector(body.find_effector("right_hand").value());
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, angles, kinematics);
-  return deepest_of(body, kinematics,
-                    allowed_as_at(start_kinematics(body), body, limb_pairs(body, hand)))
+double depth_at(const PosedBody& posed, const std::vector<double>& angles) {
+  const Effector& hand = posed.body.effector(posed.body.find_effector("right_hand").value());
+  Kinematics<double> kinematics(posed);
+  forward_kinematics<double>(posed, angles, kinematics);
+  return deepest_of(posed, kinematics,
+                    allowed_as_at(home_kinematics(posed), posed, limb_pairs(posed, hand)))
       .depth;
 }
 
 TEST(ClearGoals, AreBeforeTheBody) {
-  const BodyModel body = with_big_head();
+  const PosedBody posed = with_big_head();
   Random random(97);
   int drawn_back = 0;
   for (int trial = 0; trial < 60; ++trial) {
-    const ReachProblem problem = reach_with(body, "right_hand", random_point(random));
+    const ReachProblem problem = reach_with(posed, "right_hand", random_point(random));
     const ClosestReach reach = closest_reach(problem);
-    if (reach.reached() || depth_at(body, reach.angles) < 0.02) continue;
+    if (reach.reached() || depth_at(posed, reach.angles) < 0.02) continue;
     const ReachProblem clear = clear_goals(problem, reach);
     const EffectorPath& path = problem.goals[0].path;
     if (clear.goals[0].path.goal == path.goal) continue;
     ++drawn_back;
-    ASSERT_LE(depth_at(body, closest_reach(clear).angles), kDetourDepth);
+    ASSERT_LE(depth_at(posed, closest_reach(clear).angles), kDetourDepth);
     const Vec3d way = path.goal - path.start;
     const double share = dot(clear.goals[0].path.goal - path.start, way) / dot(way, way);
     ASSERT_NEAR(norm(path.start + way * share - clear.goals[0].path.goal), 0.0, 1e-12);

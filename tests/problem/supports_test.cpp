@@ -16,14 +16,14 @@ class RestingHand : public testing::Test {
   RestingHand() {
     const Effector& left = task_.body.effector(task_.body.find_effector("left_hand").value());
     thickness_ = half_thickness(task_.body, left);
-    hand_ = start_kinematics(task_.body).point(left.link, left.point);
+    hand_ = home_kinematics(task_).point(left.link, left.point);
   }
 
   // Where the left hand begins to rest on it.
   HandSupport rests_on(const Obstacle& obstacle) {
     task_.obstacles = {obstacle};
     task_.supports = {{"left_hand", obstacle.name}};
-    return make_supports(task_, start_kinematics(task_.body)).value()[0];
+    return make_supports(task_, home_kinematics(task_)).value()[0];
   }
 
   static void expect_near(const Vec3d& found, const Vec3d& wanted) {

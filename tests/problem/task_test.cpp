@@ -37,7 +37,7 @@ TEST(MakeProblem, LeadsTheHandFromWhereItIsToItsGoal) {
   ASSERT_EQ(problem->goals.size(), 1u);
   EXPECT_EQ(problem->goals[0].effector, task.body.find_effector("right_hand"));
   EXPECT_EQ(problem->goals[0].path.start,
-            effector_position(task.body, task.body.start(), "right_hand"));
+            effector_position(task.body, task.home.angles, "right_hand"));
   EXPECT_EQ(problem->goals[0].path.goal, (Vec3d{-0.3, 1.0, 0.5}));
   EXPECT_EQ(problem->steps, kMotionSteps);
 }

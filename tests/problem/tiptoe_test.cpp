@@ -11,12 +11,12 @@ namespace {
 using namespace testing_support;
 
 TEST(Tiptoe, IsPoisedNearTheMiddleOfItsToesAndNotAtTheirEdge) {
-  const BodyModel body = human_body({.heels = true});
-  const ReachProblem problem = reach_with(body, "right_hand", {-0.2, 1.0, 0.4});
-  std::vector<double> angles(body.start().begin(), body.start().end());
+  const PosedBody posed = human_body({.heels = true});
+  const ReachProblem problem = reach_with(posed, "right_hand", {-0.2, 1.0, 0.4});
+  std::vector<double> angles(posed.home.angles.begin(), posed.home.angles.end());
   EXPECT_FALSE(Tiptoe(problem, angles).lifted());
   for (const char* toes : {"left_toes.flexion", "right_toes.flexion"}) {
-    angles[static_cast<std::size_t>(body.find_dof(toes).value())] = radians(20.0);
+    angles[static_cast<std::size_t>(posed.body.find_dof(toes).value())] = radians(20.0);
   }
   const Tiptoe tiptoe(problem, angles);
   ASSERT_TRUE(tiptoe.lifted());
@@ -25,7 +25,7 @@ TEST(Tiptoe, IsPoisedNearTheMiddleOfItsToesAndNotAtTheirEdge) {
   const Vec3d middle = beyond + to_middle;
   EXPECT_EQ(to_middle.y, 0.0);
   EXPECT_EQ(tiptoe.offset_from(middle), Vec3d{});
-  for (const SupportEdge& edge : support_edges(body, start_state(body), 3)) {
+  for (const SupportEdge& edge : support_edges(posed, posed.home, 3)) {
     const double inside = edge.offset + edge.x * middle.x + edge.z * middle.z;
     const Vec3d out = Vec3d{-edge.x, 0, -edge.z} * (inside - 0.01);
     EXPECT_LT(norm(tiptoe.offset_from(middle + out) + out), 1e-12) << edge.x << ' ' << edge.z;

@@ -20,31 +20,31 @@ using namespace testing_support;
 
 Robot small_robot() { return parse_urdf(RobotFile().text(), "small.urdf").value(); }
 
-BodyModel small_body() {
+PosedBody small_body() {
   const Robot robot = small_robot();
   return build_robot(robot, find_humanoid(robot).value()).value();
 }
 
-const Dof& dof(const BodyModel& body, const std::string& name) {
-  return body.dof(body.find_dof(name).value());
+const Dof& dof(const PosedBody& posed, const std::string& name) {
+  return posed.body.dof(posed.body.find_dof(name).value());
 }
 
-Kinematics<double> placed(const BodyModel& body, const std::vector<double>& q) {
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, q, kinematics);
+Kinematics<double> placed(const PosedBody& posed, const std::vector<double>& q) {
+  Kinematics<double> kinematics(posed);
+  forward_kinematics<double>(posed, q, kinematics);
   return kinematics;
 }
 
 // Displacement of a node when one dof turns by a small angle.
-Vec3d way_of(const BodyModel& body, const std::string& node, const std::string& freedom,
+Vec3d way_of(const PosedBody& posed, const std::string& node, const std::string& freedom,
              double angle) {
-  const auto found = std::find_if(body.nodes().begin(), body.nodes().end(),
+  const auto found = std::find_if(posed.body.nodes().begin(), posed.body.nodes().end(),
                                   [&](const BodyNode& n) { return n.name == node; });
-  EXPECT_NE(found, body.nodes().end()) << node;
-  std::vector<double> q(body.dofs().size(), 0.0);
-  const Vec3d before = placed(body, q).point(found->link, found->point);
-  q[static_cast<std::size_t>(body.find_dof(freedom).value())] = angle;
-  return placed(body, q).point(found->link, found->point) - before;
+  EXPECT_NE(found, posed.body.nodes().end()) << node;
+  std::vector<double> q(posed.body.dofs().size(), 0.0);
+  const Vec3d before = placed(posed, q).point(found->link, found->point);
+  q[static_cast<std::size_t>(posed.body.find_dof(freedom).value())] = angle;
+  return placed(posed, q).point(found->link, found->point) - before;
 }
 
 TEST(RobotBody, FindsTheBonesByTheNamesOfLinks) {
@@ -59,63 +59,63 @@ TEST(RobotBody, FindsTheBonesByTheNamesOfLinks) {
 }
 
 TEST(RobotBody, FreedomsAreNamedAsAPersons) {
-  const BodyModel body = small_body();
-  EXPECT_EQ(body.dof_count(), 25);
+  const PosedBody posed = small_body();
+  EXPECT_EQ(posed.body.dof_count(), 25);
   for (const char* side : {"left_", "right_"}) {
     for (const char* name :
          {"hip.flexion", "hip.abduction", "hip.rotation", "knee.flexion", "ankle.flexion",
           "ankle.inversion", "shoulder.flexion", "shoulder.abduction", "shoulder.rotation",
           "elbow.flexion", "elbow.rotation"}) {
-      EXPECT_TRUE(body.find_dof(std::string(side) + name)) << side << name;
+      EXPECT_TRUE(posed.body.find_dof(std::string(side) + name)) << side << name;
     }
   }
-  EXPECT_TRUE(body.find_dof("spine.rotation"));
-  EXPECT_TRUE(body.find_dof("spine.flexion"));
-  EXPECT_TRUE(body.find_dof("neck.rotation"));
+  EXPECT_TRUE(posed.body.find_dof("spine.rotation"));
+  EXPECT_TRUE(posed.body.find_dof("spine.flexion"));
+  EXPECT_TRUE(posed.body.find_dof("neck.rotation"));
 }
 
 TEST(RobotBody, PositiveAnglesAreTheAnatomicalOnes) {
-  const BodyModel body = small_body();
+  const PosedBody posed = small_body();
   // the pelvis stands on the right foot, so the left leg is the one that swings
-  EXPECT_LT(way_of(body, "left_foot", "left_knee.flexion", 0.3).z, -0.05);
-  EXPECT_GT(way_of(body, "left_lower_leg", "left_hip.flexion", 0.3).z, 0.05);
-  EXPECT_GT(way_of(body, "left_lower_leg", "left_hip.abduction", 0.3).x, 0.05);
-  EXPECT_GT(way_of(body, "left_palm", "left_elbow.flexion", 0.3).z, 0.05);
-  EXPECT_GT(way_of(body, "right_palm", "right_shoulder.flexion", 0.3).z, 0.05);
-  EXPECT_LT(way_of(body, "right_palm", "right_shoulder.abduction", 0.3).x, -0.05);
-  EXPECT_GT(way_of(body, "head", "spine.flexion", 0.3).z, 0.05);
+  EXPECT_LT(way_of(posed, "left_foot", "left_knee.flexion", 0.3).z, -0.05);
+  EXPECT_GT(way_of(posed, "left_lower_leg", "left_hip.flexion", 0.3).z, 0.05);
+  EXPECT_GT(way_of(posed, "left_lower_leg", "left_hip.abduction", 0.3).x, 0.05);
+  EXPECT_GT(way_of(posed, "left_palm", "left_elbow.flexion", 0.3).z, 0.05);
+  EXPECT_GT(way_of(posed, "right_palm", "right_shoulder.flexion", 0.3).z, 0.05);
+  EXPECT_LT(way_of(posed, "right_palm", "right_shoulder.abduction", 0.3).x, -0.05);
+  EXPECT_GT(way_of(posed, "head", "spine.flexion", 0.3).z, 0.05);
   // of the standing leg the pelvis moves: it goes backwards and down when the knee bends
-  EXPECT_LT(way_of(body, "hips", "right_knee.flexion", 0.3).y, 0.0);
-  EXPECT_GT(way_of(body, "hips", "right_ankle.flexion", 0.3).z, 0.05);
+  EXPECT_LT(way_of(posed, "hips", "right_knee.flexion", 0.3).y, 0.0);
+  EXPECT_GT(way_of(posed, "hips", "right_ankle.flexion", 0.3).z, 0.05);
 }
 
 TEST(RobotBody, LimitsAreTheFilesInTheFreedomsSense) {
-  const BodyModel body = small_body();
+  const PosedBody posed = small_body();
   // the file's knee bends by negative angles
-  EXPECT_EQ(dof(body, "right_knee.flexion").lower, 0.0);
-  EXPECT_EQ(dof(body, "right_knee.flexion").upper, 2.3);
-  EXPECT_EQ(dof(body, "right_elbow.flexion").lower, 0.2);
-  EXPECT_EQ(dof(body, "right_elbow.flexion").torque_positive, 30.0);
+  EXPECT_EQ(dof(posed, "right_knee.flexion").lower, 0.0);
+  EXPECT_EQ(dof(posed, "right_knee.flexion").upper, 2.3);
+  EXPECT_EQ(dof(posed, "right_elbow.flexion").lower, 0.2);
+  EXPECT_EQ(dof(posed, "right_elbow.flexion").torque_positive, 30.0);
   // a continuous one gets a person's
-  EXPECT_NEAR(dof(body, "right_elbow.rotation").upper, radians(80.0), 1e-12);
+  EXPECT_NEAR(dof(posed, "right_elbow.rotation").upper, radians(80.0), 1e-12);
 }
 
 TEST(RobotBody, StartsWithinLimits) {
-  const BodyModel body = small_body();
-  for (int d = 0; d < body.dof_count(); ++d) {
-    const double start = body.start()[static_cast<std::size_t>(d)];
-    EXPECT_GE(start, body.dof(d).lower);
-    EXPECT_LE(start, body.dof(d).upper);
+  const PosedBody posed = small_body();
+  for (int d = 0; d < posed.body.dof_count(); ++d) {
+    const double start = posed.home.angles[static_cast<std::size_t>(d)];
+    EXPECT_GE(start, posed.body.dof(d).lower);
+    EXPECT_LE(start, posed.body.dof(d).upper);
   }
 }
 
 TEST(RobotBody, StandsOnItsSoles) {
-  const BodyModel body = small_body();
-  ASSERT_EQ(body.feet().size(), 2u);
-  EXPECT_EQ(body.feet()[0].node, "right_sole");
-  EXPECT_EQ(body.feet()[0].link, kBaseLink);
-  const Kinematics<double> kinematics = placed(body, std::vector<double>(25, 0.0));
-  for (const Foot& foot : body.feet()) {
+  const PosedBody posed = small_body();
+  ASSERT_EQ(posed.body.feet().size(), 2u);
+  EXPECT_EQ(posed.body.feet()[0].node, "right_sole");
+  EXPECT_EQ(posed.body.feet()[0].link, kBaseLink);
+  const Kinematics<double> kinematics = placed(posed, std::vector<double>(25, 0.0));
+  for (const Foot& foot : posed.body.feet()) {
     for (const Vec3d& corner : foot.outline) {
       EXPECT_NEAR(kinematics.point(foot.link, corner).y, 0.0, 1e-9);
     }
@@ -126,7 +126,7 @@ TEST(RobotBody, StandsOnItsSoles) {
 }
 
 // The small robot with other shapes for its soles.
-BodyModel with_soles(const std::string& shapes) {
+PosedBody with_soles(const std::string& shapes) {
   std::string text = RobotFile().text();
   const std::string box =
       "<collision><origin xyz=\"0.03 0 -0.04\"/><geometry><box size=\"0.2 0.1 0.02\"/>"
@@ -145,7 +145,7 @@ std::string shape(const char* geometry, const char* xyz, const char* rpy = "0 0 
 }
 
 // Height above the sole of the foot's frame, at the ankle's first joint.
-double ankle_height(const BodyModel& body) { return -body.feet()[0].outline[0].y; }
+double ankle_height(const PosedBody& posed) { return -posed.body.feet()[0].outline[0].y; }
 
 // Shapes on one line, or with a single one on the floor, leave no area.
 TEST(RobotBody, SoleIsWhereShapesEnd) {
@@ -159,19 +159,19 @@ TEST(RobotBody, SoleIsWhereShapesEnd) {
     EXPECT_NEAR(ankle_height(with_soles(shapes)), 0.10, 1e-6) << shapes;
   }
   // an area is the feet's own where shapes have one
-  const BodyModel body = with_soles(rocker);
-  EXPECT_NEAR(norm(body.feet()[0].outline[0] - body.feet()[0].outline[1]), 0.2, 1e-9);
+  const PosedBody posed = with_soles(rocker);
+  EXPECT_NEAR(norm(posed.body.feet()[0].outline[0] - posed.body.feet()[0].outline[1]), 0.2, 1e-9);
 }
 
 TEST(RobotBody, ArmThatEndsAtItsElbowHasAHandWithADoubt) {
   const Robot robot = with_hands(parse_urdf(RobotFile(false).text(), "small.urdf").value());
-  const BodyModel body = build_robot(robot, find_humanoid(robot).value()).value();
-  EXPECT_EQ(body.effectors()[1].name, "left_hand");
-  EXPECT_TRUE(body.find_dof("left_elbow.flexion"));
-  EXPECT_TRUE(body.find_dof("left_shoulder.rotation"));
-  EXPECT_THAT(body.doubts(), testing::Contains(testing::HasSubstr(
-                                 "link 'left_forearm' ends its arm: the hand is taken to be 0.20 m "
-                                 "on, twice as far as its centre of mass")));
+  const PosedBody posed = build_robot(robot, find_humanoid(robot).value()).value();
+  EXPECT_EQ(posed.body.effectors()[1].name, "left_hand");
+  EXPECT_TRUE(posed.body.find_dof("left_elbow.flexion"));
+  EXPECT_TRUE(posed.body.find_dof("left_shoulder.rotation"));
+  EXPECT_THAT(posed.doubts, testing::Contains(testing::HasSubstr(
+                                "link 'left_forearm' ends its arm: the hand is taken to be 0.20 m "
+                                "on, twice as far as its centre of mass")));
 }
 
 TEST(RobotBody, FramesOnAFootTellNothingOfItsFacing) {
@@ -185,15 +185,15 @@ TEST(RobotBody, FramesOnAFootTellNothingOfItsFacing) {
 }
 
 TEST(RobotBody, HandsEndAtThePalmsFrame) {
-  const BodyModel body = small_body();
-  ASSERT_EQ(body.effectors().size(), 2u);
-  EXPECT_EQ(body.effectors()[0].name, "right_hand");
-  EXPECT_EQ(body.effectors()[0].node, "right_palm");
+  const PosedBody posed = small_body();
+  ASSERT_EQ(posed.body.effectors().size(), 2u);
+  EXPECT_EQ(posed.body.effectors()[0].name, "right_hand");
+  EXPECT_EQ(posed.body.effectors()[0].node, "right_palm");
 }
 
 TEST(RobotBody, FingersAreBentAsLittleAsTheirLimitsAllow) {
-  const BodyModel body = small_body();
-  const auto& joints = body.robot()->joints;
+  const PosedBody posed = small_body();
+  const auto& joints = posed.robot->joints;
   const auto finger = std::find_if(joints.begin(), joints.end(), [](const RobotJoint& joint) {
     return joint.name == "left_finger";
   });
@@ -206,16 +206,16 @@ TEST(RobotBody, WeighsWhatItsLinksWeigh) {
   const Robot robot = small_robot();
   double mass = 0.0;
   for (const Robot::Link& link : robot.links) mass += link.mass;
-  EXPECT_NEAR(small_body().mass(), mass, 1e-9);
+  EXPECT_NEAR(small_body().body.mass(), mass, 1e-9);
 }
 
 TEST(RobotBody, MassThatIsSpreadLiesAlongTheLimb) {
   Robot robot = small_robot();
   for (Robot::Link& link : robot.links) link.mass = 0.0;
-  const BodyModel body = build_robot(robot, find_humanoid(robot).value(), 50.0).value();
+  const PosedBody posed = build_robot(robot, find_humanoid(robot).value(), 50.0).value();
   const auto expect_rod = [&](int link, const SegmentParameters& part, const Vec3d& from,
                               const Vec3d& to) {
-    const MassProperties& rod = body.link_mass(link);
+    const MassProperties& rod = posed.body.link_mass(link);
     const auto square = [&](double gyration) {
       return rod.mass * gyration * gyration * dot(to - from, to - from);
     };
@@ -227,50 +227,51 @@ TEST(RobotBody, MassThatIsSpreadLiesAlongTheLimb) {
     EXPECT_NEAR(trace - about, 2.0 * square(0.5 * (part.r_sagittal + part.r_transverse)), 1e-12);
   };
   const SegmentTable& table = segment_table(Sex::male);
-  const Foot& foot = body.feet()[1];
+  const Foot& foot = posed.body.feet()[1];
   expect_rod(foot.link, table.foot, (foot.outline[1] + foot.outline[2]) * 0.5,
              (foot.outline[0] + foot.outline[3]) * 0.5);
-  const int knee = body.find_dof("left_knee.flexion").value();
-  const Kinematics<double> start = placed(body, std::vector<double>(25, 0.0));
-  const int ankle = body.find_dof("left_ankle.flexion").value();
+  const int knee = posed.body.find_dof("left_knee.flexion").value();
+  const Kinematics<double> start = placed(posed, std::vector<double>(25, 0.0));
+  const int ankle = posed.body.find_dof("left_ankle.flexion").value();
   expect_rod(knee, table.shank, {},
              transpose_times(start.link_rotation(knee),
                              start.link_origin(ankle) - start.link_origin(knee)));
 }
 
 TEST(RobotBody, SkeletonOfItsNodesMovesAsItDoes) {
-  const BodyModel body = small_body();
+  const PosedBody posed = small_body();
   Clip clip;
-  clip.dofs = body.dof_count();
+  clip.dofs = posed.body.dof_count();
   clip.frames = 1;
   for (int d = 0; d < clip.dofs; ++d) {
-    clip.angles.push_back(0.5 * (body.dof(d).lower + body.dof(d).upper) + 0.01 * d);
+    clip.angles.push_back(0.5 * (posed.body.dof(d).lower + posed.body.dof(d).upper) + 0.01 * d);
   }
-  const SkeletonMotion motion = skeleton_motion(body, clip);
+  const SkeletonMotion motion = skeleton_motion(posed, clip);
   const std::vector<Transformd> world = world_transforms(motion.skeleton, motion.clip, 0);
-  const Kinematics<double> kinematics = placed(body, clip.angles);
+  const Kinematics<double> kinematics = placed(posed, clip.angles);
   for (std::size_t i = 0; i < world.size(); ++i) {
-    const BodyNode& node = body.nodes()[i];
+    const BodyNode& node = posed.body.nodes()[i];
     EXPECT_LT(norm(world[i].translation - kinematics.point(node.link, node.point)), 1e-9)
         << node.name;
   }
 }
 
 TEST(RobotBody, SlantingAxisTurnsAboutItself) {
-  const BodyModel body = small_body();
+  const PosedBody posed = small_body();
   int slanting = 0;
-  std::vector<double> q(body.dofs().size(), 0.2);
-  const Kinematics<double> before = placed(body, q);
-  for (int d = 0; d < body.dof_count(); ++d) {
-    if (!body.dof(d).turn) continue;
+  std::vector<double> q(posed.body.dofs().size(), 0.2);
+  const Kinematics<double> before = placed(posed, q);
+  for (int d = 0; d < posed.body.dof_count(); ++d) {
+    if (!posed.body.dof(d).turn) continue;
     ++slanting;
     const auto k = static_cast<std::size_t>(d);
     constexpr double kStep = 0.3;
     std::vector<double> turned = q;
     turned[k] += kStep;
-    const Kinematics<double> after = placed(body, turned);
+    const Kinematics<double> after = placed(posed, turned);
     const Mat3d turn = after.rotation[k] * transpose(before.rotation[k]);
-    EXPECT_LT(norm(rotation_vector(turn) - before.axis[k] * kStep), 1e-12) << body.dof(d).name;
+    EXPECT_LT(norm(rotation_vector(turn) - before.axis[k] * kStep), 1e-12)
+        << posed.body.dof(d).name;
   }
   EXPECT_EQ(slanting, 4);
 }
@@ -280,9 +281,9 @@ TEST(RobotBody, NeedsTurningKnees) {
   const std::size_t at = text.find("revolute", text.find("left_knee"));
   text.replace(at, 8, "fixed");
   const Robot robot = parse_urdf(text, "r.urdf").value();
-  const Result<BodyModel> body = build_robot(robot, find_humanoid(robot).value());
-  ASSERT_FALSE(body);
-  EXPECT_THAT(body.error().message, testing::HasSubstr("left_knee"));
+  const Result<PosedBody> posed = build_robot(robot, find_humanoid(robot).value());
+  ASSERT_FALSE(posed);
+  EXPECT_THAT(posed.error().message, testing::HasSubstr("left_knee"));
 }
 
 TEST(RobotBody, TrunkThatHangsOnALegIsRefused) {
@@ -291,10 +292,10 @@ TEST(RobotBody, TrunkThatHangsOnALegIsRefused) {
   text.replace(text.find(parent, text.find("waist_yaw")), parent.size(),
                "parent link=\"left_thigh\"");
   const Robot robot = parse_urdf(text, "r.urdf").value();
-  const Result<BodyModel> body = build_robot(robot, find_humanoid(robot).value());
-  ASSERT_FALSE(body);
-  EXPECT_EQ(body.error().code, ErrorCode::unsupported);
-  EXPECT_THAT(body.error().message, testing::HasSubstr("is part of the left leg and of the"));
+  const Result<PosedBody> posed = build_robot(robot, find_humanoid(robot).value());
+  ASSERT_FALSE(posed);
+  EXPECT_EQ(posed.error().code, ErrorCode::unsupported);
+  EXPECT_THAT(posed.error().message, testing::HasSubstr("is part of the left leg and of the"));
 }
 
 TEST(RobotBody, RobotsWithoutLimbsAreNone) {

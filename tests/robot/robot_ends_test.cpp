@@ -79,12 +79,12 @@ Robot without(const Robot& robot, const std::string& name) {
   return rest;
 }
 
-BodyModel body_of(const Robot& robot) {
+PosedBody body_of(const Robot& robot) {
   return build_robot(robot, find_humanoid(robot).value()).value();
 }
 
 // Height of the ankle above the sole.
-double ankle_height(const BodyModel& body) { return -body.feet()[0].outline[0].y; }
+double ankle_height(const PosedBody& posed) { return -posed.body.feet()[0].outline[0].y; }
 
 Vec3d hand_of(const Robot& robot, const char* side) {
   const std::vector<Transformd> places = robot_places(robot);
@@ -137,9 +137,9 @@ TEST(RobotEnds, TheHandIsTheLastLinkOfAnArm) {
   }
   const HumanoidMap map = find_humanoid(robot).value();
   EXPECT_EQ(robot.links[index(map[Bone::left_hand])].name, "left_link_6");
-  const BodyModel body = build_robot(robot, map).value();
-  EXPECT_EQ(body.effectors()[0].node, "right_link_7");
-  EXPECT_TRUE(body.find_dof("left_wrist.flexion"));
+  const PosedBody posed = build_robot(robot, map).value();
+  EXPECT_EQ(posed.body.effectors()[0].node, "right_link_7");
+  EXPECT_TRUE(posed.body.find_dof("left_wrist.flexion"));
 }
 
 TEST(RobotEnds, AnAnkleBeginsAtTheFirstJointOfItsPlace) {
@@ -149,9 +149,9 @@ TEST(RobotEnds, AnAnkleBeginsAtTheFirstJointOfItsPlace) {
     link_of(robot, side + std::string("ankle")).name = side + std::string("link_5");
     link_of(robot, side + std::string("sole")).name = side + std::string("ankle");
   }
-  const BodyModel body = body_of(robot);
-  EXPECT_TRUE(body.find_dof("left_ankle.flexion"));
-  EXPECT_TRUE(body.find_dof("left_ankle.inversion"));
+  const PosedBody posed = body_of(robot);
+  EXPECT_TRUE(posed.body.find_dof("left_ankle.flexion"));
+  EXPECT_TRUE(posed.body.find_dof("left_ankle.inversion"));
 }
 
 // The frame of the ankle's second joint is 1 cm below the first one; the foot is 0.2 by 0.1 by 0.04
@@ -184,8 +184,8 @@ TEST(RobotEnds, LegsThatEndAtTheShankGetFeetAndAnkles) {
   robot = with_ends(robot, open_ends(robot));
   const HumanoidMap map = find_humanoid(robot).value();
   EXPECT_EQ(robot.links[index(map[Bone::left_foot])].name, "left_shank_end");
-  const BodyModel body = build_robot(with_ankles(robot, map), map).value();
-  EXPECT_TRUE(body.find_dof("left_ankle.flexion"));
+  const PosedBody posed = build_robot(with_ankles(robot, map), map).value();
+  EXPECT_TRUE(posed.body.find_dof("left_ankle.flexion"));
   EXPECT_THAT(robot.doubts, Contains(HasSubstr("nothing follows link 'left_shank'")));
 }
 
@@ -238,12 +238,10 @@ TEST(RobotEnds, NumberedLegsAndArmsTellTheirSides) {
 }
 
 // Positions of the hands at the start, relative to the middle of the shoulders (m).
-Vec3d left_hand_at_start(const BodyModel& body) {
-  std::vector<Message> doubts;
-  const std::vector<double> start = settled_posture(body, doubts);
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, start, kinematics);
-  const Effector& hand = body.effectors()[1];
+Vec3d left_hand_at_start(PosedBody posed) {
+  settle(posed);
+  const Kinematics<double> kinematics = home_kinematics(posed);
+  const Effector& hand = posed.body.effectors()[1];
   return kinematics.point(hand.link, hand.point) - kinematics.origin[index(hand.limb_root)];
 }
 
@@ -284,21 +282,19 @@ Robot with_elbows_aside(double aside) {
 
 TEST(RobotEnds, ElbowsOfHangingArmsBendAhead) {
   for (const double degrees : {90.0, -60.0, 120.0}) {
-    const BodyModel body = body_of(with_elbows_aside(radians(degrees)));
-    std::vector<Message> doubts;
-    const std::vector<double> start = settled_posture(body, doubts);
-    Kinematics<double> kinematics(body);
-    forward_kinematics<double>(body, start, kinematics);
+    PosedBody posed = body_of(with_elbows_aside(radians(degrees)));
+    settle(posed);
+    const Kinematics<double> kinematics = home_kinematics(posed);
     for (const char* side : kSides) {
-      const int elbow = body.find_dof(side + std::string("elbow.flexion")).value();
+      const int elbow = posed.body.find_dof(side + std::string("elbow.flexion")).value();
       EXPECT_LT(kinematics.axis[index(elbow)].x, -0.9) << side << degrees;
-      EXPECT_NEAR(start[index(elbow)], kStandingElbow, 1e-9) << side << degrees;
+      EXPECT_NEAR(posed.home.angles[index(elbow)], kStandingElbow, 1e-9) << side << degrees;
     }
   }
   // an elbow that bends ahead by itself stays as it is
-  const BodyModel ahead = body_of(with_elbows_aside(radians(10.0)));
-  std::vector<Message> doubts;
-  EXPECT_EQ(settled_posture(ahead, doubts)[index(*ahead.find_dof("left_elbow.flexion"))], 0.0);
+  PosedBody ahead = body_of(with_elbows_aside(radians(10.0)));
+  settle(ahead);
+  EXPECT_EQ(ahead.home.angles[index(*ahead.body.find_dof("left_elbow.flexion"))], 0.0);
 }
 
 }  // namespace

@@ -67,12 +67,12 @@ TEST(Allocations, AreCounted) {
 }
 
 TEST(Allocations, ARolloutMakesNone) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    ReachProblem problem = reach_with(body, "right_hand", kLowLeft);
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    ReachProblem problem = reach_with(posed, "right_hand", kLowLeft);
     problem.context.gaze = kLowLeft;
-    const std::vector<double> inverse = inverse_weights(body, uniform_parameters(body));
+    const std::vector<double> inverse = inverse_weights(posed, uniform_parameters(posed));
     Rollout<double> rollout(problem);
-    BuiltInCriteria<double> criteria(body, problem.context, every_criterion());
+    BuiltInCriteria<double> criteria(posed, problem.context, every_criterion());
     EXPECT_EQ(allocations_of([&] {
                 rollout.run(inverse,
                             [&](const PlacedFrame<double>& frame) { criteria.add(frame); });
@@ -83,20 +83,20 @@ TEST(Allocations, ARolloutMakesNone) {
 }
 
 TEST(Allocations, AGuidedRolloutBeyondReachMakesNone) {
-  const BodyModel body = full_body();
-  ReachProblem problem = reach_with(body, "right_hand", {-3.0, 4.0, 5.0});
-  problem.guide.assign(body.start().begin(), body.start().end());
+  const PosedBody posed = full_body();
+  ReachProblem problem = reach_with(posed, "right_hand", {-3.0, 4.0, 5.0});
+  problem.guide.assign(posed.home.angles.begin(), posed.home.angles.end());
   problem.corrections = 3;
-  const std::vector<double> inverse = inverse_weights(body, uniform_parameters(body));
+  const std::vector<double> inverse = inverse_weights(posed, uniform_parameters(posed));
   Rollout<double> rollout(problem);
   EXPECT_EQ(allocations_of([&] { rollout.run(inverse, [](const PlacedFrame<double>&) {}); }), 0);
 }
 
 TEST(Allocations, ScoringMoreMotionsTakesNoMore) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
-    const ReachProblem problem = reach_with(body, "right_hand", kLowLeft);
+  for (const PosedBody& posed : {half_body(), full_body()}) {
+    const ReachProblem problem = reach_with(posed, "right_hand", kLowLeft);
     const CriteriaSettings criteria = every_criterion();
-    const std::size_t dofs = body.dofs().size();
+    const std::size_t dofs = posed.body.dofs().size();
     const std::vector<float> inverse(100 * dofs, 1.0F);
     std::vector<double> scores(100);
     for (const SimdSet simd : usable_simd_sets()) {

@@ -30,16 +30,16 @@ std::vector<float> random_inverse_weights(const BodyModel& body, std::size_t mot
 }
 
 struct Reach {
-  BodyModel body;
+  PosedBody posed;
   ReachProblem problem;
   CriteriaSettings criteria;
   std::vector<float> inverse_weights;  // (kMotions × dofs)
 
-  explicit Reach(BodyModel b, CriteriaSettings c = {})
-      : body(std::move(b)),
-        problem(reach_with(body, "right_hand", kLowLeft)),
+  explicit Reach(PosedBody b, CriteriaSettings c = {})
+      : posed(std::move(b)),
+        problem(reach_with(posed, "right_hand", kLowLeft)),
         criteria(std::move(c)),
-        inverse_weights(random_inverse_weights(body, kMotions)) {
+        inverse_weights(random_inverse_weights(posed, kMotions)) {
     problem.context.gaze = kLowLeft;
   }
   Reach(const Reach&) = delete;
@@ -49,7 +49,7 @@ struct Reach {
   [[nodiscard]] std::vector<double> scores(const BatchSettings& settings, std::size_t first = 0,
                                            std::size_t count = kMotions) const {
     BatchRollout batch(problem, criteria, settings);
-    const std::size_t dofs = body.dofs().size();
+    const std::size_t dofs = posed.body.dofs().size();
     std::vector<double> result(count, -1.0);
     batch.score(std::span(inverse_weights).subspan(first * dofs, count * dofs), result);
     return result;
@@ -125,7 +125,7 @@ TEST_P(BatchRolloutOf, LanesThatAreNotANumberLeaveTheirNeighboursAlone) {
   const Reach& r = reach(GetParam());
   const std::vector<double> expected = r.scores({SimdSet::scalar, 1});
   std::vector<float> inverse = r.inverse_weights;
-  const std::size_t dofs = r.body.dofs().size();
+  const std::size_t dofs = r.posed.body.dofs().size();
   for (std::size_t i = 0; i < kMotions; i += 3) {
     std::fill_n(inverse.begin() + static_cast<std::ptrdiff_t>(i * dofs), dofs,
                 std::numeric_limits<float>::quiet_NaN());
@@ -143,7 +143,7 @@ TEST_P(BatchRolloutOf, LanesThatAreNotANumberLeaveTheirNeighboursAlone) {
 
 TEST_P(BatchRolloutOf, MotionsThatMissGetTheWorstScore) {
   const Reach& r = reach(GetParam());
-  ReachProblem beyond = reach_with(r.body, "right_hand", {-3.0, 4.0, 5.0});
+  ReachProblem beyond = reach_with(r.posed, "right_hand", {-3.0, 4.0, 5.0});
   CriteriaSettings criteria;
   criteria[CriterionKind::balance].weight = 0.7;
   BatchRollout batch(beyond, criteria, {});
@@ -154,7 +154,7 @@ TEST_P(BatchRolloutOf, MotionsThatMissGetTheWorstScore) {
 
 TEST_P(BatchRolloutOf, LockingEverythingMisses) {
   const Reach& r = reach(GetParam());
-  const std::vector<float> locked(r.body.dofs().size(), 0.0F);
+  const std::vector<float> locked(r.posed.body.dofs().size(), 0.0F);
   BatchRollout batch(r.problem, r.criteria, {});
   std::vector<double> score(1);
   batch.score(locked, score);
@@ -164,10 +164,10 @@ TEST_P(BatchRolloutOf, LockingEverythingMisses) {
 TEST_P(BatchRolloutOf, ScoresAreThoseOfDoubleToItsPrecision) {
   const Reach& r = reach(GetParam());
   const std::vector<double> scores = r.scores({});
-  const std::size_t dofs = r.body.dofs().size();
+  const std::size_t dofs = r.posed.body.dofs().size();
   int near = 0;
   for (std::size_t i = 0; i < kMotions; ++i) {
-    Parameters parameters = uniform_parameters(r.body);
+    Parameters parameters = uniform_parameters(r.posed);
     for (std::size_t d = 0; d < dofs; ++d) {
       const double inverse = static_cast<double>(r.inverse_weights[i * dofs + d]);
       parameters.values[d] = inverse > 0.0 ? 1.0 / inverse : 1.0;
@@ -176,7 +176,7 @@ TEST_P(BatchRolloutOf, ScoresAreThoseOfDoubleToItsPrecision) {
     const RolledOut rolled = roll_out(r.problem, parameters);
     const double score =
         rolled.outcome.met()
-            ? score_motion(r.body, rolled.motion, r.criteria, r.problem.context).total
+            ? score_motion(r.posed, rolled.motion, r.criteria, r.problem.context).total
             : worst_score(r.criteria);
     // lanes_test.cpp has the distribution: 99 % are nearer than 1e-3
     near += std::abs(score - scores[i]) < 1e-3 ? 1 : 0;
@@ -186,7 +186,7 @@ TEST_P(BatchRolloutOf, ScoresAreThoseOfDoubleToItsPrecision) {
 
 std::string case_name(const testing::TestParamInfo<Case>& which) {
   const bool all = which.param >= Case::half_body_by_all_criteria;
-  return reach(which.param).body.name() + (all ? "_by_all_criteria" : "");
+  return reach(which.param).posed.body.name() + (all ? "_by_all_criteria" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, BatchRolloutOf,
@@ -205,7 +205,7 @@ TEST(BatchRollout, WantsOneWeightPerMotionAndDof) {
   const Reach& r = reach(Case::half_body);
   BatchRollout batch(r.problem, r.criteria, {});
   std::vector<double> scores(2);
-  const std::vector<float> inverse(2 * r.body.dofs().size() - 1, 1.0F);
+  const std::vector<float> inverse(2 * r.posed.body.dofs().size() - 1, 1.0F);
   EXPECT_THROW(batch.score(inverse, scores), PreconditionError);
 }
 

@@ -15,13 +15,13 @@
 namespace shigusa {
 namespace {
 
-ReachProblem problem_of(const BodyModel& body, const Vec3d& goal) {
-  Kinematics<double> kinematics(body);
-  forward_kinematics<double>(body, body.start(), kinematics);
-  const Effector& hand = body.effectors()[0];
+ReachProblem problem_of(const PosedBody& posed, const Vec3d& goal) {
+  Kinematics<double> kinematics(posed);
+  forward_kinematics<double>(posed, posed.home.angles, kinematics);
+  const Effector& hand = posed.body.effectors()[0];
   ReachProblem problem;
-  problem.body = &body;
-  problem.context.start = start_state(body);
+  problem.body = &posed.body;
+  problem.context.start = posed.home;
   problem.goals = {{0, {kinematics.point(hand.link, hand.point), goal}}};
   return problem;
 }
@@ -38,15 +38,15 @@ double deepest(const ReachProblem& problem) {
 }
 
 TEST(AddDetours, LeavesAFreePathStraight) {
-  const BodyModel body = full_body();
-  ReachProblem problem = problem_of(body, {-0.4, 1.2, 0.5});
+  const PosedBody posed = full_body();
+  ReachProblem problem = problem_of(posed, {-0.4, 1.2, 0.5});
   add_detours(problem);
   EXPECT_EQ(problem.goals[0].path.detour, Vec3d{});
 }
 
 TEST(AddDetours, GoesAroundTheHipToBehindTheBack) {
-  const BodyModel body = full_body();
-  ReachProblem problem = problem_of(body, {0.05, 0.9, -0.35});
+  const PosedBody posed = full_body();
+  ReachProblem problem = problem_of(posed, {0.05, 0.9, -0.35});
   const double straight = deepest(problem);
   add_detours(problem);
   EXPECT_GT(straight, kDetourDepth);
@@ -55,15 +55,15 @@ TEST(AddDetours, GoesAroundTheHipToBehindTheBack) {
 }
 
 TEST(AddDetours, StillEndsAtTheGoal) {
-  const BodyModel body = full_body();
-  ReachProblem problem = problem_of(body, {0.1, 1.0, -0.3});
+  const PosedBody posed = full_body();
+  ReachProblem problem = problem_of(posed, {0.1, 1.0, -0.3});
   add_detours(problem);
-  EXPECT_TRUE(roll_out(problem, uniform_parameters(body)).outcome.met());
+  EXPECT_TRUE(roll_out(problem, uniform_parameters(posed)).outcome.met());
 }
 
 TEST(AddDetours, GoesAroundTheBellyToTheOtherSide) {
-  const BodyModel body = full_body();
-  ReachProblem problem = problem_of(body, {0.5, 1.0, 0.1});
+  const PosedBody posed = full_body();
+  ReachProblem problem = problem_of(posed, {0.5, 1.0, 0.1});
   const double straight = deepest(problem);
   add_detours(problem);
   EXPECT_LT(deepest(problem), straight - 0.01);
@@ -71,14 +71,14 @@ TEST(AddDetours, GoesAroundTheBellyToTheOtherSide) {
 
 TEST(AddDetours, NeverSwingFarOutAndAlwaysArrive) {
   // the deepest moment may come right before the end, where a via point would fling the hand away
-  const BodyModel body = full_body();
-  const Parameters uniform = uniform_parameters(body);
+  const PosedBody posed = full_body();
+  const Parameters uniform = uniform_parameters(posed);
   Random random(111);
   int detours = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const Vec3d goal{random.uniform(-1.0, 1.0), random.uniform(0.0, 2.0),
                      random.uniform(-1.0, 1.0)};
-    ReachProblem problem = problem_of(body, goal);
+    ReachProblem problem = problem_of(posed, goal);
     if (!roll_out(problem, uniform).outcome.met()) continue;
     add_detours(problem);
     const EffectorPath& path = problem.goals[0].path;

@@ -17,27 +17,27 @@ using namespace testing_support;
 
 constexpr Vec3d kLow{-0.2, 0.5, 0.5};
 
-Parameters drawn(const BodyModel& body, const std::string& mode, double value) {
-  Parameters parameters = uniform_parameters(body);
-  pose(body, parameters,
+Parameters drawn(const PosedBody& posed, const std::string& mode, double value) {
+  Parameters parameters = uniform_parameters(posed);
+  pose(posed, parameters,
        [&](const PostureMode& known) { return known.name == mode ? value : 0.0; });
   return parameters;
 }
 
-double final_angle(const BodyModel& body, const RolledOut& rolled, const char* dof) {
+double final_angle(const PosedBody& posed, const RolledOut& rolled, const char* dof) {
   const Clip& clip = rolled.motion.clip;
-  return clip.frame(clip.frames - 1)[static_cast<std::size_t>(body.find_dof(dof).value())];
+  return clip.frame(clip.frames - 1)[static_cast<std::size_t>(posed.body.find_dof(dof).value())];
 }
 
 TEST(DrawnMotion, SquatBendsTheKneesByAsMuchMoreAndGoalsAreMetAllTheSame) {
-  const BodyModel body = full_body();
-  const ReachProblem problem = reach_with(body, "right_hand", kLow);
+  const PosedBody posed = full_body();
+  const ReachProblem problem = reach_with(posed, "right_hand", kLow);
   double before = -1.0;
   for (const double squat : {0.0, 30.0, 60.0, 90.0}) {
-    const RolledOut rolled = roll_out(problem, drawn(body, "squat", radians(squat)));
+    const RolledOut rolled = roll_out(problem, drawn(posed, "squat", radians(squat)));
     EXPECT_TRUE(rolled.outcome.met()) << squat;
-    const double knee = degrees(final_angle(body, rolled, "right_knee.flexion") +
-                                final_angle(body, rolled, "left_knee.flexion")) /
+    const double knee = degrees(final_angle(posed, rolled, "right_knee.flexion") +
+                                final_angle(posed, rolled, "left_knee.flexion")) /
                         2.0;
     EXPECT_GT(knee, before + 15.0) << squat;
     before = knee;
@@ -45,34 +45,34 @@ TEST(DrawnMotion, SquatBendsTheKneesByAsMuchMoreAndGoalsAreMetAllTheSame) {
 }
 
 TEST(DrawnMotion, WithoutAValueIsThePlainMotion) {
-  const BodyModel body = half_body();
-  const ReachProblem problem = reach_with(body, "right_hand", kLow);
-  const Clip plain = roll_out(problem, uniform_parameters(body)).motion.clip;
-  const Clip drawn_nowhere = roll_out(problem, drawn(body, "", 0.0)).motion.clip;
+  const PosedBody posed = half_body();
+  const ReachProblem problem = reach_with(posed, "right_hand", kLow);
+  const Clip plain = roll_out(problem, uniform_parameters(posed)).motion.clip;
+  const Clip drawn_nowhere = roll_out(problem, drawn(posed, "", 0.0)).motion.clip;
   for (std::size_t k = 0; k < plain.angles.size(); ++k) {
     EXPECT_NEAR(plain.angles[k], drawn_nowhere.angles[k], 1e-12);
   }
 }
 
 TEST(DrawnMotion, DelayKeepsThePostureBackAtFirst) {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
   ReachProblem problem =
-      reach_with(body, "left_hand", effector_position(body, body.start(), "left_hand"));
-  Parameters parameters = drawn(body, "squat", radians(60.0));
-  value_of(body, parameters, "delay") = 0.5;
+      reach_with(posed, "left_hand", effector_position(posed, posed.home.angles, "left_hand"));
+  Parameters parameters = drawn(posed, "squat", radians(60.0));
+  value_of(posed, parameters, "delay") = 0.5;
   const Clip late = roll_out(problem, parameters).motion.clip;
-  const auto knee = static_cast<std::size_t>(body.find_dof("right_knee.flexion").value());
+  const auto knee = static_cast<std::size_t>(posed.body.find_dof("right_knee.flexion").value());
   EXPECT_NEAR(late.frame(30)[knee], late.frame(0)[knee], 1e-9);
   EXPECT_GT(late.frame(60)[knee], late.frame(0)[knee] + radians(30.0));
 }
 
 TEST(DrawnMotion, BowTakesTheHandOffItsLineByThatMuch) {
-  const BodyModel body = full_body();
-  ReachProblem problem = reach_with(body, "right_hand", {-0.25, 1.3, 0.3});
+  const PosedBody posed = full_body();
+  ReachProblem problem = reach_with(posed, "right_hand", {-0.25, 1.3, 0.3});
   const EffectorPath& path = problem.goals[0].path;
   problem.goals[0].bow = {0.0, 0.0, norm(path.goal - path.start)};
-  Parameters parameters = drawn(body, "", 0.0);
-  value_of(body, parameters, "bow") = 0.1;
+  Parameters parameters = drawn(posed, "", 0.0);
+  value_of(posed, parameters, "bow") = 0.1;
   const RolledOut rolled = roll_out(problem, parameters);
   ASSERT_TRUE(rolled.outcome.met());
   double farthest = 0.0;
@@ -87,11 +87,11 @@ TEST(DrawnMotion, BowTakesTheHandOffItsLineByThatMuch) {
 }
 
 TEST(DrawnMotion, SwayTakesTheHandAsideByThatMuch) {
-  const BodyModel body = full_body();
-  ReachProblem problem = reach_with(body, "right_hand", {-0.25, 1.3, 0.3});
+  const PosedBody posed = full_body();
+  ReachProblem problem = reach_with(posed, "right_hand", {-0.25, 1.3, 0.3});
   problem.goals[0].sway = {-0.5, 0.0, 0.0};
-  Parameters parameters = drawn(body, "", 0.0);
-  value_of(body, parameters, "sway") = 0.1;
+  Parameters parameters = drawn(posed, "", 0.0);
+  value_of(posed, parameters, "sway") = 0.1;
   const RolledOut rolled = roll_out(problem, parameters);
   ASSERT_TRUE(rolled.outcome.met());
   const EffectorPath& path = problem.goals[0].path;
@@ -113,8 +113,8 @@ TEST(DrawnMotion, SkewBringsTheBowForward) {
 }
 
 TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
-  const BodyModel body = full_body();
-  ReachProblem problem = reach_with(body, "right_hand", kLow);
+  const PosedBody posed = full_body();
+  ReachProblem problem = reach_with(posed, "right_hand", kLow);
   problem.hold_limits = true;
   problem.goals[0].bow = {0.0, 0.3, 0.0};
   problem.goals[0].sway = {-0.3, 0.0, 0.0};
@@ -125,19 +125,19 @@ TEST(DrawnMotion, LanesScoreAsDoubleDoes) {
   std::vector<float> timing;
   PlayedMotions played;
   for (int i = 0; i < 37; ++i) {
-    Parameters parameters = random_parameters(body, random);
-    pose(body, parameters,
+    Parameters parameters = random_parameters(posed, random);
+    pose(posed, parameters,
          [&](const PostureMode& mode) { return 0.5 * random.uniform(mode.lower, mode.upper); });
-    value_of(body, parameters, "delay") = random.uniform(0.0, 0.4);
-    value_of(body, parameters, "bow") = random.uniform(-0.1, 0.2);
-    value_of(body, parameters, "skew") = random.uniform(-1.0, 1.0);
-    value_of(body, parameters, "sway") = random.uniform(-0.2, 0.2);
-    for (const double w : inverse_weights(body, parameters))
+    value_of(posed, parameters, "delay") = random.uniform(0.0, 0.4);
+    value_of(posed, parameters, "bow") = random.uniform(-0.1, 0.2);
+    value_of(posed, parameters, "skew") = random.uniform(-1.0, 1.0);
+    value_of(posed, parameters, "sway") = random.uniform(-0.2, 0.2);
+    for (const double w : inverse_weights(posed, parameters))
       weights.push_back(static_cast<float>(w));
-    for (const double c : posture_change(body, modes_of(body, parameters))) {
+    for (const double c : posture_change(posed, modes_of(posed, parameters))) {
       changes.push_back(static_cast<float>(c));
     }
-    for (const double t : list_of(body).of_kind(ParameterKind::timing, parameters)) {
+    for (const double t : list_of(posed).of_kind(ParameterKind::timing, parameters)) {
       timing.push_back(static_cast<float>(t));
     }
     played.add(problem, parameters, criteria);

@@ -31,7 +31,7 @@ class OnTheThigh : public testing::Test {
   // The lean and the knees of a person who picks something up.
   Parameters bent(double share) const {
     Parameters parameters = uniform_parameters(task.body);
-    pose(task.body, parameters, [](const PostureMode& mode) {
+    pose(task, parameters, [](const PostureMode& mode) {
       return mode.name == "squat" ? radians(60) : mode.name == "lean" ? radians(50) : 0.0;
     });
     parameters.values.push_back(share);
@@ -78,7 +78,7 @@ TEST_F(OnTheThigh, AHandRestsOnTheSkinOfAThighThatTapers) {
   for (Capsule& capsule : body.capsules) {
     if (capsule.name == "left_thigh") capsule.to_radius += 0.1;
   }
-  Task tapered(BodyModel{body});
+  Task tapered({BodyModel{body}, task.home});
   tapered.goals = task.goals;
   tapered.supports = task.supports;
   const HandSupport& support = problem.supports[0];
@@ -150,7 +150,7 @@ TEST_F(OnTheThigh, LanesScoreAsDoubleDoesWithHandsFreeInSome) {
     const Parameters parameters = bent(share);
     for (const double w : inverse_weights(task.body, parameters))
       weights.push_back(static_cast<float>(w));
-    for (const double c : posture_change(task.body, modes_of(task.body, parameters))) {
+    for (const double c : posture_change(task.body, modes_of(task, parameters))) {
       postures.push_back(static_cast<float>(c));
     }
     timing.insert(timing.end(), kTimings, 0.0F);

@@ -121,11 +121,12 @@ struct Comparison {
   int met_in_double = 0;
   int met_in_one = 0;  // but not in the other
 
-  explicit Comparison(const BodyModel& body) : problem_(reach_with(body, "right_hand", kLowLeft)) {
+  explicit Comparison(const PosedBody& posed)
+      : problem_(reach_with(posed, "right_hand", kLowLeft)) {
     Player<double> doubles(problem_);
     Player<Lanes> lanes(problem_);
     Random random(5);
-    const std::size_t dofs = body.dofs().size();
+    const std::size_t dofs = posed.body.dofs().size();
     std::vector<std::vector<double>> inverse(kLanes, std::vector<double>(dofs));
     std::vector<Lanes> packed(dofs);
     for (int i = 0; i < kMotions; i += kLanes) {

@@ -37,8 +37,8 @@ TEST(Constraints, AreTheGoalsAndThenThePlantedFoot) {
   EXPECT_FALSE(all[0].exact);
   EXPECT_EQ(all[0].place, kLow);
   EXPECT_TRUE(all[1].exact);
-  EXPECT_EQ(all[1].link, full().feet()[1].link);
-  const Kinematics<double> start = placed(full(), full().start());
+  EXPECT_EQ(all[1].link, full().body.feet()[1].link);
+  const Kinematics<double> start = placed(full(), full().home.angles);
   EXPECT_EQ(all[1].place, start.point(all[1].link, all[1].point));
 }
 
@@ -101,7 +101,7 @@ TEST(RollOut, TheHandArrivesAtRest) {
 }
 
 TEST(RollOut, ReachingForWhereTheHandIsMovesNothing) {
-  const Vec3d here = effector_position(full(), full().start(), "right_hand");
+  const Vec3d here = effector_position(full(), full().home.angles, "right_hand");
   const RolledOut rolled =
       roll_out(reach_with(full(), "right_hand", here), uniform_parameters(full()));
   const MeasuredMotion measured(reach_with(full(), "right_hand", here), rolled.motion.clip);
@@ -188,7 +188,7 @@ TEST(RollOut, WithoutAPathOnlyTheLastFrameIsAtTheGoal) {
 }
 
 TEST(RollOut, BeyondReachItNeitherShakesNorBreaksApart) {
-  for (const BodyModel* body : {&half(), &full()}) {
+  for (const PosedBody* body : {&half(), &full()}) {
     const ReachProblem problem = reach_with(*body, "right_hand", {-3.0, 4.0, 5.0});
     const RolledOut rolled = roll_out(problem, uniform_parameters(*body));
     const MeasuredMotion measured(problem, rolled.motion.clip);
@@ -232,7 +232,7 @@ TEST(RollOut, HandIsOnItsPathButForFoldedElbows) {
   // typically within 0.06 mm; the trunk may carry the shoulder onto the hand's path, and the folded
   // arm there is singular
   constexpr int kTrials = 300;
-  for (const BodyModel* body : {&half(), &full()}) {
+  for (const PosedBody* body : {&half(), &full()}) {
     int on_path = 0;
     for (int trial = 0; trial < kTrials; ++trial) {
       const RandomReach reach(*body, static_cast<std::uint64_t>(trial));
@@ -241,13 +241,13 @@ TEST(RollOut, HandIsOnItsPathButForFoldedElbows) {
       EXPECT_LE(measured.goal_error, reach.problem.goal_tolerance * 1.001) << trial;
       if (measured.path_error <= 5e-4) ++on_path;
     }
-    EXPECT_GE(on_path, kTrials * 99 / 100) << body->name();
+    EXPECT_GE(on_path, kTrials * 99 / 100) << body->body.name();
   }
 }
 
 RC_GTEST_PROP(RollOutProperty, LockedJointsKeepTheirStartAngles, (std::uint64_t seed, bool whole)) {
   RandomReach reach(whole ? full() : half(), seed);
-  for (std::size_t d = 0; d < reach.body.dofs().size(); ++d) {
+  for (std::size_t d = 0; d < reach.posed.body.dofs().size(); ++d) {
     reach.parameters.locked[d] = *rc::gen::inRange(0, 4) == 0;
   }
   const Clip clip = roll_out(reach.problem, reach.parameters).motion.clip;
@@ -258,7 +258,8 @@ RC_GTEST_PROP(RollOutProperty, ScalingAllWeightsChangesNothing, (std::uint64_t s
   RandomReach reach(whole ? full() : half(), seed);
   const double factor = std::pow(10.0, *rc::gen::inRange(-40, 41) / 10.0);
   const std::vector<double> before = roll_out(reach.problem, reach.parameters).motion.clip.angles;
-  for (std::size_t d = 0; d < reach.body.dofs().size(); ++d) reach.parameters.values[d] *= factor;
+  for (std::size_t d = 0; d < reach.posed.body.dofs().size(); ++d)
+    reach.parameters.values[d] *= factor;
   const std::vector<double> after = roll_out(reach.problem, reach.parameters).motion.clip.angles;
   for (std::size_t i = 0; i < before.size(); ++i) {
     RC_ASSERT(std::fabs(before[i] - after[i]) <= 1e-9);

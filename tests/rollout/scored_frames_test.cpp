@@ -18,22 +18,22 @@ CriteriaSettings every_criterion() {
 }
 
 TEST(ScoredFrames, OfARolloutAndOfItsStoredMotionAgree) {
-  for (const BodyModel& body : {half_body(), full_body()}) {
+  for (const PosedBody& posed : {half_body(), full_body()}) {
     for (const Vec3d& goal : {Vec3d{0.25, 0.55, 0.5}, Vec3d{-0.3, 1.8, 0.3}}) {
-      ReachProblem problem = reach_with(body, "right_hand", goal);
+      ReachProblem problem = reach_with(posed, "right_hand", goal);
       problem.duration = 1.3;
       problem.context.gaze = goal;
       const CriteriaSettings settings = every_criterion();
-      BuiltInCriteria<double> criteria(body, problem.context, settings);
+      BuiltInCriteria<double> criteria(posed, problem.context, settings);
       Rollout<double> rollout(problem);
       Random random(71);
       for (int trial = 0; trial < 20; ++trial) {
-        const Parameters parameters = random_parameters(body, random);
+        const Parameters parameters = random_parameters(posed, random);
         criteria.reset();
-        rollout.run(inverse_weights(body, parameters),
+        rollout.run(inverse_weights(posed, parameters),
                     [&](const PlacedFrame<double>& frame) { criteria.add(frame); });
         const Score stored =
-            score_motion(body, roll_out(problem, parameters).motion, settings, problem.context);
+            score_motion(posed, roll_out(problem, parameters).motion, settings, problem.context);
         std::size_t term = 0;
         criteria.visit_penalties([&](std::string_view name, double weight, double penalty) {
           ASSERT_LT(term, stored.terms.size());
@@ -50,12 +50,12 @@ TEST(ScoredFrames, OfARolloutAndOfItsStoredMotionAgree) {
 }
 
 TEST(ScoredFrames, HaveThePlacementOfTheirAngles) {
-  const BodyModel body = full_body();
-  const ReachProblem problem = reach_with(body, "right_hand", {0.25, 0.55, 0.5});
-  const std::vector<double> inverse = inverse_weights(body, uniform_parameters(body));
+  const PosedBody posed = full_body();
+  const ReachProblem problem = reach_with(posed, "right_hand", {0.25, 0.55, 0.5});
+  const std::vector<double> inverse = inverse_weights(posed, uniform_parameters(posed));
   Rollout<double> rollout(problem);
   rollout.run(inverse, [&](const PlacedFrame<double>& frame) {
-    const Kinematics<double> again = placed(body, frame.angles);
+    const Kinematics<double> again = placed(posed, frame.angles);
     for (std::size_t d = 0; d < again.origin.size(); ++d) {
       EXPECT_EQ(again.origin[d], frame.kinematics.origin[d]);
     }
@@ -64,14 +64,14 @@ TEST(ScoredFrames, HaveThePlacementOfTheirAngles) {
 }
 
 TEST(ScoredFrames, HaveTheSpeedsOfTheirAngles) {
-  const BodyModel body = half_body();
-  ReachProblem problem = reach_with(body, "right_hand", {0.25, 0.55, 0.5});
+  const PosedBody posed = half_body();
+  ReachProblem problem = reach_with(posed, "right_hand", {0.25, 0.55, 0.5});
   problem.duration = 0.8;
-  const Clip clip = roll_out(problem, uniform_parameters(body)).motion.clip;
+  const Clip clip = roll_out(problem, uniform_parameters(posed)).motion.clip;
   Rollout<double> rollout(problem);
   int f = 0;
   rollout.run(
-      inverse_weights(body, uniform_parameters(body)), [&](const PlacedFrame<double>& frame) {
+      inverse_weights(posed, uniform_parameters(posed)), [&](const PlacedFrame<double>& frame) {
         const int last = clip.frames - 1;
         for (std::size_t d = 0; d < frame.angles.size(); ++d) {
           const double before = clip.frame(f > 0 ? f - 1 : 0)[d];

@@ -67,30 +67,30 @@ TEST(SmoothFrames, TakesShortClipsAsTheyAre) {
 }
 
 TEST(SmoothedMotion, KeepsItsPathAndItsFeetAndIsLessSudden) {
-  const BodyModel body = human_body({});
-  const Task task(body, {.goals = {{"right_hand", {-0.15, 0.15, 0.35}}}});
+  const PosedBody posed = human_body({});
+  const Task task(posed, {.goals = {{"right_hand", {-0.15, 0.15, 0.35}}}});
   const ReachProblem problem = make_problem(task).value();
   for (const double squat : {20.0, 100.0}) {
-    Parameters parameters = uniform_parameters(body);
-    pose(body, parameters,
+    Parameters parameters = uniform_parameters(posed);
+    pose(posed, parameters,
          [&](const PostureMode& mode) { return mode.name == "squat" ? radians(squat) : 0.0; });
     const RolledOut rough = roll_out(problem, parameters);
     ASSERT_TRUE(rough.outcome.met(problem.tolerance)) << squat;
     const RolledOut smooth = smoothed(problem, parameters, rough);
     EXPECT_TRUE(smooth.outcome.met(problem.tolerance)) << squat;
     EXPECT_LT(smooth.outcome.path_error, 1e-4) << squat;
-    EXPECT_LT(suddenness(body, smooth.motion).pressure, suddenness(body, rough.motion).pressure);
-    EXPECT_LT(suddenness(body, smooth.motion).torque, suddenness(body, rough.motion).torque);
+    EXPECT_LT(suddenness(posed, smooth.motion).pressure, suddenness(posed, rough.motion).pressure);
+    EXPECT_LT(suddenness(posed, smooth.motion).torque, suddenness(posed, rough.motion).torque);
   }
 }
 
 TEST(SmoothedMotion, IsTheRoughOneWhereThatMisses) {
-  const BodyModel body = human_body({});
-  const Task task(body, {.goals = {{"right_hand", {-0.15, 1.0, 3.0}}}});
+  const PosedBody posed = human_body({});
+  const Task task(posed, {.goals = {{"right_hand", {-0.15, 1.0, 3.0}}}});
   const ReachProblem problem = make_problem(task).value();
-  const RolledOut rough = roll_out(problem, uniform_parameters(body));
+  const RolledOut rough = roll_out(problem, uniform_parameters(posed));
   ASSERT_FALSE(rough.outcome.met(problem.tolerance));
-  const RolledOut smooth = smoothed(problem, uniform_parameters(body), rough);
+  const RolledOut smooth = smoothed(problem, uniform_parameters(posed), rough);
   EXPECT_EQ(smooth.motion.clip.angles, rough.motion.clip.angles);
 }
 

@@ -58,10 +58,10 @@ TEST(TimedParts, AreTheSameOnBothSides) {
 TEST(TimeWindow, KeepsItsPartBackUntilItBegins) {
   ReachProblem problem = reach_with(half(), "right_hand", kLow);
   for (TimeWindow& window : problem.windows) window = {0.5, 1.0};
-  const std::vector<double> weights(half().dofs().size(), 1.0);
+  const std::vector<double> weights(half().body.dofs().size(), 1.0);
   const std::vector<double> none(weights.size(), 0.0);
   std::vector<double> change = none;
-  const auto knee = static_cast<std::size_t>(half().find_dof("right_knee.flexion").value());
+  const auto knee = static_cast<std::size_t>(half().body.find_dof("right_knee.flexion").value());
   change[knee] = 0.5;
   const auto knees = [&](auto& rollout, std::span<const double> posture) {
     std::vector<double> angles;

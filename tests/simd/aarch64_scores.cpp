@@ -18,18 +18,19 @@ using namespace shigusa;
 
 constexpr int kMotions = 16;
 
-void score(const char* name, const BodyModel& body, bool natural) {
+void score(const char* name, const PosedBody& posed, bool natural) {
   ReachProblem problem;
-  problem.body = &body;
-  problem.context.start = start_state(body);
-  const Vec3d from = testing_support::effector_position(body, body.start(), "right_hand");
-  problem.goals.push_back({body.find_effector("right_hand").value(), {from, {0.25, 0.55, 0.50}}});
+  problem.body = &posed.body;
+  problem.context.start = posed.home;
+  const Vec3d from = testing_support::effector_position(posed, posed.home.angles, "right_hand");
+  problem.goals.push_back(
+      {posed.body.find_effector("right_hand").value(), {from, {0.25, 0.55, 0.50}}});
   problem.hold_limits = problem.posture_law = natural;
   problem.corrections = natural ? 2 : 0;
   const CriteriaSettings criteria = natural ? default_criteria() : paper_criteria();
   Random random(7);
   std::vector<float> weights;
-  for (int i = 0; i < kMotions * body.dof_count(); ++i) {
+  for (int i = 0; i < kMotions * posed.body.dof_count(); ++i) {
     weights.push_back(1.0F / static_cast<float>(1 + random.below(15)));
   }
   for (const SimdSet simd : {SimdSet::lanes_4, SimdSet::scalar}) {

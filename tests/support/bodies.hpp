@@ -50,12 +50,17 @@ inline BodyDefinition chain_definition(const std::vector<Pendulum>& rods) {
   }
   const int last = static_cast<int>(rods.size()) - 1;
   body.effectors.push_back({"tip", "tip", last, offset, 0});
-  body.start.assign(rods.size(), 0.0);
   return body;
 }
 
-inline BodyModel chain(const std::vector<Pendulum>& rods) {
-  return BodyModel(chain_definition(rods));
+// A body whose home has every angle at 0.
+inline PosedBody at_zero(BodyDefinition definition) {
+  const std::size_t dofs = definition.dofs.size();
+  return {BodyModel(std::move(definition)), {.angles = std::vector<double>(dofs)}};
+}
+
+inline PosedBody chain(const std::vector<Pendulum>& rods) {
+  return at_zero(chain_definition(rods));
 }
 
 // (dofs) uniform in [low, high]

@@ -29,8 +29,8 @@ inline Parameters parameters_of(const Task& task, const LayeredValues& values) {
 
 // Layers with their parameters, before and after a change by a test.
 struct LayeredChange {
-  LayeredChange(const BodyModel& body, const std::vector<Goal>& goals, LayerChoice choice = {})
-      : list(parameter_list(layers_to_goals(body, goals, choice).value())) {
+  LayeredChange(const PosedBody& body, const std::vector<Goal>& goals, LayerChoice choice = {})
+      : list(parameter_list(layers_to_goals(body.body, body.home, goals, choice).value())) {
     after = expected = before = list.start();
   }
 

@@ -11,11 +11,12 @@ namespace shigusa::testing_support {
 
 // A BVH file of a person who stands for three frames and bends the right elbow slightly.
 inline std::string person_bvh() {
-  const BodyModel body = full_body();
+  const PosedBody posed = full_body();
+  const BodyModel& body = posed.body;
   Clip clip{.dofs = body.dof_count(), .frames = 3, .angles = {}};
   const auto elbow = static_cast<std::size_t>(body.find_dof("right_elbow.flexion").value());
   for (int f = 0; f < clip.frames; ++f) {
-    std::vector<double> angles(body.start().begin(), body.start().end());
+    std::vector<double> angles = posed.home.angles;
     angles[elbow] += 0.2 * f;
     clip.angles.insert(clip.angles.end(), angles.begin(), angles.end());
   }

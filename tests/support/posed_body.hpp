@@ -64,17 +64,16 @@ inline BodyDefinition posed_definition() {
   }
   body.masses.assign(body.dofs.size(), {.mass = 1.0});
   body.mass = static_cast<double>(body.dofs.size());
-  body.start.assign(body.dofs.size(), 0.0);
   return body;
 }
 
-inline const BodyModel& posed_body() {
-  static const BodyModel body{posed_definition()};
+inline const PosedBody& posed_body() {
+  static const PosedBody body = at_zero(posed_definition());
   return body;
 }
 
 // The same without the joints, or nodes, of these names.
-inline BodyModel posed_body_without(const std::vector<std::string>& names) {
+inline PosedBody posed_body_without(const std::vector<std::string>& names) {
   BodyDefinition body = posed_definition();
   const auto has = [&names](const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -83,7 +82,7 @@ inline BodyModel posed_body_without(const std::vector<std::string>& names) {
     if (has(dof.joint)) dof.joint = dof.name = "other";
   }
   std::erase_if(body.nodes, [&has](const BodyNode& node) { return has(node.name); });
-  return BodyModel(std::move(body));
+  return at_zero(std::move(body));
 }
 
 // (dofs) rad
@@ -124,9 +123,9 @@ struct Asked {
 // A criterion's penalty for a motion through these poses.
 template <template <class> class Criterion>
 double penalty_of_poses(const std::vector<Pose>& poses, const Asked& asked = {},
-                        const BodyModel& body = posed_body()) {
+                        const PosedBody& body = posed_body()) {
   const double usual = CriteriaSettings()[Criterion<double>::kKind].scale;
-  Criterion<double> criterion(body, {.start = start_state(body), .effectors = asked.effectors},
+  Criterion<double> criterion(body, {.start = body.home, .effectors = asked.effectors},
                               asked.scale.value_or(usual));
   show_poses(body, poses, criterion);
   return criterion.penalty();

@@ -10,31 +10,32 @@
 // angles alone.
 namespace shigusa::testing_support {
 
-inline const BodyModel& half() {
-  static const BodyModel body = half_body();
+inline const PosedBody& half() {
+  static const PosedBody body = half_body();
   return body;
 }
-inline const BodyModel& full() {
-  static const BodyModel body = full_body();
+inline const PosedBody& full() {
+  static const PosedBody body = full_body();
   return body;
 }
 
 // A reach of one effector from the start posture in 1 s.
-inline ReachProblem reach_with(const BodyModel& body, const char* effector, const Vec3d& goal) {
+inline ReachProblem reach_with(const PosedBody& body, const char* effector, const Vec3d& goal) {
   ReachProblem problem;
-  problem.body = &body;
-  problem.context.start = start_state(body);
-  problem.goals.push_back({body.find_effector(effector).value(),
-                           {effector_position(body, body.start(), effector), goal}});
+  problem.body = &body.body;
+  problem.context.start = body.home;
+  problem.goals.push_back({body.body.find_effector(effector).value(),
+                           {effector_position(body, body.home.angles, effector), goal}});
   return problem;
 }
 
 // A goal for the right hand within reach of its arm alone, neither stretched nor folded up: 0.2 to
 // 0.5 m from the shoulder, like the whole path to it.
-inline Vec3d near_goal(const BodyModel& body, Random& random) {
-  const auto shoulder = static_cast<std::size_t>(body.find_dof("right_shoulder.flexion").value());
-  const Vec3d centre = placed(body, body.start()).origin[shoulder];
-  const Vec3d from = effector_position(body, body.start(), "right_hand");
+inline Vec3d near_goal(const PosedBody& body, Random& random) {
+  const auto shoulder =
+      static_cast<std::size_t>(body.body.find_dof("right_shoulder.flexion").value());
+  const Vec3d centre = placed(body, body.home.angles).origin[shoulder];
+  const Vec3d from = effector_position(body, body.home.angles, "right_hand");
   for (;;) {
     const Vec3d goal = centre + random_direction(random) * random.uniform(0.2, 0.5);
     const Vec3d way = goal - from;
@@ -54,11 +55,11 @@ inline Parameters random_parameters(const BodyModel& body, Random& random) {
 
 // A body with weights and a goal near its shoulder.
 struct RandomReach {
-  const BodyModel& body;
+  const PosedBody& posed;
   ReachProblem problem;
   Parameters parameters;
 
-  RandomReach(const BodyModel& b, std::uint64_t seed) : body(b) {
+  RandomReach(const PosedBody& b, std::uint64_t seed) : posed(b) {
     Random random(seed);
     problem = reach_with(b, "right_hand", near_goal(b, random));
     parameters = random_parameters(b, random);
@@ -67,8 +68,8 @@ struct RandomReach {
   // Every locked joint has its start angle in every frame.
   [[nodiscard]] bool keeps_locked(const Clip& clip) const {
     for (std::size_t i = 0; i < clip.angles.size(); ++i) {
-      const std::size_t d = i % body.dofs().size();
-      if (parameters.locked[d] && clip.angles[i] != body.start()[d]) return false;
+      const std::size_t d = i % posed.body.dofs().size();
+      if (parameters.locked[d] && clip.angles[i] != posed.home.angles[d]) return false;
     }
     return true;
   }
@@ -87,7 +88,7 @@ struct WildReach {
     problem = reach_with(full(), "right_hand", {x, y, random.uniform(-1.5, 1.5)});
     const double locked = random.uniform(0.0, 0.9);
     const double spread = random.uniform(0.0, 3.0);
-    for (std::size_t d = 0; d < full().dofs().size(); ++d) {
+    for (std::size_t d = 0; d < full().body.dofs().size(); ++d) {
       parameters.values[d] = std::pow(10.0, random.uniform(-spread, spread));
       parameters.locked[d] = random.chance(locked);
     }
@@ -106,9 +107,10 @@ struct MeasuredMotion {
 
   MeasuredMotion(const ReachProblem& problem, const Clip& clip) {
     const BodyModel& body = *problem.body;
-    const Kinematics<double> start = placed(body, body.start());
+    const std::vector<double>& first = problem.start().angles;
+    const Kinematics<double> start = placed(body, first);
     for (std::size_t d = 0; d < body.dofs().size(); ++d) {
-      start_error = std::fmax(start_error, std::fabs(clip.frame(0)[d] - body.start()[d]));
+      start_error = std::fmax(start_error, std::fabs(clip.frame(0)[d] - first[d]));
     }
     for (const double angle : clip.angles) finite = finite && std::isfinite(angle);
     for (int f = 0; f < clip.frames; ++f) {

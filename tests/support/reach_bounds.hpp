@@ -46,10 +46,11 @@ inline Vec3d half_body_edge(const BodyModel& body, const Vec3d& direction) {
 
 // A lower bound for the right hand of any body: the distance left when the whole chain from either
 // standing foot is stretched.
-inline double stretched_distance(const BodyModel& body, const Vec3d& goal) {
+inline double stretched_distance(const PosedBody& posed, const Vec3d& goal) {
+  const BodyModel& body = posed.body;
   const Effector& hand =
       body.effectors()[static_cast<std::size_t>(body.find_effector("right_hand").value())];
-  const Kinematics<double> start = placed(body, body.start());
+  const Kinematics<double> start = placed(body, posed.home.angles);
   const double from_base = chain_length(body, hand.link, 0) + norm(hand.point);
   double bound = norm(goal - start.origin[0]) - from_base;
   if (body.feet().size() == 2) {
