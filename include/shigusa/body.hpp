@@ -386,7 +386,7 @@ struct HeldLoad {
 struct State {
   std::vector<double> angles{};      ///< (dofs) rad
   std::vector<double> velocities{};  ///< (dofs) rad/s; empty: at rest
-  std::vector<HeldLoad> held{};      ///< loads in the hands; goals' loads add to them
+  std::vector<HeldLoad> held{};      ///< loads in the hands, to which those of goals are added
 
   /// Whether both are the same.
   bool operator==(const State&) const = default;

@@ -204,7 +204,7 @@ struct Task : Request, PosedBody {
       : Request(std::move(asked)), PosedBody(std::move(of)), start(home) {}
 
   /// The state in which motions begin, with the feet on the floor that stand: home, or the end of
-  /// another motion. Presets with layers take only the former.
+  /// another motion. Presets with layers begin at rest.
   State start;
   SearchFunction
       own_search{};  ///< user-defined search in place of `search`; not for presets with layers

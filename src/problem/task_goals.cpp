@@ -220,12 +220,15 @@ Result<void> check_start(const Task& task) {
     return fail(ErrorCode::invalid_argument,
                 say("start_state", task.body.dof_count(), numbers->size()), "start");
   }
+  for (const HeldLoad& load : task.start.held) {
+    if (load.mass >= 0.0 && load.mass <= kLoadMax) continue;
+    return fail(ErrorCode::invalid_argument, say("load_range", load.mass, kLoadMax), "start");
+  }
   if (!task.start.velocities.empty() && task.generator == MotionGenerator::nlp_ik) {
     return fail(ErrorCode::invalid_argument, say("start_at_rest"), "start");
   }
   const PresetTraits& preset = traits_of(task.preset);
-  const bool home = task.start.angles == task.home.angles && task.start.velocities.empty();
-  if (!preset.layers || home) return {};
+  if (!preset.layers || task.start.velocities.empty()) return {};
   return fail(ErrorCode::invalid_argument, say("start_of_layers", preset.word), "start");
 }
 

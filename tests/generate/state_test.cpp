@@ -140,10 +140,31 @@ TEST(State, OfAnotherBodyOrWithoutANumberIsRefused) {
   EXPECT_EQ(generate(task).error().message.key, "start_at_rest");
 }
 
-TEST(State, PresetsWithLayersTakeTheBodysOwnAlone) {
-  Task task = with_preset(asked(human_body(), "right_hand", {-0.2, 1.1, 0.5}), Preset::human);
-  EXPECT_TRUE(generate(task));
-  task.start.angles[0] += 0.01;
+TEST(State, ALoadThatIsHeldIsAsAGoalsLoad) {
+  Task asks = asked(human_body(), "right_hand", {-0.2, 0.9, 0.5});
+  Task holds = asks;
+  asks.goals[0].load = 8.0;
+  holds.start.held = {{holds.body.find_effector("right_hand").value(), 8.0}};
+  const PreparedTask prepared = PreparedTask::of(holds).value();
+  EXPECT_NEAR(prepared.task().body.mass(), holds.body.mass() + 8.0, 1e-9);
+  EXPECT_EQ(PreparedTask::of(prepared.task()).value().task().body.mass(),
+            prepared.task().body.mass());
+  EXPECT_EQ(generate(holds).value().candidates[0].motion.clip.angles,
+            generate(asks).value().candidates[0].motion.clip.angles);
+  holds.start.held[0].mass = -1.0;
+  EXPECT_EQ(generate(holds).error().message.key, "load_range");
+}
+
+TEST(State, LayersBeginInAnyPostureAtRest) {
+  const PosedBody posed = human_body();
+  Task task = with_preset(asked(posed, "right_hand", {-0.3, 1.2, 0.4}), Preset::human);
+  task.start = end_of(asked(posed, "right_hand", {-0.2, 0.3, 0.45}));
+  const GenerateResult result = generate(task).value();
+  EXPECT_TRUE(result.meets_goals());
+  const Clip& clip = result.candidates[0].motion.clip;
+  EXPECT_EQ(clip.state(0), task.start);
+  EXPECT_LE(slide_of(posed, clip, "left_foot"), kReachTolerance);
+  task.start.velocities.assign(task.start.angles.size(), 0.1);
   EXPECT_EQ(generate(task).error().message.key, "start_of_layers");
 }
 

@@ -33,8 +33,7 @@ inline constexpr std::array kTasks{
                 "a state has one finite angle for each of the {} dofs, and as many velocities or "
                 "none; here are {}"},
     MessageText{"start_at_rest", "motions by nlp_ik begin at rest"},
-    MessageText{"start_of_layers",
-                "the preset {} begins in the body's own start posture; flat begins in any"},
+    MessageText{"start_of_layers", "the preset {} begins at rest; flat also begins in a movement"},
     MessageText{"ease_of_layers",
                 "the preset {} has layers, which keep their own time; flat has an ease"},
     MessageText{"no_gaze_lead", "the preset {} does not turn the head to the gaze target"},

@@ -15,7 +15,7 @@ export const tasks: Readonly<Record<string, string>> = {
   duration_range: '所要時間が {0} 秒です。使えるのは {1}～{2} 秒です。',
   start_state: '状態には、{0} 個の自由度それぞれに有限の角度が必要です（速度は同じ数か、なし）。与えられたのは {1} 個です。',
   start_at_rest: 'nlp_ik の動きは、静止した状態から始まります。',
-  start_of_layers: '探索方法「{0}」は、体のもとの姿勢からだけ始められます。',
+  start_of_layers: '探索方法「{0}」は、静止した姿勢からだけ始められます。',
   ease_of_layers: '探索方法「{0}」は階層ごとの時間で動くため、緩急を使えません。',
   no_gaze_lead: '探索方法「{0}」では、頭が目標を向きません。',
   no_weights: '評価の重みは 0 以上で、すべてを 0 にはできません。',
