@@ -41,7 +41,7 @@ class Rival {
     jacobian_.resize(Rows, dofs_);
     weighted_.resize(Rows, dofs_);
     for (Vector* v : {&start_, &before_, &now_, &next_, &qd_, &qdd_, &tau_}) v->setZero(dofs_);
-    start_ = in_order(problem.body->start());
+    start_ = in_order(problem.start().angles);
     for (int frame = 0; frame <= problem.steps; ++frame) {
       path_.push_back(problem.goals[0].path.at(static_cast<double>(frame) / problem.steps));
     }
@@ -82,11 +82,11 @@ class Rival {
       const double slide = norm(engine_.foot().translation - planted_.translation);
       if (!(slide < kFootTolerance)) return "the foot slides";
     }
-    const PosedBody& body = *problem_.body;
+    const BodyModel& body = *problem_.body;
     Kinematics<double> kinematics(body);
-    forward_kinematics<double>(body, body.home.angles, kinematics);
+    forward_kinematics<double>(body, problem_.start().angles, kinematics);
     DynamicsWorkspace<double> work(body);
-    const std::vector<double> still(body.body.dofs().size(), 0.0);
+    const std::vector<double> still(body.dofs().size(), 0.0);
     std::vector<double> tau(still);
     inverse_dynamics<double>(body, kinematics, {still, still}, work, tau);
     engine_.place(start_);
@@ -167,8 +167,8 @@ bool register_rival(const std::string& name) {
 }
 
 // The planted foot that is not the base; null if there is none.
-inline const Foot* second_foot(const PosedBody& body) {
-  for (const Foot& foot : body.body.feet()) {
+inline const Foot* second_foot(const BodyModel& body) {
+  for (const Foot& foot : body.feet()) {
     if (foot.link != kBaseLink) return &foot;
   }
   return nullptr;
