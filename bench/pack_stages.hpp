@@ -20,7 +20,7 @@ class PackStages final : public Stages {
       : problem_(*input.problem),
         body_(*problem_.body),
         all_weights_(input.inverse_weights),
-        angles_(body_.body.dofs().size()),
+        angles_(body_.dofs().size()),
         speeds_(angles_.size(), S(0.3)),
         accelerations_(angles_.size(), S(1.0)),
         torques_(angles_.size()),
@@ -101,7 +101,7 @@ class PackStages final : public Stages {
   void dynamics() {
     const Wrench<S> ground =
         inverse_dynamics<S>(body_, kinematics_, {speeds_, accelerations_}, dynamics_, torques_);
-    if (body_.body.feet().size() == 2) {
+    if (body_.feet().size() == 2) {
       share_ground_wrench<S>(body_, kinematics_, {}, ground, torques_);
     }
     centre_ = centre_of_mass<S>(body_, dynamics_);
@@ -125,7 +125,7 @@ class PackStages final : public Stages {
   }
 
   const ReachProblem& problem_;
-  const PosedBody& body_;
+  const BodyModel& body_;
   std::span<const float> all_weights_;
   std::size_t next_motion_ = 0;
   std::vector<S> angles_;

@@ -121,7 +121,7 @@ void print_table(const PosedBody& posed) {
                            fmt::join(names, " "));
   const int hand = posed.body.find_effector("right_hand").value();
   for (const Place& place : searched_places(posed)) {
-    const Vec3d at = start_place(posed, hand, place.goal).value() * 1000.0;
+    const Vec3d at = start_place(posed.body, posed.home, hand, place.goal).value() * 1000.0;
     std::cout << fmt::format("{:.0f}\t{:.0f}\t{:.0f}\t{}\n", at.x, at.y, at.z,
                              digits_of(place.point));
   }

@@ -44,8 +44,8 @@ struct Run {
   double microseconds = 0.0;  // a motion, with the search's own work; 0 of pagmo's
 };
 
-Run run(const Searcher& searcher, const Plan& plan, const BodyModel& body, const Vec3d& goal) {
-  GoalSearch searched(body, goal, {.code = searcher.code});
+Run run(const Searcher& searcher, const Plan& plan, const PosedBody& posed, const Vec3d& goal) {
+  GoalSearch searched(posed, goal, {.code = searcher.code});
   const SearchProblem problem = searched.problem();
   std::vector<std::vector<double>> of_seeds;
   Run of_place;

@@ -116,7 +116,7 @@ void add_high(Maker& make) {
 
 Case case_of(Task task, Side side) {
   Case made{std::move(task), side};
-  const PosedBody& posed = made.task.body;
+  const PosedBody& posed = made.task;
   const double scale = kUsualStature / posed.body.stature();
   const Kinematics<double> start = home_kinematics(posed);
   const Vec3d goal = made.task.goals.front().position;

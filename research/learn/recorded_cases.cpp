@@ -122,7 +122,7 @@ std::vector<Unit> man_units(const std::filesystem::path& folder) {
     if (!reach) continue;
     Motion record;
     record.clip = reach->track.angles;
-    const Figures his = figures_of(reach->body, record, Side::right);
+    const Figures his = figures_of(reach->posed, record, Side::right);
     Case made = case_of(reach->task(), Side::right);
     made.recorded = {{&Figures::trunk, his.trunk, 14.0},
                      {&Figures::knee, his.knee, 24.0},

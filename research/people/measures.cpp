@@ -108,10 +108,10 @@ double angle_difference(const Clip& recorded, const Clip& generated,
 
 Apart apart(const Recorded& reach, const Track& generated) {
   const Track& record = reach.track;
-  const std::vector<bool> all(reach.body.dofs().size(), true);
+  const std::vector<bool> all(reach.posed.body.dofs().size(), true);
   return {final_place(record.joints.back(), generated.joints.back()),
-          angle_difference(record.angles, generated.angles, nine_of(reach.body)),
-          angle_difference(record.paper_angles, generated.paper_angles, nine_of(reach.paper_body)),
+          angle_difference(record.angles, generated.angles, nine_of(reach.posed)),
+          angle_difference(record.paper_angles, generated.paper_angles, nine_of(reach.paper)),
           angle_difference(record.angles, generated.angles, all)};
 }
 

@@ -174,8 +174,8 @@ std::string each_reach(const std::vector<Compared>& compared) {
         "candidates. His body of {} freedoms follows him within {:.1f} cm on average, that of {} "
         "within {:.1f} cm.\n\n",
         name, c.reach.segment.first, c.reach.segment.last, c.reach.track.duration(), c.own_duration,
-        c.candidates, c.reach.body.dof_count(), 100.0 * c.reach.fit_mean,
-        c.reach.paper_body.dof_count(), 100.0 * c.reach.paper_fit_mean);
+        c.candidates, c.reach.posed.body.dof_count(), 100.0 * c.reach.fit_mean,
+        c.reach.paper.body.dof_count(), 100.0 * c.reach.paper_fit_mean);
     std::vector<std::string> head{"motion"};
     head.insert(head.end(), kApart.begin(), kApart.end());
     head.insert(head.end(), {"trunk, °", "knee, °", "path / distance", "bow forwards, cm"});

@@ -25,7 +25,7 @@ MotionStrip recorded_strip(const Recorded& reach) {
 }
 
 MotionStrip made_strip(const Recorded& reach, const Track& track) {
-  MotionStrip strip{skeleton_motion(reach.body, track.angles), {}, {}};
+  MotionStrip strip{skeleton_motion(reach.posed, track.angles), {}, {}};
   strip.overlay.goals = {reach.track.joints.back()[right_grip]};
   for (const Joints& joints : track.joints) {
     strip.overlay.hand_path.push_back(joints[right_grip]);

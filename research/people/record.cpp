@@ -102,12 +102,12 @@ Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& se
                  measured(clip, segment.first, BodyExtent::human, heels));
   SHG_TRY_ASSIGN(const CharacterSpec paper, measured(clip, segment.first, BodyExtent::full));
   SHG_TRY_ASSIGN(PosedBody posed, build_character(person));
-  SHG_TRY_ASSIGN(PosedBody paper_body, build_character(paper));
-  Recorded reach{segment, std::move(motion), person, std::move(posed), std::move(paper_body)};
+  SHG_TRY_ASSIGN(PosedBody paper_posed, build_character(paper));
+  Recorded reach{segment, std::move(motion), person, std::move(posed), std::move(paper_posed)};
   reach.track = record_track(reach);
   const FitFrames frames{segment.first, segment.last};
-  ClipFit fit = fit_clip(reach.body, person.rig->rig, reach.motion, frames);
-  ClipFit paper_fit = fit_clip(reach.paper_body, paper.rig->rig, reach.motion, frames);
+  ClipFit fit = fit_clip(reach.posed, person.rig->rig, reach.motion, frames);
+  ClipFit paper_fit = fit_clip(reach.paper, paper.rig->rig, reach.motion, frames);
   reach.fit_mean = fit.mean_distance;
   reach.paper_fit_mean = paper_fit.mean_distance;
   reach.track.angles = std::move(fit.clip);
@@ -137,12 +137,12 @@ Track joints_track(const PosedBody& posed, const Clip& clip) {
 }
 
 Track track_of(const Recorded& reach, const Clip& clip) {
-  const PosedBody& posed = reach.body;
+  const PosedBody& posed = reach.posed;
   Track track = joints_track(posed, clip);
   const SkeletonMotion motion = skeleton_motion(posed, clip);
   const Rig rig = own_rig(*reach.person.landmarks, motion);
   track.paper_angles =
-      fit_clip(reach.paper_body, rig, motion, {.first = 0, .last = clip.frames - 1}).clip;
+      fit_clip(reach.paper, rig, motion, {.first = 0, .last = clip.frames - 1}).clip;
   return track;
 }
 

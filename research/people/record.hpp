@@ -54,8 +54,8 @@ struct Recorded {
   Segment segment;
   SkeletonMotion motion;  // the whole file
   CharacterSpec person;   // measured in the first frame, extent human
-  BodyModel body;         // the same with 18 dofs
-  BodyModel paper_body;
+  PosedBody posed;        // and the same with 18 dofs
+  PosedBody paper;
   Track track{};
   double fit_mean = 0.0;        // m, between the body's joints and his
   double paper_fit_mean = 0.0;  // m, with 18 dofs
