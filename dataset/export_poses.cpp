@@ -73,29 +73,29 @@ Result<NodePlaces> places_in(const Row& row, const std::string& id) {
 }
 
 // A body's degree of freedom for a data set's joint, and the sign of its values.
-std::pair<int, double> dof_of(const PosedBody& body, const std::string& joint) {
-  if (!body.robot) return {body.body.find_dof(joint).value_or(-1), 1.0};
-  for (const RobotJoint& one : body.robot->joints) {
+std::pair<int, double> dof_of(const PosedBody& posed, const std::string& joint) {
+  if (!posed.robot) return {posed.body.find_dof(joint).value_or(-1), 1.0};
+  for (const RobotJoint& one : posed.robot->joints) {
     if (one.name == joint) return {one.dof, one.sign};
   }
   return {-1, 1.0};
 }
 
 // Clip of a row's stored angles; empty if they are not stored.
-std::optional<Clip> clip_in(const Row& row, const PosedBody& body) {
+std::optional<Clip> clip_in(const Row& row, const PosedBody& posed) {
   const std::vector<double> angles = row.numbers(word_of(DatasetSeries::angles));
   const std::vector<std::string>* joints = row.table->names_of("joints");
   if (angles.empty() || joints == nullptr || joints->empty()) return std::nullopt;
-  Clip clip{.dofs = body.body.dof_count(),
+  Clip clip{.dofs = posed.body.dof_count(),
             .frames = static_cast<int>(angles.size() / joints->size()),
             .angles = {}};
   clip.frame_time = frame_time_of(row.number("duration_s"), static_cast<std::size_t>(clip.frames));
   for (int f = 0; f < clip.frames; ++f) {
-    clip.angles.insert(clip.angles.end(), body.home.angles.begin(), body.home.angles.end());
+    clip.angles.insert(clip.angles.end(), posed.home.angles.begin(), posed.home.angles.end());
   }
   const auto dofs = static_cast<std::size_t>(clip.dofs);
   for (std::size_t j = 0; j < joints->size(); ++j) {
-    const auto [dof, sign] = dof_of(body, (*joints)[j]);
+    const auto [dof, sign] = dof_of(posed, (*joints)[j]);
     if (dof < 0) return std::nullopt;
     for (std::size_t f = 0; f < angles.size() / joints->size(); ++f) {
       clip.angles[f * dofs + static_cast<std::size_t>(dof)] = sign * angles[f * joints->size() + j];

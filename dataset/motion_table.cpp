@@ -15,17 +15,17 @@ namespace {
 
 // Degrees of freedom in the order of the body standing on its right foot, or for a robot the file's
 // joints.
-std::vector<DataDof> data_dofs(const TaskFile& file, const PosedBody& body) {
+std::vector<DataDof> data_dofs(const TaskFile& file, const PosedBody& posed) {
   std::vector<DataDof> dofs;
-  if (body.robot) {
-    for (const RobotJoint& joint : body.robot->joints) {
+  if (posed.robot) {
+    for (const RobotJoint& joint : posed.robot->joints) {
       if (joint.dof >= 0) dofs.push_back({joint.name, joint.dof, joint.sign});
     }
     return dofs;
   }
   const Result<PosedBody> on_right = build_character(file.character, Side::right);
-  for (const Dof& dof : (on_right ? *on_right : body).body.dofs()) {
-    if (const auto own = body.body.find_dof(dof.name)) dofs.push_back({dof.name, *own, 1.0});
+  for (const Dof& dof : (on_right ? *on_right : posed).body.dofs()) {
+    if (const auto own = posed.body.find_dof(dof.name)) dofs.push_back({dof.name, *own, 1.0});
   }
   return dofs;
 }

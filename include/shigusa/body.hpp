@@ -399,7 +399,7 @@ struct PosedBody {
   std::vector<Message> doubts{};      ///< warnings for the user: guesses made while building it
   std::optional<RobotFrame> robot{};  ///< joints of the robot's file; empty for a person
 
-  /// The body alone.
+  /// The body alone, which lives as long as this.
   operator const BodyModel&() const { return body; }
 };
 

@@ -19,12 +19,12 @@ constexpr std::size_t kPlacesMax = 64;  // more than the nodes of any body
 
 }  // namespace
 
-std::vector<Vec3d> start_places(const PosedBody& body, const Rig& rig) {
+std::vector<Vec3d> start_places(const PosedBody& posed, const Rig& rig) {
   Clip clip;
-  clip.dofs = body.body.dof_count();
+  clip.dofs = posed.body.dof_count();
   clip.frames = 1;
-  clip.angles = body.home.angles;
-  const RigMotion motion = rig_motion(body, clip, rig);
+  clip.angles = posed.home.angles;
+  const RigMotion motion = rig_motion(posed, clip, rig);
   std::vector<Transformd> placed;
   std::vector<Vec3d> places;
   for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
@@ -40,12 +40,12 @@ std::vector<Vec3d> start_places(const PosedBody& body, const Rig& rig) {
   return places;
 }
 
-void find_places(const PosedBody& body, CharacterSpec& spec) {
+void find_places(const PosedBody& posed, CharacterSpec& spec) {
   if (!spec.rig) return;
-  const std::vector<Vec3d> places = start_places(body, spec.rig->rig);
-  const Kinematics<double> start = home_kinematics(body);
+  const std::vector<Vec3d> places = start_places(posed, spec.rig->rig);
+  const Kinematics<double> start = home_kinematics(posed);
   spec.places.clear();
-  for (const BodyNode& node : body.body.nodes()) {
+  for (const BodyNode& node : posed.body.nodes()) {
     const int of_file = node.name.empty() ? -1 : rig_node(spec, node.name);
     if (of_file < 0) continue;
     const Vec3d& place = places[index(of_file)];
@@ -54,19 +54,19 @@ void find_places(const PosedBody& body, CharacterSpec& spec) {
   }
 }
 
-PosedBody placed_body(const CharacterSpec& spec, PosedBody body) {
-  if (spec.places.empty()) return body;
-  const Kinematics<double> start = home_kinematics(body);
+PosedBody placed_body(const CharacterSpec& spec, PosedBody posed) {
+  if (spec.places.empty()) return posed;
+  const Kinematics<double> start = home_kinematics(posed);
   std::vector<NodePlace> places;
   for (const auto& [name, at] : spec.places) {
-    for (const BodyNode& node : body.body.nodes()) {
+    for (const BodyNode& node : posed.body.nodes()) {
       if (node.name != name) continue;
       places.push_back({name, transpose_times(start.link_rotation(node.link),
                                               at - start.link_origin(node.link))});
     }
   }
-  body.body = with_places(body.body, std::move(places));
-  return body;
+  posed.body = with_places(posed.body, std::move(places));
+  return posed;
 }
 
 void read_places(JsonReader& character, std::vector<std::pair<std::string, Vec3d>>& places) {

@@ -200,12 +200,12 @@ Result<RecordedMotion> on_its_person(MotionFile file, const std::string& name,
 Result<RecordedMotion> on_another_body(MotionFile file, const std::string& name,
                                        CharacterSpec character, int first) {
   SHG_TRY(measure_character(character, {}));
-  SHG_TRY_ASSIGN(PosedBody body, build_character(character));
+  SHG_TRY_ASSIGN(PosedBody posed, build_character(character));
   SHG_TRY_ASSIGN(const MeasuredFile measured,
-                 measure(file, first, {}, {body.body.stature()}, name));
+                 measure(file, first, {}, {posed.body.stature()}, name));
   Rig rig = rig_of(file.motion, first, measured);
-  rig.start = start_of(character, body);
-  return RecordedMotion{std::move(body), std::move(file.motion),
+  rig.start = start_of(character, posed);
+  return RecordedMotion{std::move(posed), std::move(file.motion),
                         std::make_shared<const Rig>(std::move(rig))};
 }
 

@@ -52,11 +52,11 @@ MannequinExporter::MannequinExporter(const CharacterSpec& character, const BodyM
   named_ = named_nodes(mannequin_.skeleton(), settings.names);
 }
 
-GltfAnimation MannequinExporter::animation(const PosedBody& body, const Clip& clip,
+GltfAnimation MannequinExporter::animation(const PosedBody& posed, const Clip& clip,
                                            const std::string& name) const {
   const std::vector<LocalTransform>& rest = mannequin_.rest();
-  SkeletonClip moved = skeleton_motion(body, clip).clip;
-  if (settings_.in_place) stay_in_place(0, {}, {0, 1, 0}, body.body.nodes().size(), moved.local);
+  SkeletonClip moved = skeleton_motion(posed, clip).clip;
+  if (settings_.in_place) stay_in_place(0, {}, {0, 1, 0}, posed.body.nodes().size(), moved.local);
   const bool plays = hands_.fingers;
   const std::vector<LocalTransform> local =
       mannequin_.play(moved, {plays && hands_.reaches[0], plays && hands_.reaches[1]});

@@ -67,11 +67,11 @@ void add_pose(const std::vector<Transformd>& places, std::vector<CsvColumn>& col
 // "JOINT [m]" for sliding joints) for all joints that move, in the file's order, then "JOINT torque
 // [N m]" for those that take part. If six joints attach the root to a world link, they drive it,
 // and root.* is the placement of the world link.
-void add_robot_columns(const PosedBody& body, const Motion& motion,
+void add_robot_columns(const PosedBody& posed, const Motion& motion,
                        std::vector<CsvColumn>& columns) {
   const Clip& clip = motion.clip;
-  const RobotFrame& robot = *body.robot;
-  std::vector<Transformd> root = root_places(body.body, robot, clip);
+  const RobotFrame& robot = *posed.robot;
+  std::vector<Transformd> root = root_places(posed.body, robot, clip);
   const std::vector<RootValues> ways = carried(robot, root);
   if (!ways.empty()) root.assign(root.size(), robot.world);
   add_pose(root, columns);
@@ -101,11 +101,11 @@ void add_robot_columns(const PosedBody& body, const Motion& motion,
   }
 }
 
-void add_body_columns(const PosedBody& body, const Motion& motion,
+void add_body_columns(const PosedBody& posed, const Motion& motion,
                       std::vector<CsvColumn>& columns) {
   const auto dofs = static_cast<std::size_t>(motion.clip.dofs);
   const auto add = [&](std::size_t d, const char* unit, const std::vector<double>& values) {
-    CsvColumn column{fmt::format("{} {}", body.body.dofs()[d].name, unit), {}};
+    CsvColumn column{fmt::format("{} {}", posed.body.dofs()[d].name, unit), {}};
     for (std::size_t i = d; i < values.size(); i += dofs) column.values.push_back(values[i]);
     columns.push_back(std::move(column));
   };

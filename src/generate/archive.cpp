@@ -13,10 +13,10 @@ Style style_of(const std::optional<double>& stoop_squat_index) {
                                             : Style::between;
 }
 
-Archive::Archive(const PosedBody& body)
-    : dofs_(body.body.dofs().size()), meter_(body.body, body.home), angles_(dofs_) {
+Archive::Archive(const PosedBody& posed)
+    : dofs_(posed.body.dofs().size()), meter_(posed.body, posed.home), angles_(dofs_) {
   for (std::size_t d = 0; d < dofs_; ++d) {
-    const JointPlace& part = body.body.dofs()[d].part;
+    const JointPlace& part = posed.body.dofs()[d].part;
     if (part.freedom_kind != FreedomKind::rotation) continue;
     if (part.joint_kind == JointKind::hip && part.side == Side::right) descriptors_[0].push_back(d);
     if (part.joint_kind == JointKind::shoulder) descriptors_[1].push_back(d);

@@ -38,7 +38,7 @@ struct StartTable {
 // The tables of the built-in bodies. Written by scripts/make_starts.
 [[nodiscard]] std::span<const StartTable> start_tables();
 
-// Goal position relative to the shoulder in the start posture, in statures; mirrored for a left
+// Goal position relative to the shoulder of the body at home, in statures; mirrored for a left
 // hand. None for effectors other than hands.
 [[nodiscard]] std::optional<Vec3d> start_place(const BodyModel& body, const State& home,
                                                int effector, const Vec3d& goal);

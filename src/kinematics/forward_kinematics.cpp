@@ -12,6 +12,8 @@ Kinematics<double> placed(const BodyModel& body, const State& state) {
   return kinematics;
 }
 
-Kinematics<double> home_kinematics(const PosedBody& body) { return placed(body.body, body.home); }
+Kinematics<double> home_kinematics(const PosedBody& posed) {
+  return placed(posed.body, posed.home);
+}
 
 }  // namespace shigusa

@@ -101,7 +101,7 @@ constexpr std::size_t kHeaderBytes = kMagic.size() + 4 + 8 + 4;
 
 }  // namespace
 
-LimbLibrary::LimbLibrary(PosedBody arm, const LimbLibrarySettings& settings)
+LimbLibrary::LimbLibrary(const PosedBody& arm, const LimbLibrarySettings& settings)
     : arm_(arm.body),
       home_(arm.home),
       settings_(settings),

@@ -37,7 +37,7 @@ struct LimbLibrarySettings {
 class LimbLibrary {
  public:
   // Makes a library of an arm_body.
-  explicit LimbLibrary(PosedBody arm, const LimbLibrarySettings& settings = {});
+  explicit LimbLibrary(const PosedBody& arm, const LimbLibrarySettings& settings = {});
 
   // The cell nearest to a hand's position (m, from the shoulder, in the trunk's frame).
   [[nodiscard]] int cell_of(const Vec3d& hand) const;

@@ -24,12 +24,12 @@ namespace shigusa {
 [[nodiscard]] double goal_duration(const BodyModel& body, const Kinematics<double>& start,
                                    const ReachGoal& goal);
 
-// The task with its goals' loads in the body's hands, and its body on its contacts; unchanged
-// without loads and freed feet.
+// The task with the loads of its start and its goals in the body's hands, and its body on its
+// contacts; unchanged without loads and freed feet.
 [[nodiscard]] Result<Task> standing(Task task);
 
-// Fails unless the start has one finite angle for each dof, and is the body's own for a preset with
-// layers.
+// Fails unless the start has one finite angle for each dof and loads in range, and is at rest where
+// the method or the preset begins so.
 [[nodiscard]] Result<void> check_start(const Task& task);
 
 // Fails if goals and contacts take more rows than the IK has.
