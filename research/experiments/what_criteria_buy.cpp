@@ -87,7 +87,7 @@ void apply(const Variant& variant, Task& task) {
     }
   }
   if (variant.fixed.empty()) return;
-  const ParameterList list = parameter_list(whole_body_plan(task.body, task.start));
+  const ParameterList list = parameter_list(whole_body_plan(task.body));
   task.fixed = no_fixed_parameters(list);
   for (const std::string& assignment : variant.fixed) {
     SHG_CHECK(fix_parameter(list, assignment, *task.fixed), "cannot fix " + assignment);

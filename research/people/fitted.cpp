@@ -38,7 +38,7 @@ std::vector<FitKind> fit_kinds() {
 FittedReach fitted_reach(const Recorded& reach, const FitKind& kind, int evaluations) {
   const Task task = reach.task();
   const ReachProblem problem = make_problem(task).value();
-  const ParameterList list = parameter_list(whole_body_plan(task.body, task.start));
+  const ParameterList list = parameter_list(whole_body_plan(task.body));
   FixedParameters fixed = no_fixed_parameters(list);
   if (kind.straight && kind.code != GeneCode::logarithmic) {
     for (const char* none : {"bow=0", "sway=0"}) {

@@ -31,31 +31,6 @@ constexpr std::string_view kElbowSentence = "The elbow bends: the arm's contract
 constexpr std::string_view kSwivelSentence = "The upper arm turns outwards about its axis.";
 constexpr std::string_view kWristSentence = "The hand bends to the palm's side, or back.";
 
-// Squat and lean of a start posture (rad), by which the body can straighten; zero for a usual
-// standing posture, and for a seated person, whose knees are fixed.
-struct Bent {
-  double squat = 0.0;
-  double lean = 0.0;
-};
-
-Bent bent_at_start(const BodyModel& body, const State& start) {
-  constexpr double kStands = radians(20.0);
-  const auto at_start = [&](JointKind joint) {
-    std::vector<double> angles;
-    for (const int d : body.dofs_of(joint, FreedomKind::flexion)) {
-      angles.push_back(start.angles[static_cast<std::size_t>(d)]);
-    }
-    return angles.empty() ? 0.0 : *std::min_element(angles.begin(), angles.end());
-  };
-  Bent bent;
-  const double knees = at_start(JointKind::knee);
-  if (knees <= kStands) return bent;
-  bent.squat = knees;
-  const double hips = at_start(JointKind::hip) - kOfKnee * knees;
-  if (hips > kStands) bent.lean = hips;
-  return bent;
-}
-
 // Displacement of a degree of freedom by a mode, and that of its left counterpart.
 struct Moved {
   JointKind joint;
@@ -152,17 +127,6 @@ std::vector<PostureMode> posture_modes(const BodyModel& body) {
   add_trunk_modes(body, modes);
   add_arm_modes(modes);
   return modes.take();
-}
-
-std::vector<PostureMode> posture_modes(const BodyModel& body, const State& start) {
-  std::vector<PostureMode> modes = posture_modes(body);
-  if (start.angles.empty()) return modes;
-  const Bent bent = bent_at_start(body, start);
-  for (PostureMode& mode : modes) {
-    if (mode.name == "squat") mode.lower -= bent.squat;
-    if (mode.name == "lean") mode.lower -= bent.lean;
-  }
-  return modes;
 }
 
 }  // namespace shigusa

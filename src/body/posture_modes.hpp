@@ -9,7 +9,8 @@
 namespace shigusa {
 
 // A named change of posture as a direction in joint space: a motion is attracted to start + Σ value
-// · direction, as far as its goals and planted feet permit.
+// · direction, from a bent start to standing + Σ value · direction (ReachProblem::rise), as far as
+// its goals and planted feet permit.
 struct PostureMode {
   std::string name;               // "squat"
   std::string_view sentence;      // description of its effect
@@ -26,7 +27,5 @@ inline constexpr double kOfKnee = 0.5;
 // a nearly straight knee lowering the hand begins with extending it; targets for knee, trunk and
 // swivel improved the fit to a recorded man most (docs/architecture.md, decision 13).
 [[nodiscard]] std::vector<PostureMode> posture_modes(const BodyModel& body);
-// The modes with ranges by which a body that starts with bent knees or hips can straighten.
-[[nodiscard]] std::vector<PostureMode> posture_modes(const BodyModel& body, const State& start);
 
 }  // namespace shigusa

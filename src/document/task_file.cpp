@@ -109,7 +109,7 @@ Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
   }
   SHG_TRY_ASSIGN(PosedBody body, build_body(file));
   Task task(std::move(body), file);
-  const ParameterList list = parameter_list(whole_body_plan(task.body, task.start, task.supports));
+  const ParameterList list = parameter_list(whole_body_plan(task.body, task.supports));
   for (const std::string& assignment : file.fixed_assignments) {
     if (!task.fixed) task.fixed = no_fixed_parameters(list);
     if (const auto done = fix_parameter(list, assignment, *task.fixed); !done) {

@@ -63,7 +63,7 @@ ParameterSpace::ParameterSpace(const ReachProblem& problem, const ParameterList&
       named_(code == GeneCode::natural || code == GeneCode::every),
       base_(list.start()),
       set_(fixed ? fixed->set : std::vector<bool>(list.size())),
-      modes_(posture_modes(*body_, problem.start())),
+      modes_(posture_modes(*body_)),
       supports_(problem.supports.size()) {
   base_.posed = named_;
   const std::vector<bool> useful = useful_dofs(problem);

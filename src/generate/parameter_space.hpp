@@ -50,10 +50,6 @@ class ParameterSpace {
   [[nodiscard]] std::vector<int> weights_of(JointKind joint, FreedomKind freedom) const;
   // The coordinate for a parameter value, clamped to [0, 1].
   [[nodiscard]] double coordinate(int gene, double value) const;
-  // The lower bound of a gene.
-  [[nodiscard]] double lowest(int gene) const {
-    return genes_[static_cast<std::size_t>(gene)].lower;
-  }
 
   // Decodes many points, in sequence, for BatchRollout; valid until the next call.
   [[nodiscard]] MotionInputs rows(std::span<const double> points);

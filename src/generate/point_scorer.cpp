@@ -34,7 +34,9 @@ std::optional<SquatTarget> SquatTarget::of(const Problem& problem) {
     const auto knee = body.find_dof(JointKind::knee, FreedomKind::flexion, side);
     if (!knee) continue;
     target.knees_.push_back(static_cast<std::size_t>(*knee));
-    target.wanted_ += *squat + problem.task.start.angles[target.knees_.back()];
+    const std::size_t k = target.knees_.back();
+    target.wanted_ += *squat + problem.task.start.angles[k];
+    if (!problem.reach.rise.empty()) target.wanted_ += problem.reach.rise[k];
   }
   if (target.knees_.empty()) return std::nullopt;
   return target;

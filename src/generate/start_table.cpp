@@ -15,8 +15,6 @@ namespace {
 // Bent postures (deg): leans of the trunk and bends of the knees, and the lower bounds of both
 // modes for a standing body.
 constexpr double kLeans[] = {0.0, 30.0, 60.0, 90.0};
-constexpr double kSquatLeast = 0.0;
-constexpr double kLeanLeast = -20.0;
 constexpr double kSquats[] = {0.0, 40.0, 80.0, 120.0};
 
 constexpr double kPlaceUnit = 1e-3;  // statures
@@ -126,19 +124,17 @@ std::optional<Vec3d> start_place(const BodyModel& body, const State& home, int e
 
 std::vector<double> bent_starts(const ParameterSpace& space) {
   std::vector<double> points;
-  // a body with a bent start posture straightens as far as a standing one
-  const auto set = [&](std::string_view mode, double standing, double value) {
+  const auto set = [&](std::string_view mode, double value) {
     const int gene = space.find(mode);
     if (gene < 0) return;
-    const double bend = radians(value - standing) + space.lowest(gene);
-    *(points.end() - space.genes() + gene) = space.coordinate(gene, bend);
+    *(points.end() - space.genes() + gene) = space.coordinate(gene, radians(value));
   };
   const std::vector<double> upright = space.start();
   for (const double squat : kSquats) {
     for (const double lean : kLeans) {
       points.insert(points.end(), upright.begin(), upright.end());
-      set("squat", kSquatLeast, squat);
-      set("lean", kLeanLeast, lean);
+      set("squat", squat);
+      set("lean", lean);
     }
   }
   return points;
@@ -152,7 +148,8 @@ std::vector<double> nearest_starts(const ReachProblem& problem, const ParameterS
   for (const ReachGoal& goal : problem.goals) {
     const BodyModel& body = *problem.body;
     const std::optional<Vec3d> place =
-        start_place(body, problem.home, goal.effector, goal.path.goal);
+        start_place(body, problem.rise.empty() ? problem.home : problem.standing(), goal.effector,
+                    goal.path.goal);
     if (!place) continue;
     const bool left = body.effector(goal.effector).part.side == Side::left;
     const StartTable* table = table_of(space, body.feet().size(), left);

@@ -164,7 +164,14 @@ bool lies(const Landmarks& person, double stature) {
     const Landmarks::Leg& leg = person.leg(side);
     for (const Vec3d& p : {leg.hip, leg.knee, leg.ankle}) take(p);
   }
-  return high - low <= kLevel * stature;
+  if (high - low > kLevel * stature) return false;
+  // who crouches has the knees over the feet, and the hips off the floor
+  constexpr double kKnees = 0.15;  // statures above the ankles
+  constexpr double kHips = 0.1;
+  return std::any_of(kBothSides.begin(), kBothSides.end(), [&](Side side) {
+    const Landmarks::Leg& leg = person.leg(side);
+    return leg.knee.y - leg.ankle.y < kKnees * stature || leg.hip.y - leg.ankle.y < kHips * stature;
+  });
 }
 
 }  // namespace shigusa

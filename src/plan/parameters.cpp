@@ -11,7 +11,7 @@
 namespace shigusa {
 
 Parameters uniform_parameters(const BodyModel& body) {
-  return parameter_list(whole_body_plan(body, {})).start();
+  return parameter_list(whole_body_plan(body)).start();
 }
 
 Parameters decode_paper_genes(const BodyModel& body, std::span<const std::uint16_t> genes) {

@@ -25,8 +25,8 @@ void add_weights(const BodyModel& body, Layer& layer) {
   }
 }
 
-void add_modes(const BodyModel& body, const State& start, Layer& layer) {
-  const std::vector<PostureMode> modes = posture_modes(body, start);
+void add_modes(const BodyModel& body, Layer& layer) {
+  const std::vector<PostureMode> modes = posture_modes(body);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     ParameterInfo mode = parameter_info(ParameterKind::mode, modes[m].name, {static_cast<int>(m)});
     mode.sentence = modes[m].sentence;
@@ -111,10 +111,10 @@ Result<Plan> layers_to_goals(const BodyModel& body, const State& start, std::spa
   return layers;
 }
 
-Plan whole_body_plan(const BodyModel& body, const State& start, std::span<const Support> supports) {
+Plan whole_body_plan(const BodyModel& body, std::span<const Support> supports) {
   Layer layer{.name = "whole_body", .body = {}, .parameters = {}, .criteria = {}, .delegates = {}};
   add_weights(body, layer);
-  add_modes(body, start, layer);
+  add_modes(body, layer);
   add_timing(layer);
   add_supports(supports, layer);
   return {std::move(layer)};

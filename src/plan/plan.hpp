@@ -17,8 +17,7 @@ using Plan = std::vector<Layer>;
 
 // The plan of one layer. Its parameters are the weights of all dofs, the posture modes, the timing
 // and the loads of resting hands.
-[[nodiscard]] Plan whole_body_plan(const BodyModel& body, const State& start,
-                                   std::span<const Support> supports = {});
+[[nodiscard]] Plan whole_body_plan(const BodyModel& body, std::span<const Support> supports = {});
 
 // The upper layer of a body, then the layer of each goal's arm, then the layers of idle limbs, with
 // the parameters of those limbs alone. Fails for a body that is not a person's and for goals that

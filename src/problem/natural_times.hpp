@@ -13,6 +13,9 @@ namespace shigusa {
 // people.
 [[nodiscard]] double natural_begin(const EffectorPath& path);
 
+// Time of the hips, with the trunk, in a rise from a bent start: after the knees.
+inline constexpr TimeWindow kHipsRise{0.2, 1.0};
+
 // Timing of the body parts' change of posture in motions along these paths, fitted to recorded
 // people.
 [[nodiscard]] PartWindows natural_windows(std::span<const ReachGoal> goals);

@@ -13,6 +13,7 @@
 #include "motion/minimum_jerk.hpp"
 #include "problem/natural_times.hpp"
 #include "problem/plan_of.hpp"
+#include "rise.hpp"
 #include "rollout/reach_problem.hpp"
 #include "task_goals.hpp"
 #include "task_supports.hpp"
@@ -222,6 +223,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   problem.body = &body;
   problem.context = criteria_context(task);
   problem.home = task.home;
+  if (natural) problem.rise = rise_of(body, task.start);
   problem.duration = 0.0;
   std::vector<double> owns;  // (goals) s, duration of each alone
   for (const Goal& goal : task.goals) {
@@ -244,6 +246,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   }
   SHG_TRY_ASSIGN(problem.supports, make_supports(task, kinematics));
   SHG_TRY(check_rows(problem));
+  if (!problem.rise.empty()) problem.duration = max(problem.duration, kRiseTime);
   if (task.duration) problem.duration = *task.duration;
   // if the duration is short, the hand starts earlier
   for (std::size_t g = 0; g < owns.size(); ++g) {
@@ -255,6 +258,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   problem.gaze_lead = task.gaze_lead;
   problem.hold_limits = problem.posture_law = natural;
   if (natural) problem.windows = natural_windows(problem.goals);
+  if (!problem.rise.empty()) problem.windows[static_cast<std::size_t>(TimedPart::hips)] = kHipsRise;
   if (task.preset == Preset::flat) {
     problem.corrections = kLimitCorrections;
     problem.path_slack = kPathSlack;
@@ -267,7 +271,7 @@ Result<Plan> plan_of(const BodyModel& body, const State& start, const Request& r
                      const CriteriaSettings& criteria) {
   SHG_TRY(check_supports(request));
   const std::optional<LayerStack> stack = traits_of(request.preset).layers;
-  if (!stack) return whole_body_plan(body, start, request.supports);
+  if (!stack) return whole_body_plan(body, request.supports);
   return layers_to_goals(body, start, request.goals, {*stack, request.layer_reading}, criteria);
 }
 

@@ -19,6 +19,7 @@ class PostureDraw {
   explicit PostureDraw(const ReachProblem& problem)
       : problem_(&problem),
         parts_(timed_parts(*problem.body)),
+        rise_(problem.rise.begin(), problem.rise.end()),
         legs_(leg_flexions(*problem.body)) {}
 
   // Sets the reference (dofs, rad) to the increment of the change `posture` (dofs, rad) in the step
@@ -32,19 +33,24 @@ class PostureDraw {
       shares[p] = made(part, frame, delay) - made(part, frame - 1, delay);
     }
     for (std::size_t d = 0; d < reference.size(); ++d) {
-      reference[d] = posture[d] * shares[parts_[d]];
+      reference[d] = changed(d, posture) * shares[parts_[d]];
     }
     // hips and ankles follow the knees' timing in proportion to the knee's bend, so that a squat
     // stays in balance; the rest follows the lean's timing
     const S& squats = shares[static_cast<std::size_t>(TimedPart::knees)];
     const S& leans = shares[static_cast<std::size_t>(TimedPart::hips)];
     for (const LegFlexions& leg : legs_) {
-      const S knee = select(inverse_weights[leg.knee] > S(0), posture[leg.knee], S(0));
+      const S knee = select(inverse_weights[leg.knee] > S(0), changed(leg.knee, posture), S(0));
       const S part = knee * S(kOfKnee);
       for (const std::size_t d : {leg.hip, leg.ankle}) {
-        reference[d] = part * squats + (posture[d] - part) * leans;
+        reference[d] = part * squats + (changed(d, posture) - part) * leans;
       }
     }
+  }
+
+  // The change of a dof (rad), with that of a rise.
+  [[nodiscard]] S changed(std::size_t d, std::span<const S> posture) const {
+    return rise_.empty() ? posture[d] : posture[d] + S(rise_[d]);
   }
 
   // Share of its change completed by a part at a frame.
@@ -57,6 +63,7 @@ class PostureDraw {
  private:
   const ReachProblem* problem_;
   std::vector<std::size_t> parts_;  // (dofs) the TimedPart of each
+  std::vector<double> rise_;        // (dofs) rad, or empty: see ReachProblem::rise
   std::vector<LegFlexions> legs_;
 };
 

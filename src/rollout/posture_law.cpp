@@ -46,6 +46,11 @@ std::vector<double> on_planted_feet(const ReachProblem& problem, const Kinematic
 
 }  // namespace
 
+double back_bend(const BodyModel& body, const State& state) {
+  const double load = min(heaviest_load(state), kBackLoadMost);
+  return kBackBend * body.lumbar_part() * (1.0 + kBackOfLoad * load);
+}
+
 Mat3d rotation_at_start(const ReachProblem& problem, int link) {
   return placed(*problem.body, problem.start()).link_rotation(link);
 }

@@ -75,6 +75,15 @@ inline constexpr double kBackHalf = radians(18);
 inline constexpr double kBackOfLoad = 0.01;
 inline constexpr double kBackLoadMost = 20.0;  // kg
 
+// The relative bend of the back for a rotation of the pelvis.
+template <class S>
+[[nodiscard]] S bend_of_back(const Mat3<S>& pelvis) {
+  const S tip = max(atan2(-pelvis.cz.y, pelvis.cy.y), S(0));
+  return tip / (tip + S(kBackHalf));
+}
+// The bend (rad) of a body's back to which that is relative, with the loads of a state.
+[[nodiscard]] double back_bend(const BodyModel& body, const State& state);
+
 // Clavicle angles (rad) of an arm that points along a unit vector in the frame of the chest,
 // relative to a hanging arm's.
 template <class S>
@@ -242,8 +251,7 @@ class PostureLaw {
       back_.push_back(freedom(problem, *bend, kRanges[j].flexion));
     }
     pelvis_ = body.dof(static_cast<int>(back_.front().dof)).parent;
-    const double load = min(heaviest_load(problem.start()), kBackLoadMost);
-    back_bend_ = static_cast<T>(kBackBend * body.lumbar_part() * (1.0 + kBackOfLoad * load));
+    back_bend_ = static_cast<T>(back_bend(body, problem.start()));
     // for a bent start posture, the law continues from there
     const double bent =
         bend_of_back(rotation_at_start(problem, pelvis_)) * static_cast<double>(back_bend_);
@@ -332,13 +340,6 @@ class PostureLaw {
                       std::span<S> reference) {
     const S held = clamp(S(f.start) + wanted * S(f.share), S(f.lower), S(f.upper));
     reference[f.dof] = clamp((held - angles[f.dof]) * share, S(-kLawStep), S(kLawStep));
-  }
-
-  // Relative bend of the back for a rotation of the pelvis.
-  template <class U>
-  static U bend_of_back(const Mat3<U>& pelvis) {
-    const U tip = max(atan2(-pelvis.cz.y, pelvis.cy.y), U(0));
-    return tip / (tip + U(kBackHalf));
   }
 
   void bend_back(const Kinematics<S>& now, std::span<const S> angles,

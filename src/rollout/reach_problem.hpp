@@ -97,6 +97,9 @@ struct ReachProblem {
   const BodyModel* body = nullptr;  // outlives the problem
   CriteriaContext context{};        // with the start and the gaze target
   State home{};                     // of the body; final postures are described relative to it
+  // (dofs, rad) or empty: the change from a bent start to standing, which is added to a motion's
+  // own change of posture
+  std::vector<double> rise{};
   std::vector<ReachGoal> goals;
   std::vector<HandSupport> supports{};
   double duration = 1.0;  // s
@@ -136,6 +139,8 @@ struct ReachProblem {
 
   // (dofs) rad, the velocities at the start times the duration; empty: at rest.
   [[nodiscard]] std::vector<double> momentum() const;
+  // The state to which postures are relative: the start, or who rises from it.
+  [[nodiscard]] State standing() const;
   // The state in which the motion begins.
   [[nodiscard]] const State& start() const { return context.start; }
   // Share of the motion's own time elapsed at a frame, or between two.

@@ -23,6 +23,12 @@ Mat3d ReachGoal::turn_at(double tau) const {
   return spin == Vec3d{} ? turned : rotation_by(spin * carried_on(tau)) * turned;
 }
 
+State ReachProblem::standing() const {
+  State state{.angles = start().angles};
+  for (std::size_t d = 0; d < rise.size(); ++d) state.angles[d] += rise[d];
+  return state;
+}
+
 std::vector<double> ReachProblem::momentum() const {
   std::vector<double> momentum = start().velocities;
   for (double& angle : momentum) angle *= duration;

@@ -324,7 +324,9 @@ class Rollout {
       posture_draw_.draw(frame, input.posture, input.inverse_weights, input.timing.delay,
                          reference_);
       const S bent = posture_draw_.made(TimedPart::spine, frame, input.timing.delay);
-      for (const std::size_t d : backs_) reference_[d] = input.posture[d] * bent;
+      for (const std::size_t d : backs_) {
+        reference_[d] = posture_draw_.changed(d, input.posture) * bent;
+      }
     } else if (drawn_) {
       for (S& change : reference_) change = S(0);
     }

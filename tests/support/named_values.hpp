@@ -15,8 +15,8 @@
 namespace shigusa::testing_support {
 
 // All parameters of the whole body.
-inline ParameterList list_of(const PosedBody& body, std::span<const Support> supports = {}) {
-  return parameter_list(whole_body_plan(body.body, body.home, supports));
+inline ParameterList list_of(const BodyModel& body, std::span<const Support> supports = {}) {
+  return parameter_list(whole_body_plan(body, supports));
 }
 
 // Index of the first parameter with that name, such as "squat", or that spelling.
@@ -37,13 +37,13 @@ inline double value_of(const ParameterList& list, const Parameters& parameters,
 }
 
 // The same for values of the whole body.
-inline double& value_of(const PosedBody& body, Parameters& parameters, std::string_view name) {
+inline double& value_of(const BodyModel& body, Parameters& parameters, std::string_view name) {
   return value_of(list_of(body), parameters, name);
 }
-inline double value_of(const PosedBody& body, const Parameters& parameters, std::string_view name) {
+inline double value_of(const BodyModel& body, const Parameters& parameters, std::string_view name) {
   return value_of(list_of(body), parameters, name);
 }
-inline std::vector<double> modes_of(const PosedBody& body, const Parameters& parameters) {
+inline std::vector<double> modes_of(const BodyModel& body, const Parameters& parameters) {
   return list_of(body).of_kind(ParameterKind::mode, parameters);
 }
 
