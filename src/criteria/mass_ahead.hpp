@@ -5,6 +5,7 @@
 #include <shigusa/criteria.hpp>
 #include <vector>
 
+#include "body/seat.hpp"
 #include "criteria/motion_frame.hpp"
 #include "criteria/posture_points.hpp"
 
@@ -21,9 +22,10 @@ inline constexpr double kMassNear = 0.18;
 inline constexpr double kLowReach = 0.3;
 
 // Penalty of a centre of mass that does not follow the hands at the end of the motion, in [0, 1]:
-// people do not hold it back. With c its displacement over the floor from a standing person's, g
-// the way from the middle of the ankles to the middle of the goals' hands, n people's share of g,
-// and q = |c - n|² / distance², P = q / (1 + q).
+// people do not hold it back. With c its displacement ahead from a standing person's, g the way
+// from the middle of the ankles to the middle of the goals' hands, n people's share of its part
+// ahead, and q = (c - n)² / distance², P = q / (1 + q). It was read for reaches ahead: aside the
+// body stays, and who sits leans by the trunk's own criterion, so both have no penalty.
 template <class S>
 class MassAhead {
  public:
@@ -33,7 +35,9 @@ class MassAhead {
       : points_(posture_points(body, context.start)),
         hands_(goal_hands(body, context)),
         per_drop_(body.stature() > 0.0 ? 1.0 / (kLowReach * body.stature()) : 0.0),
-        per_square_(1.0 / (distance * distance)) {}
+        per_square_(1.0 / (distance * distance)) {
+    if (sits(body)) hands_.clear();
+  }
 
   void reset() { off_ = S(0); }
 
@@ -48,9 +52,8 @@ class MassAhead {
     const S z = hand.z - S(points_.ankles.z);
     const S far = sqrt(x * x + z * z);
     const S goes = max(share * far - low * S(kMassLow * kMassNear), S(0)) / max(far, S(1e-6));
-    const S off_x = frame.centre_of_mass.x - S(points_.home_mass.x) - x * goes;
-    const S off_z = frame.centre_of_mass.z - S(points_.home_mass.z) - z * goes;
-    off_ = (off_x * off_x + off_z * off_z) * S(per_square_);
+    const S off = frame.centre_of_mass.z - S(points_.home_mass.z) - z * goes;
+    off_ = off * off * S(per_square_);
   }
 
   [[nodiscard]] S penalty() const { return off_ / (S(1) + off_); }

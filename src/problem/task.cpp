@@ -239,7 +239,7 @@ Result<ReachProblem> make_problem(const Task& task) {
     }
     // the motion of the hand takes as long as without a late start
     const double own =
-        goal_duration(body, kinematics, reach) * load_factor(heaviest_load(task.start));
+        with_load_in_hand(goal_duration(body, kinematics, reach), heaviest_load(task.start));
     problem.duration = max(problem.duration, own / (1.0 - reach.path.begin));
     owns.push_back(own);
     problem.goals.push_back(std::move(reach));
