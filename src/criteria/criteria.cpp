@@ -21,7 +21,7 @@ CriteriaSettings default_criteria() {
           {CriterionKind::feasibility, 2.0},
           {CriterionKind::coordination, 1.0},
           {CriterionKind::hand_curve, 1.5},
-          {CriterionKind::trunk_travel, 0.4},
+          {CriterionKind::trunk_travel, 2},
           {CriterionKind::mass_ahead, 1.0},
           {CriterionKind::jolts, 1.0}};
 }

@@ -22,10 +22,10 @@ inline constexpr double kMassNear = 0.18;
 inline constexpr double kLowReach = 0.3;
 
 // Penalty of a centre of mass that does not follow the hands at the end of the motion, in [0, 1]:
-// people do not hold it back. With c its displacement ahead from a standing person's, g the way
-// from the middle of the ankles to the middle of the goals' hands, n people's share of its part
-// ahead, and q = (c - n)² / distance², P = q / (1 + q). It was read for reaches ahead: aside the
-// body stays, and who sits leans by the trunk's own criterion, so both have no penalty.
+// people do not hold it back. With c its displacement over the floor from a standing person's, g
+// the way from the middle of the ankles to the middle of the goals' hands, n people's share of g,
+// and q = |c - n|² / distance², P = q / (1 + q). Aside it counts in low reaches alone, as the body
+// stays in level ones; who sits leans by the trunk's own criterion, and has no penalty.
 template <class S>
 class MassAhead {
  public:
@@ -53,7 +53,8 @@ class MassAhead {
     const S far = sqrt(x * x + z * z);
     const S goes = max(share * far - low * S(kMassLow * kMassNear), S(0)) / max(far, S(1e-6));
     const S off = frame.centre_of_mass.z - S(points_.home_mass.z) - z * goes;
-    off_ = off * off * S(per_square_);
+    const S aside = (frame.centre_of_mass.x - S(points_.home_mass.x) - x * goes) * low;
+    off_ = (off * off + aside * aside) * S(per_square_);
   }
 
   [[nodiscard]] S penalty() const { return off_ / (S(1) + off_); }

@@ -91,8 +91,8 @@ std::vector<ReachProblem> usual_approaches(const Problem& problem, const ReachPr
 
 // In rising the knees lead the hips, and the hips the back (Burgess-Limerick et al., Hum. Factors
 // 37 (1995) 395): haste of the ways of the hips and of the neck.
-constexpr double kHipsHaste = 0.05;
-constexpr double kNeckHaste = -0.1;
+constexpr double kHipsHaste = 0.25;
+constexpr double kNeckHaste = -0.15;
 
 // The problem with a point of the body led to where it is in standing; no goal of the task. False
 // if the body has no such effector.
