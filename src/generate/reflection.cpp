@@ -77,7 +77,7 @@ bool stands_alike(const BodyModel& body, std::span<const double> start,
 
 std::vector<std::vector<Vec3d>> paths_of_goals(const ReachProblem& problem, const Clip& clip) {
   const BodyModel& body = *problem.body;
-  std::vector<std::vector<Vec3d>> paths(problem.goals.size());
+  std::vector<std::vector<Vec3d>> paths(problem.asked());
   Kinematics<double> placed(body);
   for (int f = 0; f < clip.frames; ++f) {
     forward_kinematics<double>(body, clip.frame(f), placed);

@@ -10,6 +10,7 @@
 #include "core/say.hpp"
 #include "generate/start_table.hpp"
 #include "planner.hpp"
+#include "problem/task_goals.hpp"
 #include "problem/task_supports.hpp"
 #include "rollout/smooth_motion.hpp"
 #include "whole_body_search.hpp"
@@ -95,18 +96,20 @@ constexpr double kHipsHaste = 0.25;
 constexpr double kNeckHaste = -0.15;
 
 // The problem with a point of the body led to where it is in standing; no goal of the task. False
-// if the body has no such effector.
+// if the body has no such effector, or the IK no rows left.
 bool lead(HumanoidBone bone, double haste, ReachProblem& problem) {
   const BodyModel& body = *problem.body;
   const auto index = body.find_effector(humanoid_bone_name(bone));
-  if (!index) return false;
+  const auto has = [&index](const ReachGoal& goal) { return goal.effector == *index; };
+  if (!index || std::any_of(problem.goals.begin(), problem.goals.end(), has)) return false;
   const Effector& effector = body.effector(*index);
   ReachGoal& way = problem.goals.emplace_back();
   way.effector = *index;
   way.path.start = placed(body, problem.start()).point(effector.link, effector.point);
   way.path.goal = placed(body, problem.standing()).point(effector.link, effector.point);
   way.path.haste = haste;
-  return true;
+  ++problem.led;
+  return check_rows(problem).has_value();
 }
 
 // The approaches of who begins bent and stands up: hips and neck, or the hips alone, go up on paths

@@ -223,7 +223,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   problem.body = &body;
   problem.context = criteria_context(task);
   problem.home = task.home;
-  if (natural) problem.rise = rise_of(body, task.start);
+  if (natural && task.start.velocities.empty()) problem.rise = rise_of(body, task.start);
   problem.duration = 0.0;
   std::vector<double> owns;  // (goals) s, duration of each alone
   for (const Goal& goal : task.goals) {

@@ -23,7 +23,7 @@ double side_of_hand(const ReachProblem& problem) {
 // Share in which legs follow a pelvis that turns for a goal at this azimuth (rad). With given
 // rotations, or both hands, ankles would reach their limits, and the motion would jolt.
 double legs_follow(const ReachProblem& problem, double azimuth) {
-  if (problem.goals.size() != 1 || problem.goals[0].turn.kind != Turning::free) return 0.0;
+  if (problem.asked() != 1 || problem.goals[0].turn.kind != Turning::free) return 0.0;
   return clamp((azimuth - kLegsFollow) / (kLegsAll - kLegsFollow), 0.0, 1.0);
 }
 

@@ -100,6 +100,8 @@ struct ReachProblem {
   // (dofs, rad) or empty: the change from a bent start to standing, which is added to a motion's
   // own change of posture
   std::vector<double> rise{};
+  // of the goals, the last ones, which no task asks for: ways of the hips and the neck in a rise
+  std::size_t led = 0;
   std::vector<ReachGoal> goals;
   std::vector<HandSupport> supports{};
   double duration = 1.0;  // s
@@ -139,6 +141,8 @@ struct ReachProblem {
 
   // (dofs) rad, the velocities at the start times the duration; empty: at rest.
   [[nodiscard]] std::vector<double> momentum() const;
+  // Number of the goals that the task asks for.
+  [[nodiscard]] std::size_t asked() const { return goals.size() - led; }
   // The state to which postures are relative: the start, or who rises from it.
   [[nodiscard]] State standing() const;
   // The state in which the motion begins.

@@ -18,7 +18,7 @@ class MotionRecorder {
     for (std::size_t d = 0; d < momentum.size(); ++d) {
       motion.clip.before.push_back(problem.start().angles[d] - momentum[d] / problem.steps);
     }
-    motion.effectors.resize(problem.goals.size());
+    motion.effectors.resize(problem.asked());
     for (const HandSupport& support : problem.supports) {
       motion.resting.push_back({.effector = support.effector});
       if (support.carrier != kWorldCarrier) motion.resting.back().thigh = support.carrier;
@@ -29,7 +29,7 @@ class MotionRecorder {
     motion.clip.angles.insert(motion.clip.angles.end(), frame.angles.begin(), frame.angles.end());
     motion.torques.insert(motion.torques.end(), frame.torques.begin(), frame.torques.end());
     motion.centre_of_mass.push_back(frame.centre_of_mass);
-    for (std::size_t g = 0; g < problem_->goals.size(); ++g) {
+    for (std::size_t g = 0; g < problem_->asked(); ++g) {
       const Effector& effector = problem_->body->effector(problem_->goals[g].effector);
       motion.effectors[g].push_back(frame.kinematics.point(effector.link, effector.point));
     }
