@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "approaches.hpp"
@@ -10,6 +11,7 @@
 #include "core/say.hpp"
 #include "generate/start_table.hpp"
 #include "planner.hpp"
+#include "problem/rise.hpp"
 #include "problem/task_goals.hpp"
 #include "problem/task_supports.hpp"
 #include "rollout/smooth_motion.hpp"
@@ -112,19 +114,48 @@ bool lead(HumanoidBone bone, double haste, ReachProblem& problem) {
   return check_rows(problem).has_value();
 }
 
-// The approaches of who begins bent and stands up: hips and neck, or the hips alone, go up on paths
-// of their own. Empty where the goals cannot be met like that.
-std::vector<ReachProblem> rising_approaches(const Problem& problem, const ReachProblem& reach) {
-  if (reach.rise.empty() || !may_score(problem)) return {};
+// Brings the neck's way off its line, so that it keeps its distance from the hips, which are led
+// before it.
+void go_about_hips(ReachProblem& problem) {
+  const EffectorPath& hips = problem.goals[problem.goals.size() - 2].path;
+  EffectorPath& neck = problem.goals.back().path;
+  const Vec3d first = neck.start - hips.start;
+  const Vec3d last = neck.goal - hips.goal;
+  const Vec3d half = normalized(normalized(first) + normalized(last)) * norm(first);
+  neck.detour = hips.at(0.5) + half - neck.at(0.5);
+  neck.detour_peak = neck.own_time(0.5);
+}
+
+// Whether the user fixes a squat that is none of who stands.
+bool keeps_bent(const Problem& problem) {
+  const std::optional<FixedParameters>& fixed = problem.task.fixed;
+  const auto squat = problem.parameters->find("squat_rad");
+  return fixed && squat && fixed->set[*squat] && fixed->values.values[*squat] > kStandsKnees;
+}
+
+// The better start of the approaches of who begins bent and stands up: hips and neck, or the hips
+// alone, go up on ways of their own. No approaches where the goals cannot be met like that.
+struct Rising {
+  double start = std::numeric_limits<double>::infinity();
+  std::vector<ReachProblem> approaches{};
+};
+Rising rising(const Problem& problem, const ReachProblem& reach) {
+  Rising best;
+  if (reach.rise.empty() || !may_score(problem) || keeps_bent(problem)) return best;
   ReachProblem hips = reach;
-  if (!lead(HumanoidBone::hips, kHipsHaste, hips)) return {};
+  if (!lead(HumanoidBone::hips, kHipsHaste, hips)) return best;
   ReachProblem trunk = hips;
   const bool leads_trunk = lead(HumanoidBone::neck, kNeckHaste, trunk);
-  for (const ReachProblem* up : {leads_trunk ? &trunk : &hips, &hips}) {
+  if (leads_trunk) go_about_hips(trunk);
+  for (const ReachProblem* up : {&hips, &trunk}) {
+    if (up == &trunk && !leads_trunk) continue;
     const ClosestReach closest = closest_reach(*up);
-    if (closest.reached()) return approaches_to_goal(*up, closest);
+    if (!closest.reached()) continue;
+    std::vector<ReachProblem> approaches = approaches_to_goal(*up, closest, true);
+    const double start = best_start(problem, approaches.front());
+    if (start < best.start) best = {start, std::move(approaches)};
   }
-  return {};
+  return best;
 }
 
 class WholeBodyPlanner : public Planner {
@@ -140,10 +171,9 @@ class WholeBodyPlanner : public Planner {
       closest = closest_reach(reach_);
     }
     usual_approaches_ = usual_approaches(problem_, reach_, closest);
-    if (std::vector<ReachProblem> up = rising_approaches(problem_, reach_); !up.empty()) {
+    if (Rising up = rising(problem_, reach_); !up.approaches.empty()) {
       const double usual = best_start(problem_, usual_approaches_.front());
-      if (best_start(problem_, up.front()) < kRisingShare * usual)
-        usual_approaches_ = std::move(up);
+      if (up.start < kRisingShare * usual) usual_approaches_ = std::move(up.approaches);
     }
     approaches_ = usual_approaches_;
   }

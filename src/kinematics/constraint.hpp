@@ -18,6 +18,7 @@ struct Constraint {
   int carrier = kWorldCarrier;      // link, or kWorldCarrier
   Vec3<S> place{};                  // m, in the carrier's frame: target position of the point
   bool exact = false;               // true for contacts; a goal is damped where it cannot be met
+  bool counts = true;               // false for a point led on a way that no task asks for
   Turning turning = Turning::free;  // part of the link's orientation that is prescribed
   Mat3<S> orientation{};            // target R_WL of the link, for Turning::whole
   Vec3<Element<S>> axis{};          // for Turning::axis: unit vector in the link's frame
@@ -45,6 +46,7 @@ template <class S>
           .carrier = constraint.carrier,
           .place = to_scalar<S>(constraint.place),
           .exact = constraint.exact,
+          .counts = constraint.counts,
           .turning = constraint.turning,
           .orientation = to_scalar<S>(constraint.orientation),
           .axis = to_scalar<Element<S>>(constraint.axis),

@@ -96,6 +96,7 @@ void NlpRollout::measure(std::span<Constraint<double>> targets, bool last, Reach
   const auto worse = [](double before, double now) { return max(now, before) + (before - before); };
   double missed = 0.0;
   for (Constraint<double>& target : targets) {
+    if (!target.counts) continue;
     double miss = norm(position_error(next_, target));
     if (!target.exact) {
       if (target.turns()) {

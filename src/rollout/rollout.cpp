@@ -26,6 +26,11 @@ Mat3d ReachGoal::turn_at(double tau) const {
 State ReachProblem::standing() const {
   State state{.angles = start().angles};
   for (std::size_t d = 0; d < rise.size(); ++d) state.angles[d] += rise[d];
+  if (rise.empty()) return state;
+  // the law of the back straightens it with the pelvis
+  for (const JointKind joint : kBackJoints) {
+    for (const int d : body->dofs_of(joint, FreedomKind::flexion)) state.angles[index(d)] = 0.0;
+  }
   return state;
 }
 
@@ -82,6 +87,7 @@ std::vector<Constraint<double>> constraints(const ReachProblem& problem) {
     all.push_back({.link = effector.link,
                    .point = effector.point,
                    .place = goal.path.goal,
+                   .counts = all.size() < problem.asked(),
                    .turning = goal.turn.kind,
                    .orientation = goal.turn.goal,
                    .axis = goal.turn.axis,

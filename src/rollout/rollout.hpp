@@ -377,6 +377,7 @@ class Rollout {
       constraint.lag = miss;
       const auto follows = miss < limit;
       if (learn) constraint.lead = select(follows, constraint.lead + error, Vec3<S>{});
+      if (!constraint.counts) continue;
       if (!constraint.exact) {
         const S off = constraint.turns() ? turn_miss(constraint, miss, turn_share, learn) : miss;
         missed.path_error = worse(missed.path_error, off);

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 
 #include "support/bodies.hpp"
 
@@ -16,42 +15,9 @@ using namespace testing_support;
 constexpr double kRounding = 1e-9;
 
 PostureMode mode_of(const PosedBody& posed, const std::string& name) {
-  const std::vector<PostureMode> modes = posture_modes(posed, posed.home);
+  const std::vector<PostureMode> modes = posture_modes(posed);
   return *std::find_if(modes.begin(), modes.end(),
                        [&](const auto& mode) { return mode.name == name; });
-}
-
-// The body with these start angles (degrees).
-PosedBody starting(PosedBody posed, const std::map<std::string, double>& angles_deg) {
-  for (const auto& [dof, angle] : angles_deg) {
-    posed.home.angles[static_cast<std::size_t>(posed.body.find_dof(dof).value())] = radians(angle);
-  }
-  return posed;
-}
-
-TEST(PostureModes, WhoStartsBentMayStraighten) {
-  const struct {
-    double right_knee, left_knee, hips, squat, lean;  // degrees
-  } rows[] = {{0, 0, 0, 0, -20},      {20, 20, 60, 0, -20},   {21, 21, 0, -21, -20},
-              {40, 40, 40, -40, -20},  // half of the knees' is the squat's
-              {40, 40, 60, -40, -60}, {40, 30, 60, -30, -65}, {30, 40, 60, -30, -65}};
-  for (const auto& row : rows) {
-    const PosedBody posed = starting(full_body(), {{"right_knee.flexion", row.right_knee},
-                                                   {"left_knee.flexion", row.left_knee},
-                                                   {"right_hip.flexion", row.hips},
-                                                   {"left_hip.flexion", row.hips}});
-    EXPECT_NEAR(degrees(mode_of(posed, "squat").lower), row.squat, kRounding) << row.right_knee;
-    EXPECT_NEAR(degrees(mode_of(posed, "lean").lower), row.lean, kRounding) << row.right_knee;
-  }
-  const PosedBody half = starting(half_body(), {{"right_knee.flexion", 30}});
-  EXPECT_NEAR(degrees(mode_of(half, "squat").lower), -30, kRounding);
-  BodyDefinition stiff = full_body().body.definition();
-  for (Dof& dof : stiff.dofs) {
-    if (dof.joint.ends_with("knee")) dof.name = dof.joint + ".slide";
-  }
-  const PosedBody bent = starting({BodyModel(stiff), full_body().home},
-                                  {{"right_hip.flexion", 60}, {"left_hip.flexion", 60}});
-  EXPECT_NEAR(degrees(mode_of(bent, "lean").lower), -20, kRounding);
 }
 
 // Positions of nodes after that change (rad) of a mode.
