@@ -9,9 +9,8 @@
 namespace shigusa {
 namespace {
 
-// Sets the home positions of a body upright over its feet, on legs of the given length (m).
-void find_home(const BodyModel& body, const Kinematics<double>& start, double leg,
-               PosturePoints& points) {
+// Sets the home positions of a body upright over its feet.
+void find_home(const BodyModel& body, const Kinematics<double>& start, PosturePoints& points) {
   const Vec3d left = points.shoulders[0].in(start);
   const Vec3d right = points.shoulders[1].in(start);
   points.hand_hangs = points.ankles.y + kHandHangs * body.stature();
@@ -21,7 +20,7 @@ void find_home(const BodyModel& body, const Kinematics<double>& start, double le
   const double trunk = norm((left + right) * 0.5 - PosturePoints::middle(points.hips, start));
   const Vec3d ahead{0.0, 0.0, kStandsAhead * body.stature()};
   points.home_mass = points.ankles + ahead;
-  const Vec3d middle = points.home_mass + Vec3d{0.0, leg + trunk, 0.0};
+  const Vec3d middle = points.home_mass + Vec3d{0.0, points.leg + trunk, 0.0};
   const Vec3d half{0.5 * norm(left - right), 0.0, 0.0};
   points.home_shoulders = {middle + half, middle - half};
 }
@@ -31,7 +30,6 @@ void find_home(const BodyModel& body, const Kinematics<double>& start, double le
 PosturePoints posture_points(const BodyModel& body, const State& state) {
   PosturePoints points;
   const Kinematics<double> start = placed(body, state);
-  double leg = 0.0;
   for (std::size_t side = 0; side < 2; ++side) {
     const auto node = [&](HumanoidBone left, HumanoidBone right) {
       return body.find_node(humanoid_bone_name(side == 0 ? left : right));
@@ -46,10 +44,10 @@ PosturePoints posture_points(const BodyModel& body, const State& state) {
     points.shoulders[side] = {shoulder->link, shoulder->point};
     const Vec3d knee_at = start.point(knee->link, knee->point);
     const Vec3d ankle_at = start.point(ankle->link, ankle->point);
-    leg += 0.5 * (norm(points.hips[side].in(start)-knee_at) + norm(knee_at - ankle_at));
+    points.leg += 0.5 * (norm(points.hips[side].in(start)-knee_at) + norm(knee_at - ankle_at));
     points.ankles += ankle_at * 0.5;
   }
-  find_home(body, start, leg, points);
+  find_home(body, start, points);
   points.found = true;
   return points;
 }

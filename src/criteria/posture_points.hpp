@@ -36,6 +36,7 @@ struct PosturePoints {
   std::array<Vec3d, 2> home_shoulders{};  // m, world
   Vec3d home_mass{};                      // m, world: the centre of mass; its height is not set
   double hand_hangs = 0.0;                // m, world: the height of a hanging hand
+  double leg = 0.0;                       // m, from hip to ankle of a straight leg, mean of both
   bool found = false;                     // whether the body has all points
 
   template <class S>

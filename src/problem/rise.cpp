@@ -32,24 +32,6 @@ Vec3d heading(const BodyModel& body, const Kinematics<double>& start) {
   return normalized(Vec3d{sum.x, 0.0, sum.z}, {0, 0, 1});
 }
 
-// Length of a leg from hip to ankle with a straight knee, the mean of both (m); 0 without nodes.
-double leg_length(const BodyModel& body, const Kinematics<double>& start) {
-  double sum = 0.0;
-  for (const char* side : {"left_", "right_"}) {
-    const auto at = [&](const char* part) -> std::optional<Vec3d> {
-      const BodyNode* node = body.find_node(std::string(side) + part);
-      if (node == nullptr) return std::nullopt;
-      return start.point(node->link, node->point);
-    };
-    const auto hip = at("upper_leg");
-    const auto knee = at("lower_leg");
-    const auto ankle = at("foot");
-    if (!hip || !knee || !ankle) return 0.0;
-    sum += 0.5 * (norm(*hip - *knee) + norm(*knee - *ankle));
-  }
-  return sum;
-}
-
 class Riser {
  public:
   Riser(const BodyModel& body, const State& start, int pelvis)
@@ -141,14 +123,13 @@ std::vector<double> rise_of(const BodyModel& body, const State& start) {
   const BodyNode* hips = body.find_node(humanoid_bone_name(HumanoidBone::hips));
   if (hips == nullptr || hips->link == kBaseLink || stands(body, start, points, knees)) return {};
   const Kinematics<double> now = placed(body, start);
-  const double leg = leg_length(body, now);
   const Vec3d ahead = heading(body, now);
   const Vec3d up{0, 1, 0};
   const Vec3d over = points.ankles + ahead * (kStandsAhead * body.stature());
   const Mat3d& pelvis = now.link_rotation(hips->link);
   const Vec3d middle = transpose_times(
       pelvis, PosturePoints::middle(points.hips, now) - now.link_origin(hips->link));
-  const Vec3d place = over + up * (kAlmostStraight * leg);
+  const Vec3d place = over + up * (kAlmostStraight * points.leg);
   const Mat3d facing{cross(up, ahead), up, ahead};
   // a file's pelvis may be turned with its trunk, farther than the legs follow: then the hips face
   // ahead, and the trunk keeps its turn
