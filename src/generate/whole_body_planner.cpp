@@ -93,9 +93,8 @@ std::vector<ReachProblem> usual_approaches(const Problem& problem, const ReachPr
 }
 
 // In rising the knees lead the hips, and the hips the back (Burgess-Limerick et al., Hum. Factors
-// 37 (1995) 395): haste of the ways of the hips and of the neck.
+// 37 (1995) 395): haste of the way of the hips.
 constexpr double kHipsHaste = 0.25;
-constexpr double kNeckHaste = -0.15;
 
 // The problem with a point of the body led to where it is in standing; no goal of the task. False
 // if the body has no such effector, or the IK no rows left.
@@ -145,7 +144,7 @@ Rising rising(const Problem& problem, const ReachProblem& reach) {
   ReachProblem hips = reach;
   if (!lead(HumanoidBone::hips, kHipsHaste, hips)) return best;
   ReachProblem trunk = hips;
-  const bool leads_trunk = lead(HumanoidBone::neck, kNeckHaste, trunk);
+  const bool leads_trunk = lead(HumanoidBone::neck, 0.0, trunk);
   if (leads_trunk) go_about_hips(trunk);
   for (const ReachProblem* up : {&hips, &trunk}) {
     if (up == &trunk && !leads_trunk) continue;
