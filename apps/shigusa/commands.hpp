@@ -10,6 +10,7 @@
 #include <shigusa/error.hpp>
 #include <shigusa/files.hpp>
 #include <shigusa/run.hpp>
+#include <shigusa/score.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,6 +67,7 @@ void add_edit(CLI::App& app, int& exit_code);
 void add_mirror(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
 void add_score(CLI::App& app, int& exit_code);
+void add_habit(CLI::App& app, int& exit_code);
 void add_body(CLI::App& app, int& exit_code);
 void add_dataset(CLI::App& app, int& exit_code);
 void add_studio(CLI::App& app, int& exit_code);
@@ -104,10 +106,6 @@ void add_file_options(CLI::App& command, FileOptions& options, const FileHelp& h
 [[nodiscard]] std::string simd_choices();
 
 // Range of a clip: "FIRST:LAST", or all of it for an empty text.
-struct FrameRange {
-  int first = 0;
-  std::optional<int> last{};
-};
 [[nodiscard]] Result<FrameRange> parse_frames(const std::string& text);
 inline constexpr const char* kFramesHelp = "Part of the clip, by its frames from 0";
 

@@ -20,6 +20,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_render(app, exit_code);
   add_body(app, exit_code);
   add_score(app, exit_code);
+  add_habit(app, exit_code);
   add_dataset(app, exit_code);
   add_studio(app, exit_code);
   add_schema(app);

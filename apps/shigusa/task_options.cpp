@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <shigusa/error.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/goal.hpp>
 #include <utility>
 
 #include "core/parse_number.hpp"
 #include "next_step.hpp"
+#include "problem/request_fields.hpp"
 
 namespace shigusa::app {
 namespace {
@@ -207,6 +209,34 @@ std::string kind_of(std::string_view option) {
   return kind;
 }
 
+// Parses a habit: a name, numbers such as "knees=2.1,round_deg=8", or the path of a file.
+Result<Habit> habit_of(const std::string& text) {
+  for (const NamedHabit& named : kHabits) {
+    if (text == named.word) return named.habit;
+  }
+  if (text.find('=') == text.npos) return read_habit(text);
+  Habit habit;
+  for (const std::string& part : split_at_commas(text)) {
+    const auto named = parse_named(part, 1);
+    bool known = false;
+    Texts names;
+    for_each_field<Habit>([&](const auto& field) {
+      std::string name = field.key;
+      const bool angle = name.ends_with("_rad");
+      if (angle) name.replace(name.size() - 3, 3, "deg");
+      names.push_back(name);
+      if (!named || named->name != name) return;
+      known = true;
+      habit.*field.member = angle ? radians(named->numbers[0]) : named->numbers[0];
+    });
+    if (!named) return misread("--habit", part, "NAME=NUMBER");
+    if (!known) {
+      return fail(ErrorCode::invalid_argument, unknown_name("number of a habit", named->name, names));
+    }
+  }
+  return habit;
+}
+
 // Parses an option's text; of a list option, one item.
 template <class Value, class AnyField>
 Result<Value> parse(const AnyField& field, const std::string& text) {
@@ -214,6 +244,8 @@ Result<Value> parse(const AnyField& field, const std::string& text) {
     return placed(field.traits.option, value_of<Value>(text, kind_of(field.traits.option)));
   } else if constexpr (std::same_as<Value, CriteriaSettings>) {
     return placed(field.traits.option, mixture_named(text));
+  } else if constexpr (std::same_as<Value, Habit>) {
+    return placed(field.traits.option, habit_of(text));
   } else if constexpr (std::same_as<Value, std::string>) {
     return text;
   } else if constexpr (std::same_as<Value, Texts>) {
@@ -289,7 +321,7 @@ std::string mixture_choices() {
 }
 
 std::string_view option_example(std::string_view option) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kExamples{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kExamples{{
       {"--goal", "right_hand=-0.2,1.1,0.4"},
       {"--load", "right_hand=5"},
       {"--rotation", "right_hand=0,0,0,1"},
@@ -302,6 +334,7 @@ std::string_view option_example(std::string_view option) {
       {"--obstacle", "table=0,0.7,0.5,1,0.05,0.6"},
       {"--support", "left_hand=thigh"},
       {"--fix", "squat_deg=60"},
+      {"--habit", "knees=2.1,round_deg=8"},
   }};
   for (const auto& [name, example] : kExamples) {
     if (name == option) return example;

@@ -8,6 +8,7 @@
 #include <shigusa/body.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/goal.hpp>
+#include <shigusa/habit.hpp>
 #include <shigusa/math.hpp>
 #include <shigusa/motion.hpp>
 #include <span>
@@ -201,6 +202,7 @@ struct CriteriaContext {
   std::optional<Vec3d> gaze{};          ///< gaze target, m, world; empty: none
   std::vector<Obstacle> obstacles{};    ///< obstacles that the body can collide with
   std::vector<RestingPlace> resting{};  ///< contacts of resting hands
+  Habit habit{};                        ///< the person's way of moving
 };
 
 /// The paper's three criteria with the weights of rule R8: the default CriteriaSettings.

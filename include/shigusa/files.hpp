@@ -46,6 +46,14 @@ struct TaskFile : Request {
 /// not UTF-8 and fields that a built-in body does not use.
 [[nodiscard]] std::string format_task(const TaskFile& task);
 
+/// Parses a habit as `shigusa habit` prints it, the value of "habit" in a task: a name in quotes,
+/// or an object of numbers. `name` stands for the text in errors.
+[[nodiscard]] Result<Habit> parse_habit(std::string_view text, std::string_view name);
+/// Reads a file of a habit.
+[[nodiscard]] Result<Habit> read_habit(const std::filesystem::path& path);
+/// Formats a habit as such a text.
+[[nodiscard]] std::string format_habit(const Habit& habit);
+
 /// The JSON schema of task files; docs/task.schema.json holds it.
 [[nodiscard]] std::string task_schema();
 

@@ -8,6 +8,7 @@
 #include <shigusa/criteria.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/goal.hpp>
+#include <shigusa/habit.hpp>
 #include <shigusa/parameters.hpp>
 #include <shigusa/run.hpp>
 #include <shigusa/search.hpp>
@@ -159,6 +160,8 @@ struct Request {
   /// kGazeLeadLeast..kGazeLeadMost: share of the duration by which the head turns earlier than
   /// people's, below 0 later. Of the presets flat and human.
   double gaze_lead = 0.0;
+  /// The person's way of moving. Of the presets flat and human.
+  Habit habit{};
   /// The parameters that are searched, and how; adopt_preset changes it with its criteria.
   Preset preset = Preset::flat;
   /// The reading of the parameters of the first layer; only for presets with layers.

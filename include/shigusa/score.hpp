@@ -8,6 +8,7 @@
 #include <shigusa/error.hpp>
 #include <shigusa/generate.hpp>
 #include <shigusa/motion.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,23 @@ struct RecordedMotion : PosedBody {
 [[nodiscard]] Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string& name,
                                                     CharacterSpec character, int first,
                                                     const std::string& animation = {});
+
+/// A part of a clip.
+struct FrameRange {
+  int first = 0;              ///< first frame
+  std::optional<int> last{};  ///< last frame, included; empty: the clip's last
+};
+
+/// A habit that was measured, and in how many reaches.
+struct LearnedHabit {
+  Habit habit{};    ///< medians over the reaches
+  int reaches = 0;  ///< reaches down that were measured
+};
+/// Measures a person's habit in a recorded motion, in the lowest posture of each reach down, where
+/// the trunk leans by more than 30°, in the given parts of the clip, or in all of it. A number that
+/// no reach shows, such as a free arm's, is the default one. Fails if nobody reaches down.
+[[nodiscard]] Result<LearnedHabit> learn_habit(const RecordedMotion& recorded,
+                                               std::span<const FrameRange> ranges = {});
 
 /// Scores the selected frames by the same criteria as generated motions. Speeds and accelerations
 /// use the frames around them; beyond the ends of the file the motion is extrapolated. Fails if a

@@ -160,6 +160,16 @@ struct SpineShares {
 };
 inline constexpr std::array<SpineShares, kSpineJoints> kSpineRanges{
     {{0.40, 0.35, 0.10}, {0.35, 0.35, 0.30}, {0.25, 0.30, 0.60}}};
+// Shares of one of the spine's joints; if they are fewer than three, they share all.
+[[nodiscard]] constexpr SpineShares spine_shares(std::size_t joint, std::size_t joints) {
+  SpineShares shares{};
+  for (std::size_t k = joint; k < kSpineJoints; k += joints) {
+    shares.flexion += kSpineRanges[k].flexion;
+    shares.lateral += kSpineRanges[k].lateral;
+    shares.rotation += kSpineRanges[k].rotation;
+  }
+  return shares;
+}
 // Half of the neck's range of motion (AAOS), of each of its two joints; strengths by A. Vasavada et
 // al., Spine 26 (2001) 1904-1909. A positive angle bends the head forwards, to the left, or turns
 // it to the left.
@@ -183,6 +193,9 @@ inline constexpr double kFreeShoulderRotationFull = radians(90);  // of abductio
 inline constexpr JointLimits kForearmRotation{radians(-80), radians(80), 9, 8};
 inline constexpr JointLimits kWristFlexion{radians(-70), radians(80), 12.2, 7.1};
 inline constexpr JointLimits kWristDeviation{radians(-30), radians(20), 11, 9.5};
+// Share by which strength grows with a mass above the usual one of a stature, and falls below it:
+// a quarter of what people gain or lose is lean (G. Forbes, Nutrition Reviews 45 (1987) 225).
+inline constexpr double kStrengthOfMass = 0.25;
 // Women's joint strength as a share of men's, each at the mean mass of their group.
 inline constexpr double kFemaleStrength = 0.6;
 

@@ -76,10 +76,11 @@ void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
     return;
   }
   const bool waist = !body.find_dof(JointKind::chest, FreedomKind::rotation);
+  const std::size_t joints = waist ? 1 : std::max<std::size_t>(back_joints(body), 1);
   std::vector<Moved> round;
   std::vector<Moved> twist{{JointKind::hip, FreedomKind::rotation, kHips, -kHips}};
-  for (std::size_t j = 0; j < (waist ? 1 : kBackJoints.size()); ++j) {
-    const SpineShares shares = waist ? SpineShares{1.0, 1.0, 1.0} : kSpineRanges[j];
+  for (std::size_t j = 0; j < joints; ++j) {
+    const SpineShares shares = spine_shares(j, joints);
     round.push_back({kBackJoints[j], FreedomKind::flexion, shares.flexion});
     twist.push_back({kBackJoints[j], FreedomKind::rotation, kSpine * shares.rotation});
   }
@@ -112,6 +113,15 @@ void add_arm_modes(ModeBuilder& modes) {
 }
 
 }  // namespace
+
+std::size_t back_joints(const BodyModel& body) {
+  std::size_t joints = 0;
+  while (joints < kBackJoints.size() &&
+         body.find_dof(kBackJoints[joints], FreedomKind::flexion)) {
+    ++joints;
+  }
+  return joints;
+}
 
 std::vector<PostureMode> posture_modes(const BodyModel& body) {
   ModeBuilder modes(body);

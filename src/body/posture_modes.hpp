@@ -22,6 +22,9 @@ struct PostureMode {
 // Bend of each hip and ankle in a squat, as a share of the knee's angle.
 inline constexpr double kOfKnee = 0.5;
 
+// Number of the back's joints that bend, from below.
+[[nodiscard]] std::size_t back_joints(const BodyModel& body);
+
 // Modes of a body, as far as it has the degrees of freedom: squat, lean, round, twist, and for each
 // arm elbow, swivel and wrist. Reason for the choice: weights alone never find a squat, since from
 // a nearly straight knee lowering the hand begins with extending it; targets for knee, trunk and

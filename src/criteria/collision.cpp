@@ -60,10 +60,7 @@ CollisionPairs collision_pairs(const BodyModel& body, const CriteriaContext& con
       pairs.obstacles.push_back({c, o});
     }
   }
-  pairs.shapes = context.obstacles;
-  for (const Obstacle& obstacle : context.obstacles) {
-    pairs.axes.push_back(to_matrix(obstacle.rotation));
-  }
+  pairs.shapes = placed_boxes(context.obstacles);
   const Kinematics<double> start = placed(body, context.start);
   std::vector<PlacedCapsule<double>> at_start(body.capsules().size());
   visit_collisions<double>(body, pairs, start, at_start,

@@ -35,8 +35,7 @@ struct CollisionPairs {
   std::vector<Pair> parts;      // limbs and parts of the body
   std::vector<Pair> obstacles;  // any capsule and one of `shapes`
   std::vector<Pair> floor;      // capsules of arms with a wrist; `other` is unused
-  std::vector<Obstacle> shapes;
-  std::vector<Mat3d> axes;  // (shapes) R_WO
+  std::vector<PlacedBox> shapes;
 };
 [[nodiscard]] CollisionPairs collision_pairs(const BodyModel& body, const CriteriaContext& context);
 
@@ -69,11 +68,9 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& 
                    taper_of(of_part)));
   }
   for (auto& pair : pairs.obstacles) {
-    const Obstacle& obstacle = pairs.shapes[index(pair.other)];
+    const PlacedBox& obstacle = pairs.shapes[index(pair.other)];
     const PlacedCapsule<S>& limb = placed[index(pair.limb)];
-    const auto distance = [&](const Vec3<S>& point) {
-      return obstacle_distance(obstacle, pairs.axes[index(pair.other)], point);
-    };
+    const auto distance = [&](const Vec3<S>& point) { return box_distance(obstacle, point); };
     const double taper = taper_of(capsules[index(pair.limb)]);
     const S ends = min(distance(limb.from), distance(limb.to) - S(taper));
     const S apart = min(ends, distance(limb.middle) - S(0.5 * taper));

@@ -11,25 +11,34 @@
 
 namespace shigusa {
 
-// Knee flexion per lean of a far leaning trunk, for a hand that ends at kHandAhead, people's
-// preferred distance from the ankles over the floor.
-inline constexpr double kKneeOfTrunk = 1.7;
 // Lean (rad) about which knees begin to follow.
 inline constexpr double kKneesBegin = radians(10);
 // Distance (statures) of the hand from the ankles from which the knee flexion is full, and the
 // share of it at distance 0.
 inline constexpr double kHandAhead = 0.32;
 inline constexpr double kKneesNear = 0.5;
+// Heights (statures) of the hand up to which the proportion counts in full, 63 cm for a man, and
+// from which it does not count: at tables people hinge.
+inline constexpr double kKneesUpTo = 0.36;
+inline constexpr double kKneesNoMore = 0.52;
 // Relative increase of the knee flexion per kilogram of load in the hand: stoops are for light
 // loads only (Burgess-Limerick and Abernethy, of 39 persons with light and heavier loads).
 inline constexpr double kKneesOfLoad = 0.01;
+
+// The flexion of the knees (rad) for a trunk's lean (rad) and a hand at the distance `far` from the
+// ankles, relative to kHandAhead, per Habit::knees.
+template <class S>
+[[nodiscard]] S usual_knees(const S& lean, const S& far) {
+  const S share = S(kKneesNear) + S(1.0 - kKneesNear) * min(far, S(1));
+  return share * lean * lean / (lean + S(kKneesBegin));
+}
 
 // Penalty of a final knee flexion out of people's proportion to the trunk's lean, in [0, 1]: people
 // bend both. With T the lean of the line from hips to shoulders and K the knees' flexion, q = ((K -
 // K*(T)) / angle)² / 4 and P = q / (1 + q). K* keeps the posture index of R. Burgess-Limerick and
 // B. Abernethy (Human Factors 39 (1997) 141), which is the same from 9 to 63 cm, and is less for a
-// near load (Int. J. Industrial Ergonomics 22 (1998) 367). A body without these joints has no
-// penalty.
+// near load (Int. J. Industrial Ergonomics 22 (1998) 367); it is the person's habit. The penalty
+// fades for higher hands. A body without these joints has no penalty.
 template <class S>
 class Coordination {
  public:
@@ -39,8 +48,11 @@ class Coordination {
       : points_(posture_points(body, context.start)),
         hands_(goal_hands(body, context)),
         per_angle_(1.0 / angle),
-        of_trunk_(kKneeOfTrunk * (1.0 + kKneesOfLoad * heaviest_load(context.start))),
-        per_ahead_(body.stature() > 0.0 ? 1.0 / (kHandAhead * body.stature()) : 0.0) {
+        of_trunk_(context.habit.knees * (1.0 + kKneesOfLoad * heaviest_load(context.start))),
+        per_ahead_(body.stature() > 0.0 ? 1.0 / (kHandAhead * body.stature()) : 0.0),
+        no_more_(points_.ankles.y + kKneesNoMore * body.stature()),
+        per_height_(body.stature() > 0.0 ? 1.0 / ((kKneesNoMore - kKneesUpTo) * body.stature())
+                                         : 0.0) {
     for (const int d : body.dofs_of(JointKind::knee, FreedomKind::flexion)) {
       knees_.push_back(static_cast<std::size_t>(d));
     }
@@ -58,13 +70,12 @@ class Coordination {
     if (!hands_.empty()) hand = hand * S(1.0 / static_cast<double>(hands_.size()));
     const S x = hand.x - S(points_.ankles.x);
     const S z = hand.z - S(points_.ankles.z);
-    const S far = min(sqrt(x * x + z * z) * S(per_ahead_), S(1));
-    const S share = S(of_trunk_) * (S(kKneesNear) + S(1.0 - kKneesNear) * far);
-    const S knees = share * lean * lean / (lean + S(kKneesBegin));
+    const S knees = S(of_trunk_) * usual_knees(lean, sqrt(x * x + z * z) * S(per_ahead_));
     S bent(0);
     for (const std::size_t knee : knees_) bent = bent + frame.angles[knee];
     const S off = (bent * S(1.0 / static_cast<double>(knees_.size())) - knees) * S(per_angle_);
-    off_ = off * off * S(0.25);
+    const S low = clamp((S(no_more_) - hand.y) * S(per_height_), S(0), S(1));
+    off_ = off * off * S(0.25) * (hands_.empty() ? S(1) : low);
   }
 
   [[nodiscard]] S penalty() const { return off_ / (S(1) + off_); }
@@ -76,6 +87,8 @@ class Coordination {
   double per_angle_;  // 1/rad
   double of_trunk_;   // knee flexion per lean, with the load
   double per_ahead_;  // 1/m
+  double no_more_;    // m, world: height of the hand from which nothing counts
+  double per_height_;  // 1/m
   S off_{};           // of the last frame seen
 };
 

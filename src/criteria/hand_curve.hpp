@@ -7,6 +7,7 @@
 
 #include "criteria/motion_frame.hpp"
 #include "criteria/posture_points.hpp"
+#include "kinematics/penetration.hpp"
 
 namespace shigusa {
 
@@ -18,13 +19,17 @@ inline constexpr double kBowDown = 0.08;
 // Mean over a motion's time of the offset of a bow of 1 (see path_bow): ∫ 4 s (1 - s) along the
 // minimum-jerk profile.
 inline constexpr double kMeanBow = 0.4329;
+// Distance (m) of an obstacle from the straight way within which the hand has to go around it, and
+// the points of the way at which it is taken.
+inline constexpr double kWayClear = 0.12;
+inline constexpr int kWayPoints = 8;
 
 // Penalty of hand paths that do not deviate from the straight way as people's do, by some tenth of
 // it and in a typical direction, in [0, 1]. For each goal's hand, o is the mean offset of its
 // positions from the midpoint of its straight way, perpendicular to that and over the bow's mean
 // share of time, n the same offset of people, m = mean |o - n|² / offset² and P = m / (1 + m): far
-// from people's way, too, nearer is better. A hand that moves by less than 5 cm, and a body without
-// hands, has no penalty.
+// from people's way, too, nearer is better. It fades where an obstacle is near the straight way. A
+// hand that moves by less than 5 cm, and a body without hands, has no penalty.
 template <class S>
 class HandCurve {
  public:
@@ -35,6 +40,7 @@ class HandCurve {
         sums_(hands_.size()),
         starts_(sums_),
         ends_(sums_),
+        boxes_(placed_boxes(context.obstacles)),
         per_square_(1.0 / (offset * offset)) {}
 
   void reset() { frames_ = 0; }
@@ -72,13 +78,26 @@ class HandCurve {
     // forwards, perpendicular to the way; a way straight forwards has no bow
     const Vec3<S> forward = Vec3<S>{S(0), S(0), S(1)} - along * along.z;
     off = off - forward * (S(kBowLevel) - S(kBowDown) * along.y);
-    return select(length > S(0.05), dot(off, off), S(0));
+    return select(length > S(0.05), dot(off, off) * free_way(h), S(0));
+  }
+
+  // 1 for a straight way that is clear of obstacles, 0 for one that is blocked.
+  [[nodiscard]] S free_way(std::size_t h) const {
+    S least(kWayClear);
+    for (const PlacedBox& box : boxes_) {
+      for (int k = 0; k < kWayPoints; ++k) {
+        const S share(static_cast<double>(k) / kWayPoints);
+        least = min(least, box_distance(box, starts_[h] + (ends_[h] - starts_[h]) * share));
+      }
+    }
+    return max(least, S(0)) * S(1.0 / kWayClear);
   }
 
   std::vector<GoalHand> hands_;
   std::vector<Vec3<S>> sums_;    // m, of positions
   std::vector<Vec3<S>> starts_;  // m
   std::vector<Vec3<S>> ends_;    // m
+  std::vector<PlacedBox> boxes_;
   double per_square_;
   int frames_ = 0;
 };

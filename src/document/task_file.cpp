@@ -72,6 +72,23 @@ Result<CharacterSpec> parse_character_spec(std::string_view text, std::string_vi
   return spec;
 }
 
+Result<Habit> parse_habit(std::string_view text, std::string_view name) {
+  SHG_TRY_ASSIGN(Json json, parse_json(text, name));
+  const Json holder{{"habit", std::move(json)}};
+  JsonReader reader(holder, std::string(name) + ": ");
+  Habit habit;
+  read_composite(reader, "habit", habit);
+  if (const auto& error = reader.finish()) return tl::unexpected(*error);
+  return habit;
+}
+
+Result<Habit> read_habit(const std::filesystem::path& path) {
+  SHG_TRY_ASSIGN(const std::string text, read_text_file(path, kTaskMaxBytes));
+  return parse_habit(text, path.filename().string());
+}
+
+std::string format_habit(const Habit& habit) { return fields_to_json(habit).dump(2) + "\n"; }
+
 Result<TaskFile> parse_task(std::string_view text, std::string_view name) {
   SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   return task_from_json(json, std::string(name));

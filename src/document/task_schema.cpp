@@ -146,6 +146,12 @@ class Definitions {
     return either(words_schema(mixtures()), reference("criteria"));
   }
   template <class Traits>
+  Json of(const Traits&, const Habit&) {
+    std::vector<std::string> words;
+    for (const NamedHabit& named : kHabits) words.emplace_back(named.word);
+    return either(words_schema(words), struct_schema<Habit>());
+  }
+  template <class Traits>
   Json of(const Traits&, const BoneRequest&) {
     return map_schema({{"type", "string"}});
   }

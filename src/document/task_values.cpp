@@ -71,6 +71,17 @@ void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteri
   task.absorb(reader.finish());
 }
 
+void read_composite(JsonReader& task, const char* key, Habit& habit) {
+  if (task.value(key).is_string()) {
+    std::vector<std::pair<std::string, Habit>> known;
+    for (const NamedHabit& named : kHabits) known.emplace_back(named.word, named.habit);
+    return task.choice(key, habit, known);
+  }
+  JsonReader reader = task.object(key);
+  read_fields(reader, habit);
+  task.absorb(reader.finish());
+}
+
 void read_composite(JsonReader& character, const char* key, BoneRequest& map) {
   Result<BoneRequest> read = bone_request(character.value(key));
   if (!read) return character.wrong(key, read.error().message);
@@ -96,6 +107,13 @@ Json composite_to_json(ToJson, const CriteriaSettings& criteria) {
                                          {std::string(criterion.scale_name), setting.scale}};
   }
   return json;
+}
+
+Json composite_to_json(ToJson, const Habit& habit) {
+  for (const NamedHabit& named : kHabits) {
+    if (named.habit == habit) return named.word;
+  }
+  return fields_to_json(habit);
 }
 
 Json composite_to_json(ToJson, const BoneRequest& map) {

@@ -19,12 +19,15 @@ void read_composite(JsonReader& goal, const char* key, GoalAxis& axis);
 void read_mixture(JsonReader& holder, const char* key, CriteriaSettings& criteria);
 // Reads a mixture by its name, or weights and reference scales; absent members keep their values.
 void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteria);
+// Reads a habit by its name, or its numbers; absent ones keep their values.
+void read_composite(JsonReader& task, const char* key, Habit& habit);
 void read_composite(JsonReader& character, const char* key, BoneRequest& map);
 void read_composite(JsonReader& character, const char* key, std::optional<Landmarks>& person);
 using Places = decltype(CharacterSpec::places);
 void read_composite(JsonReader& character, const char* key, Places& places);
 
 [[nodiscard]] Json composite_to_json(ToJson, const CriteriaSettings& criteria);
+[[nodiscard]] Json composite_to_json(ToJson, const Habit& habit);
 [[nodiscard]] Json composite_to_json(ToJson, const BoneRequest& map);
 [[nodiscard]] Json composite_to_json(ToJson, const Landmarks& person);
 [[nodiscard]] Json composite_to_json(ToJson, const Places& places);

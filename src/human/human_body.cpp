@@ -39,8 +39,10 @@ HumanBuilder::HumanBuilder(const Landmarks& person, const HumanSettings& setting
   other_stands_ = both && (settings.on_both || abs(right_above) <= kLiftedFoot);
   base_side_ = both && right_above > kLiftedFoot ? Side::left : Side::right;
   if (other_stands_) base_side_ = settings.base;
-  strength_ =
-      settings_.mass / table_.mean_mass * (settings_.sex == Sex::female ? kFemaleStrength : 1.0);
+  const double usual = default_mass(stature_of_limbs(person, settings.stature), settings.sex);
+  const double of_mass = 1.0 + kStrengthOfMass * (settings.mass / usual - 1.0);
+  strength_ = usual / table_.mean_mass * of_mass *
+              (settings_.sex == Sex::female ? kFemaleStrength : 1.0);
   if (!both) leg_strength_ = 2.0;
 }
 

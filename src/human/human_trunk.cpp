@@ -31,18 +31,13 @@ void HumanBuilder::add_trunk() {
   add_trunk_capsules();
 }
 
-// Adds the spine's joints; if they are fewer than three, they share the range of all of them.
+// Adds the spine's joints.
 void HumanBuilder::add_spine() {
   const std::size_t joints = std::min(person_.spine.size(), kSpineJoints);
   const Vec3d trunk = person_.neck - mid_hip(person_);
   double begin = 0.0;
   for (std::size_t j = 0; j < joints; ++j) {
-    SpineShares range{};
-    for (std::size_t k = j; k < kSpineJoints; k += joints) {
-      range.flexion += kSpineRanges[k].flexion;
-      range.lateral += kSpineRanges[k].lateral;
-      range.rotation += kSpineRanges[k].rotation;
-    }
+    const SpineShares range = spine_shares(j, joints);
     Part part =
         add_joint(kSpineNames[j], trunk_.back(), person_.spine[j], frames_.trunk,
                   {{"flexion", Axis::x, 1.0, part_of_range(kSpineFlexion, range.flexion)},

@@ -63,6 +63,15 @@ Penetration limb_penetration(const BodyModel& body, const Kinematics<double>& ki
   return deepest_of(body, kinematics, limb_pairs(body, effector));
 }
 
+std::vector<PlacedBox> placed_boxes(std::span<const Obstacle> obstacles) {
+  std::vector<PlacedBox> boxes;
+  for (const Obstacle& obstacle : obstacles) {
+    boxes.push_back({obstacle.position, obstacle.size * 0.5, obstacle.radius,
+                     to_matrix(obstacle.rotation)});
+  }
+  return boxes;
+}
+
 Penetration deepest_of(const BodyModel& body, const Kinematics<double>& kinematics,
                        std::span<const CapsulePair> pairs) {
   Penetration deepest;

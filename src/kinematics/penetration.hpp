@@ -137,16 +137,24 @@ template <class S>
   return apart * apart < square * S(kApartSlack * radii * radii);
 }
 
-// Signed distance (m) of a point from an obstacle, negative inside. axes: R_WO of its rotation.
+// A box with round edges and its rotation R_WO, without a name.
+struct PlacedBox {
+  Vec3d position{};  // m, world: its middle
+  Vec3d half{};      // m, half its size
+  double radius = 0.0;
+  Mat3d axes{};
+};
+[[nodiscard]] std::vector<PlacedBox> placed_boxes(std::span<const Obstacle> obstacles);
+
+// Signed distance (m) of a point from a box, negative inside.
 template <class S>
-[[nodiscard]] S obstacle_distance(const Obstacle& obstacle, const Mat3d& axes,
-                                  const Vec3<S>& point) {
-  const Vec3<S> p = transpose_times(to_scalar<S>(axes), point - to_scalar<S>(obstacle.position));
-  const Vec3d half = obstacle.size * 0.5;
+[[nodiscard]] S box_distance(const PlacedBox& box, const Vec3<S>& point) {
+  const Vec3<S> p = transpose_times(to_scalar<S>(box.axes), point - to_scalar<S>(box.position));
+  const Vec3d& half = box.half;
   const Vec3<S> over{abs(p.x) - S(half.x), abs(p.y) - S(half.y), abs(p.z) - S(half.z)};
   const Vec3<S> outside{max(over.x, S(0)), max(over.y, S(0)), max(over.z, S(0))};
   const S inside = min(max(over.x, max(over.y, over.z)), S(0));
-  return sqrt(dot(outside, outside)) + inside - S(obstacle.radius);
+  return sqrt(dot(outside, outside)) + inside - S(box.radius);
 }
 
 }  // namespace shigusa

@@ -104,26 +104,13 @@ inline constexpr double kDurationMin = 0.6;        // s
 inline constexpr double kDurationMax = 2.0;        // s
 inline constexpr double kDurationTrunk = 0.14;     // s
 
-// Duration (s) of a reach that takes `duration` with an empty hand, with a load (kg) in the hand:
-// the weight factor and the static constant of MTM-1 (Methods-Time Measurement, H. Maynard, G.
-// Stegemerten and J. Schwab, 1948), from 1.00 and 0 s at 2.5 lb to 1.50 and 0.58 s at 47.5 lb in
-// even steps.
-inline constexpr double kFreeLoad = 1.13;       // kg
-inline constexpr double kPerLoad = 0.0245;      // 1/kg
-inline constexpr double kTimePerLoad = 0.0283;  // s/kg
-[[nodiscard]] constexpr double with_load_in_hand(double duration, double load) {
-  const double more = load > kFreeLoad ? load - kFreeLoad : 0.0;
-  return duration * (1.0 + kPerLoad * more) + kTimePerLoad * more;
-}
-
-// Time (s) that a goal saves if anywhere in a box will do which is that wide (m) along the way, up
-// to a third of the reach's: 0.1 s for each bit by which the width exceeds that of a point (P.
-// Fitts, J. Experimental Psychology 47 (1954) 381).
-inline constexpr double kTimePerBit = 0.1;   // s
-inline constexpr double kPointWidth = 0.02;  // m
-[[nodiscard]] inline double time_saved(double duration, double width) {
-  return min(kTimePerBit * natural_log(1.0 + width / kPointWidth) / natural_log(2.0),
-             duration / 3.0);
+// Factor on the duration of a reach with a load (kg) in the hand: the weight factor of MTM-1
+// (Methods-Time Measurement, H. Maynard, G. Stegemerten and J. Schwab, 1948), from 1.00 at 2.5 lb
+// to 1.50 at 47.5 lb in even steps.
+inline constexpr double kFreeLoad = 1.13;   // kg
+inline constexpr double kPerLoad = 0.0245;  // 1/kg
+[[nodiscard]] constexpr double load_factor(double load) {
+  return 1.0 + kPerLoad * (load > kFreeLoad ? load - kFreeLoad : 0.0);
 }
 
 // Duration (s) of a reach over `distance` (m).

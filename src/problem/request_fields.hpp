@@ -130,6 +130,31 @@ inline constexpr FieldTable kFields<Goal>{
                .brief = "Half the sides of a box about the goal where any place will do"}},
     }};
 
+// The fields of a habit.
+template <>
+inline constexpr FieldTable kFields<Habit>{
+    "habit", "A person's way of moving.",
+    std::tuple{
+        Field{"knees",
+              &Habit::knees,
+              "Flexion of the knees over the lean of a far leaning trunk; 1.7 when not given.",
+              {.high = kHabitKneesMost, .written = always}},
+        Field{"round_rad",
+              &Habit::round,
+              "Bend of the back beside people's usual one with the pelvis tipped far, below 0 a "
+              "straight back; 0 when not given.",
+              {.low = kHabitRoundLeast, .high = kHabitRoundMost, .written = always}},
+        Field{"eyes_rad",
+              &Habit::eyes,
+              "Angle by which the eyes look down from the head at a low goal; 15° when not given.",
+              {.high = kHabitEyesMost, .written = always}},
+        Field{"free_arm",
+              &Habit::free_arm,
+              "Flexion of a free arm's elbow over the forward turn of its shoulder; 0.6 when not "
+              "given.",
+              {.high = kHabitFreeArmMost, .written = always}},
+    }};
+
 // The fields of a request.
 template <>
 inline constexpr FieldTable kFields<Request>{
@@ -226,6 +251,16 @@ inline constexpr FieldTable kFields<Request>{
                .group = OptionGroup::motion,
                .brief = "How much earlier the head turns than people's do (default 0)",
                .rare = true}},
+        Field{"habit",
+              &Request::habit,
+              "The person's way of moving: natural, when not given, as most people; half: knees "
+              "bend as much as the trunk leans; squat: knees bend much; stoop: knees stay almost "
+              "straight; or numbers, such as `shigusa habit` measures in a recorded motion. Of the "
+              "presets flat and human.",
+              {.option = "--habit",
+               .form = "natural|half|squat|stoop|NAME=NUMBER,…|FILE",
+               .group = OptionGroup::motion,
+               .brief = "Way of moving: a word, numbers, or a file of `shigusa habit`"}},
         Field{"preset",
               &Request::preset,
               "paper, as published; flat, when not given: all parameters at once, within joint "

@@ -116,7 +116,8 @@ bool stands(const BodyModel& body, const State& start, const PosturePoints& poin
 
 }  // namespace
 
-std::vector<double> rise_of(const BodyModel& body, const State& start) {
+std::vector<double> rise_of(const BodyModel& body, const CriteriaContext& context) {
+  const State& start = context.start;
   const PosturePoints points = posture_points(body, start);
   const std::vector<int> knees = body.dofs_of(JointKind::knee, FreedomKind::flexion);
   if (!points.found || knees.empty() || body.feet().empty()) return {};
@@ -144,14 +145,14 @@ std::vector<double> rise_of(const BodyModel& body, const State& start) {
   if (change.empty()) return {};
   for (std::size_t d = 0; d < change.size(); ++d) change[d] -= start.angles[d];
   // the law of the back bends it with the pelvis; what it is bent beside that goes
-  const double bent = back_bend(body, start) * bend_of_back(pelvis);
+  const double bent = back_bend(body, context) * bend_of_back(pelvis);
   for (std::size_t j = 0; j < kBackJoints.size(); ++j) {
     for (const FreedomKind freedom :
          {FreedomKind::flexion, FreedomKind::rotation, FreedomKind::lateral}) {
       const auto dof = body.find_dof(kBackJoints[j], freedom);
       if (!dof) continue;
       const double at = start.angles[index(*dof)];
-      const double law = freedom == FreedomKind::flexion ? kSpineRanges[j].flexion * bent : 0.0;
+      const double law = freedom == FreedomKind::flexion ? back_share(j, back_joints(body)) * bent : 0.0;
       change[index(*dof)] = -max(at - law, min(at, 0.0));
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/body.hpp>
+#include <shigusa/criteria.hpp>
 #include <vector>
 
 namespace shigusa {
@@ -17,6 +18,6 @@ inline constexpr double kRiseTime = 1.1;
 // almost straight, the pelvis level over the ankles and facing as the feet do, the back without
 // twist and side bend. Postures of motions are relative to that. Empty for a person who stands, who
 // sits, and for bodies without legs, and where the feet do not permit it.
-[[nodiscard]] std::vector<double> rise_of(const BodyModel& body, const State& start);
+[[nodiscard]] std::vector<double> rise_of(const BodyModel& body, const CriteriaContext& context);
 
 }  // namespace shigusa

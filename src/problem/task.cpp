@@ -5,6 +5,7 @@
 #include <shigusa/request.hpp>
 #include <utility>
 
+#include "around_obstacles.hpp"
 #include "body/load.hpp"
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
@@ -13,6 +14,7 @@
 #include "motion/minimum_jerk.hpp"
 #include "problem/natural_times.hpp"
 #include "problem/plan_of.hpp"
+#include "problem/request_fields.hpp"
 #include "rise.hpp"
 #include "rollout/reach_problem.hpp"
 #include "task_goals.hpp"
@@ -92,6 +94,21 @@ Result<void> check_numbers(const Task& task) {
   return {};
 }
 
+Result<void> check_habit(const Task& task) {
+  Result<void> fine;
+  for_each_field<Habit>([&](const auto& field) {
+    const double number = task.habit.*field.member;
+    const auto& [low, high] = std::pair(field.traits.low, field.traits.high);
+    if (!fine || (number >= low && number <= high)) return;
+    fine = fail(ErrorCode::invalid_argument, say("habit_range", field.key, number, low, high),
+                "habit");
+  });
+  SHG_TRY(fine);
+  const PresetTraits& preset = traits_of(task.preset);
+  if (task.habit == Habit{} || preset.natural) return {};
+  return fail(ErrorCode::invalid_argument, say("no_habit", preset.word), "habit");
+}
+
 Result<void> check_timing(const Task& task) {
   if (!(task.ease >= -kEaseMax && task.ease <= kEaseMax)) {
     return fail(ErrorCode::invalid_argument, say("ease_range", task.ease, -kEaseMax, kEaseMax));
@@ -100,6 +117,7 @@ Result<void> check_timing(const Task& task) {
     return fail(ErrorCode::invalid_argument,
                 say("gaze_lead_range", task.gaze_lead, kGazeLeadLeast, kGazeLeadMost));
   }
+  SHG_TRY(check_habit(task));
   const PresetTraits& preset = traits_of(task.preset);
   if (task.ease != 0.0 && preset.layers) {
     return fail(ErrorCode::invalid_argument, say("ease_of_layers", preset.word), "ease");
@@ -201,7 +219,8 @@ CriteriaContext criteria_context(const Task& task) {
   CriteriaContext context{.start = task.start,
                           .gaze = task.look_at,
                           .obstacles = task.obstacles,
-                          .resting = resting_places(task)};
+                          .resting = resting_places(task),
+                          .habit = task.habit};
   if (!context.gaze) context.gaze = gaze_of(task.body, task.goals);
   for (const Goal& goal : task.goals) {
     if (const auto effector = task.body.find_effector(goal.effector)) {
@@ -223,7 +242,7 @@ Result<ReachProblem> make_problem(const Task& task) {
   problem.body = &body;
   problem.context = criteria_context(task);
   problem.home = task.home;
-  if (natural && task.start.velocities.empty()) problem.rise = rise_of(body, task.start);
+  if (natural && task.start.velocities.empty()) problem.rise = rise_of(body, problem.context);
   problem.duration = 0.0;
   std::vector<double> owns;  // (goals) s, duration of each alone
   for (const Goal& goal : task.goals) {
@@ -232,14 +251,16 @@ Result<ReachProblem> make_problem(const Task& task) {
     if (hand && natural && task.start.velocities.empty()) {
       reach.path.begin = natural_begin(reach.path);
       reach.path.haste = natural_haste(reach.path);
+      go_around_obstacles(problem.context, body.effector(reach.effector), reach.path);
     }
     for (const ReachGoal& earlier : problem.goals) {
       if (earlier.effector != reach.effector) continue;
       return fail(ErrorCode::invalid_argument, say("two_goals", goal.effector), "goal");
     }
     // the motion of the hand takes as long as without a late start
-    const double own =
-        with_load_in_hand(goal_duration(body, kinematics, reach), heaviest_load(task.start));
+    const double load = heaviest_load(task.start);
+    const double own = natural ? natural_duration(body, kinematics, reach, load)
+                               : goal_duration(body, kinematics, reach) * load_factor(load);
     problem.duration = max(problem.duration, own / (1.0 - reach.path.begin));
     owns.push_back(own);
     problem.goals.push_back(std::move(reach));

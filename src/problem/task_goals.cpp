@@ -281,23 +281,12 @@ double goal_miss(const Goal& goal, const Vec3d& at) {
   return norm(box.nearest(at) - at);
 }
 
-// Width (m) of a goal's box along the straight way to it.
-static double width_along(const ReachGoal& goal) {
-  const Vec3d way = normalized(goal.path.goal - goal.path.start);
-  double width = 1e9;
-  for (int k = 0; k < 3; ++k) {
-    if (abs(way[k]) > 1e-9) width = min(width, 2.0 * goal.tolerance[k] / abs(way[k]));
-  }
-  return width < 1e9 ? width : 0.0;
-}
-
 double goal_duration(const BodyModel& body, const Kinematics<double>& start,
                      const ReachGoal& goal) {
   const Effector& effector = body.effector(goal.effector);
   const Vec3d root = start.origin[static_cast<std::size_t>(effector.limb_root)];
   const bool beyond_limb = norm(goal.path.goal - root) > body.limb_length(effector);
-  const double duration = reach_duration(norm(goal.path.goal - goal.path.start), beyond_limb);
-  return max(duration - time_saved(duration, width_along(goal)), kDurationMin);
+  return reach_duration(norm(goal.path.goal - goal.path.start), beyond_limb);
 }
 
 Result<void> check_rows(const ReachProblem& problem) {

@@ -26,7 +26,7 @@ inline constexpr double kArmGoesAside = 0.05;
 template <class S>
 class ArmClearance {
  public:
-  // `abduction`: that dof of the shoulder.
+  // `abduction`: that dof of the shoulder, or another that moves the arm off.
   ArmClearance(const ReachProblem& problem, const Effector& hand, int abduction)
       : abduction_(abduction) {
     for (const CapsulePair& pair : clearance_pairs(problem, hand)) {

@@ -49,6 +49,7 @@ DeepestMoment find_deepest(const ReachProblem& problem, std::size_t goal) {
 
 void add_detours(ReachProblem& problem) {
   for (std::size_t g = 0; g < problem.goals.size(); ++g) {
+    if (problem.goals[g].path.detour != Vec3d{}) continue;
     const DeepestMoment moment = find_deepest(problem, g);
     const bool inside = moment.frame > 0 && moment.frame < problem.steps;
     if (moment.deepest.depth <= kDetourDepth || !inside) continue;

@@ -46,9 +46,13 @@ std::vector<double> on_planted_feet(const ReachProblem& problem, const Kinematic
 
 }  // namespace
 
-double back_bend(const BodyModel& body, const State& state) {
-  const double load = min(heaviest_load(state), kBackLoadMost);
-  return kBackBend * body.lumbar_part() * (1.0 + kBackOfLoad * load);
+double back_bend(const BodyModel& body, const CriteriaContext& context) {
+  const double load = min(heaviest_load(context.start), kBackLoadMost);
+  return kBackBend * body.lumbar_part() * (1.0 + kBackOfLoad * load) + context.habit.round;
+}
+
+double back_share(std::size_t joint, std::size_t joints) {
+  return spine_shares(joint, joints).flexion;
 }
 
 Mat3d rotation_at_start(const ReachProblem& problem, int link) {

@@ -9,6 +9,8 @@
 
 #include "body/anthropometry.hpp"
 #include "body/load.hpp"
+#include "body/posture_modes.hpp"
+#include "body/seat.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "motion/minimum_jerk.hpp"
 #include "rollout/arm_clearance.hpp"
@@ -18,11 +20,12 @@ namespace shigusa {
 
 // Share of the duration by which the head has turned to the goal: gaze arrives before the hand
 // (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
-inline constexpr double kGazeArrives = 0.45;
-// The head's share of a gaze turn, and the comfortable range of the eyes, which do the rest (rad;
-// J. Stahl, Experimental Brain Research 126 (1999) 41-54: eyes stay within some 20 degrees).
-inline constexpr double kHeadOfGaze = 0.75;
-inline constexpr double kEyesEase = radians(20);
+inline constexpr double kGazeArrives = 0.55;
+// The head's share of a gaze turn to the side (B. Biguer, M. Jeannerod and C. Prablanc, Exp. Brain
+// Res. 46 (1982) 301: at most two thirds), and the range of the eyes, which do the rest (rad; of
+// the 35 degrees of MIL-STD-1472).
+inline constexpr double kHeadOfGaze = 0.65;
+inline constexpr double kEyesEase = radians(30);
 // The trunk's turn (rad) for a goal to the side: the share kTrunkOfGaze of the azimuth beyond
 // kTrunkTurns, at most kTrunkMost, for a person whose feet stay planted. Chosen so that goals
 // behind are in sight (docs/people.md, Gaze); no published figure was found. It ends with the hand.
@@ -42,9 +45,6 @@ inline constexpr double kTrunkShare = 0.3;
 inline constexpr double kBehind = radians(150);
 // Share of its shoulder's turn that a free arm compensates in order to keep hanging.
 inline constexpr double kArmHangs = 0.8;
-// Elbow flexion of a free arm per angle of its shoulder's forward turn: recorded free elbows end at
-// 32 to 88 degrees for trunk leans of 67 to 81.
-inline constexpr double kElbowBends = 0.6;
 // Least flexion of a hanging elbow (rad).
 inline constexpr double kElbowHangs = radians(10);
 // The clavicle's elevation, which stands for the shoulder blade's upward rotation, with the arm
@@ -75,14 +75,20 @@ inline constexpr double kBackHalf = radians(18);
 inline constexpr double kBackOfLoad = 0.01;
 inline constexpr double kBackLoadMost = 20.0;  // kg
 
-// The relative bend of the back for a rotation of the pelvis.
+// The relative bend of the back for a pelvis tipped forwards by an angle, and for its rotation.
 template <class S>
-[[nodiscard]] S bend_of_back(const Mat3<S>& pelvis) {
-  const S tip = max(atan2(-pelvis.cz.y, pelvis.cy.y), S(0));
+[[nodiscard]] S bend_of_back(const S& tip) {
   return tip / (tip + S(kBackHalf));
 }
-// The bend (rad) of a body's back to which that is relative, with the loads of a state.
-[[nodiscard]] double back_bend(const BodyModel& body, const State& state);
+template <class S>
+[[nodiscard]] S bend_of_back(const Mat3<S>& pelvis) {
+  return bend_of_back<S>(max(atan2(-pelvis.cz.y, pelvis.cy.y), S(0)));
+}
+// The bend (rad) of a body's back to which that is relative, with the start's loads and the
+// person's habit.
+[[nodiscard]] double back_bend(const BodyModel& body, const CriteriaContext& context);
+// Share of that in one of the back's joints.
+[[nodiscard]] double back_share(std::size_t joint, std::size_t joints);
 
 // Clavicle angles (rad) of an arm that points along a unit vector in the frame of the chest,
 // relative to a hanging arm's.
@@ -159,7 +165,9 @@ class PostureLaw {
   explicit PostureLaw(const ReachProblem& problem)
       : steps_(problem.steps),
         ease_(problem.ease),
-        gaze_arrives_(kGazeArrives - problem.gaze_lead) {
+        gaze_arrives_(kGazeArrives - problem.gaze_lead),
+        eyes_(static_cast<T>(problem.context.habit.eyes)),
+        elbow_bends_(static_cast<T>(problem.context.habit.free_arm)) {
     const BodyModel& body = *problem.body;
     if (!problem.posture_law || !nods(body)) return;
     find_head(problem);
@@ -212,6 +220,7 @@ class PostureLaw {
     T rhythm{};  // factor on the clavicle's elevation, see scapula_share
     Freedom flexion, abduction, elevation, protraction, elbow;
     std::optional<ArmClearance<S>> clearance;
+    std::optional<ArmClearance<S>> lift;  // by the elbow, off the thighs of a person who sits
   };
 
   static Freedom freedom(const ReachProblem& problem, int d, double share = 1.0) {
@@ -242,16 +251,16 @@ class PostureLaw {
 
   void find_back(const ReachProblem& problem) {
     const BodyModel& body = *problem.body;
-    // local copies: the tables themselves would be shared between SIMD sets
+    // a local copy: the table itself would be shared between SIMD sets
     constexpr auto kJoints = kBackJoints;
-    constexpr auto kRanges = kSpineRanges;
-    for (std::size_t j = 0; j < kJoints.size(); ++j) {
+    const std::size_t joints = back_joints(body);
+    if (joints < 2) return;  // a waist goes its own way
+    for (std::size_t j = 0; j < joints; ++j) {
       const auto bend = body.find_dof(kJoints[j], FreedomKind::flexion);
-      if (!bend) return back_.clear();
-      back_.push_back(freedom(problem, *bend, kRanges[j].flexion));
+      back_.push_back(freedom(problem, *bend, back_share(j, joints)));
     }
     pelvis_ = body.dof(static_cast<int>(back_.front().dof)).parent;
-    back_bend_ = static_cast<T>(back_bend(body, problem.start()));
+    back_bend_ = static_cast<T>(back_bend(body, problem.context));
     // for a bent start posture, the law continues from there
     const double bent =
         bend_of_back(rotation_at_start(problem, pelvis_)) * static_cast<double>(back_bend_);
@@ -299,6 +308,8 @@ class PostureLaw {
     if (elbow) {
       arm.elbow = freedom(problem, *elbow);
       arm.elbow.lower = static_cast<T>(min(static_cast<double>(arm.elbow.start), kElbowHangs));
+      const auto hand = body.find_effector(JointKind::hand, side);
+      if (hand && arm.free && sits(body)) arm.lift.emplace(problem, body.effector(*hand), *elbow);
     }
     const auto elevation = dof(JointKind::clavicle, FreedomKind::elevation);
     const auto protraction = dof(JointKind::clavicle, FreedomKind::protraction);
@@ -330,7 +341,7 @@ class PostureLaw {
   // Share of the remaining gaze turn made in a frame.
   [[nodiscard]] S gaze_share(int frame) const {
     const auto done = [this](int f) {
-      return minimum_jerk(min(1.0, static_cast<double>(f) / (gaze_arrives_ * steps_)));
+      return minimum_snap(static_cast<double>(f) / (gaze_arrives_ * steps_));
     };
     return S(share_of_rest(done(frame - 1), done(frame)));
   }
@@ -385,16 +396,33 @@ class PostureLaw {
     return (turn + S(radians(75.0))) * S(side_);
   }
 
+  // Direction (any length, world) of the head for a gaze: the eyes look farther up or down, by an
+  // angle that grows with the gaze's and ends at that of the habit. `ahead`: that of the chest, for
+  // gazes straight down.
+  [[nodiscard]] Vec3<S> without_eyes(const Vec3<S>& gaze, const Vec3<S>& ahead) const {
+    constexpr double kAhead = 0.05;
+    const S little = norm(gaze) * S(kAhead);
+    const Vec3<S> level{gaze.x + ahead.x * little, S(0), gaze.z + ahead.z * little};
+    const S across = max(norm(level), S(1e-6));
+    const S nod = atan2(-gaze.y, across);
+    const S eyes = nod * S(eyes_) / sqrt(max(nod * nod + S(eyes_) * S(eyes_), S(1e-9)));
+    const SinCos<S> tip = sin_cos(nod - eyes);
+    const Vec3<S> along = level * (tip.cos / across);
+    return {along.x, -tip.sin, along.z};
+  }
+
   void look(const S& share, const Kinematics<S>& now, std::span<const S> angles,
             std::span<S> reference) const {
     const Vec3<S> eye = now.origin[index(head_)];
-    const Vec3<S> offset = transpose_times(now.link_rotation(chest_), target_ - eye);
+    const Mat3<S>& chest = now.link_rotation(chest_);
+    const Vec3<S> offset =
+        transpose_times(chest, without_eyes(target_ - eye, chest.cz + chest.cy));
     const S across = sqrt(offset.x * offset.x + offset.z * offset.z);
     const S turn = trunk_.empty() ? side_of(offset, across) : side_behind(offset);
     const S eyes = clamp(turn * S(1.0 - kHeadOfGaze), S(-kEyesEase), S(kEyesEase));
     const S nod = atan2(-offset.y, across);
     for (const Freedom& f : turns_) draw_to(f, turn - eyes, share, angles, reference);
-    for (const Freedom& f : nods_) draw_to(f, nod * S(kHeadOfGaze), share, angles, reference);
+    for (const Freedom& f : nods_) draw_to(f, nod, share, angles, reference);
   }
 
   void hang(Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
@@ -402,19 +430,20 @@ class PostureLaw {
     const Hanging<S> wanted = hanging(now.link_rotation(arm.parent), S(arm.side));
     draw_to(arm.flexion, wanted.flexion, S(kLawShare), angles, reference);
     draw_to(arm.abduction, wanted.abduction, S(kLawShare), angles, reference);
-    keep_off(arm, now, angles, reference);
+    keep_off(arm.clearance, arm.abduction, now, angles, reference);
     if (!arm.has_elbow) return;
     const S lean = wanted.flexion - S(arm.lean);
-    draw_to(arm.elbow, lean * S(kElbowBends), S(kLawShare), angles, reference);
+    draw_to(arm.elbow, lean * S(elbow_bends_), S(kLawShare), angles, reference);
+    keep_off(arm.lift, arm.elbow, now, angles, reference);
   }
 
-  // Abducts the arm to keep it clear of trunk and legs.
-  static void keep_off(Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
+  // Abducts the arm, or bends its elbow, to keep it clear of trunk and legs.
+  static void keep_off(std::optional<ArmClearance<S>>& clearance, const Freedom& by,
+                       const Kinematics<S>& now, std::span<const S> angles,
                        std::span<S> reference) {
-    if (!arm.clearance) return;
-    const std::size_t d = arm.abduction.dof;
-    const S aside = min(arm.clearance->aside(now), S(arm.abduction.upper) - angles[d]);
-    reference[d] = max(reference[d], min(aside * S(kLawShare), S(kLawStep)));
+    if (!clearance) return;
+    const S off = min(clearance->aside(now), S(by.upper) - angles[by.dof]);
+    reference[by.dof] = max(reference[by.dof], min(off * S(kLawShare), S(kLawStep)));
   }
 
   void shrug(const Arm& arm, const Kinematics<S>& now, std::span<const S> angles,
@@ -428,6 +457,8 @@ class PostureLaw {
   int steps_;            // in a motion
   double ease_;          // see ReachProblem
   double gaze_arrives_;  // share of the duration at which the head arrives
+  T eyes_;               // rad, see Habit
+  T elbow_bends_;        // see Habit::free_arm
   bool looks_ = false;
   Vec3<S> target_{};  // m, world
   int chest_ = 0;     // link that carries the neck

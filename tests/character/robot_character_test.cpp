@@ -111,7 +111,7 @@ double depth_of_line(const ExportedMotion& motion, const std::string& from, cons
     const Vec3d b = motion.at(to, f);
     for (int k = 0; k <= 20; ++k) {
       const Vec3d p = a + (b - a) * (0.05 * k);
-      deepest = max(deepest, -obstacle_distance(box, Mat3d{}, p));
+      deepest = max(deepest, -box_distance(placed_boxes({&box, 1}).front(), p));
     }
   }
   return deepest;

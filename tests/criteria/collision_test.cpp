@@ -123,7 +123,7 @@ TEST(Collision, DepthInABallIsThatOfTheirRadii) {
 TEST(Collision, DistanceFromABoxIsSignedAndTurnsWithIt) {
   Obstacle box{.name = "box", .position = {1, 0, 0}, .size = {2, 4, 6}};
   const auto distance = [&box](const Vec3d& at) {
-    return obstacle_distance(box, to_matrix(box.rotation), at);
+    return box_distance(placed_boxes({&box, 1}).front(), at);
   };
   EXPECT_NEAR(distance({3, 0, 0}), 1.0, 1e-12);
   EXPECT_NEAR(distance({1, 1.5, 0}), -0.5, 1e-12);

@@ -19,7 +19,7 @@ constexpr double kOff = 0.1;  // rad
 // People's knee flexion (rad) at a lean, with the hands that far ahead of the ankles (in
 // kHandAhead).
 double peoples_knees(double lean, double far) {
-  return kKneeOfTrunk * (kKneesNear + (1.0 - kKneesNear) * far) * lean * lean /
+  return Habit{}.knees * (kKneesNear + (1.0 - kKneesNear) * far) * lean * lean /
          (lean + kKneesBegin);
 }
 
