@@ -93,8 +93,12 @@ std::vector<ReachProblem> usual_approaches(const Problem& problem, const ReachPr
 }
 
 // In rising the knees lead the hips, and the hips the back (Burgess-Limerick et al., Hum. Factors
-// 37 (1995) 395): haste of the way of the hips.
-constexpr double kHipsHaste = 0.25;
+// 37 (1995) 395): haste of the ways of the hips and the neck, and distance (statures) by which the
+// hips go back before they go up, at that share of their time.
+constexpr double kHipsHaste = 0.3;
+constexpr double kNeckHaste = -0.1;
+constexpr double kHipsBack = 0.023;
+constexpr double kHipsBackAt = 0.3;
 
 // The problem with a point of the body led to where it is in standing; no goal of the task. False
 // if the body has no such effector, or the IK no rows left.
@@ -143,8 +147,11 @@ Rising rising(const Problem& problem, const ReachProblem& reach) {
   if (reach.rise.empty() || !may_score(problem) || keeps_bent(problem)) return best;
   ReachProblem hips = reach;
   if (!lead(HumanoidBone::hips, kHipsHaste, hips)) return best;
+  EffectorPath& way = hips.goals.back().path;
+  way.detour = Vec3d{0.0, 0.0, -kHipsBack * reach.body->stature()};
+  way.detour_peak = kHipsBackAt;
   ReachProblem trunk = hips;
-  const bool leads_trunk = lead(HumanoidBone::neck, 0.0, trunk);
+  const bool leads_trunk = lead(HumanoidBone::neck, kNeckHaste, trunk);
   if (leads_trunk) go_about_hips(trunk);
   for (const ReachProblem* up : {&hips, &trunk}) {
     if (up == &trunk && !leads_trunk) continue;

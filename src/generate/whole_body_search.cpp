@@ -55,7 +55,7 @@ SearchResult WholeBodySearch::run(const Progress& progress) {
   const bool paper = problem_.task.preset == Preset::paper;
   // if the user fixes the squat, the knees follow it
   Niche knees = !paper && space_.find("squat") < 0 ? stiff_knees(space_) : Niche{};
-  const bool bent = !paper && (knees.empty() || !problem_.task.starts.empty());
+  const bool bent = !paper;
   add_islands({{.niche = std::move(knees),
                 .bent = bent,
                 .budget = budget_ - StylePlans::kParts * part_,
