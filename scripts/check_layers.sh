@@ -84,7 +84,7 @@ BEGIN {
   face("math", "math")
   face("body", "body goal motion")
   face("human", "human")
-  face("criteria", "criteria")
+  face("criteria", "criteria habit")
   face("dynamics", "kinematics")
   face("search", "search")
   face("plan", "parameters")

@@ -231,7 +231,8 @@ Result<Habit> habit_of(const std::string& text) {
     });
     if (!named) return misread("--habit", part, "NAME=NUMBER");
     if (!known) {
-      return fail(ErrorCode::invalid_argument, unknown_name("number of a habit", named->name, names));
+      return fail(ErrorCode::invalid_argument,
+                  unknown_name("number of a habit", named->name, names));
     }
   }
   return habit;

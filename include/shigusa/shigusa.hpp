@@ -11,6 +11,7 @@
 #include <shigusa/formats.hpp>
 #include <shigusa/generate.hpp>
 #include <shigusa/goal.hpp>
+#include <shigusa/habit.hpp>
 #include <shigusa/human.hpp>
 #include <shigusa/kinematics.hpp>
 #include <shigusa/math.hpp>

@@ -116,8 +116,7 @@ void add_arm_modes(ModeBuilder& modes) {
 
 std::size_t back_joints(const BodyModel& body) {
   std::size_t joints = 0;
-  while (joints < kBackJoints.size() &&
-         body.find_dof(kBackJoints[joints], FreedomKind::flexion)) {
+  while (joints < kBackJoints.size() && body.find_dof(kBackJoints[joints], FreedomKind::flexion)) {
     ++joints;
   }
   return joints;

@@ -84,12 +84,12 @@ class Coordination {
   PosturePoints points_;
   std::vector<GoalHand> hands_;
   std::vector<std::size_t> knees_;
-  double per_angle_;  // 1/rad
-  double of_trunk_;   // knee flexion per lean, with the load
-  double per_ahead_;  // 1/m
-  double no_more_;    // m, world: height of the hand from which nothing counts
+  double per_angle_;   // 1/rad
+  double of_trunk_;    // knee flexion per lean, with the load
+  double per_ahead_;   // 1/m
+  double no_more_;     // m, world: height of the hand from which nothing counts
   double per_height_;  // 1/m
-  S off_{};           // of the last frame seen
+  S off_{};            // of the last frame seen
 };
 
 }  // namespace shigusa

@@ -69,11 +69,10 @@ class HabitMeter {
   [[nodiscard]] LearnedHabit learned() const {
     const Habit usual;
     LearnedHabit result{.reaches = static_cast<int>(knees_per_trunk_.size())};
-    result.habit = {
-        .knees = clamp(median(knees_per_trunk_, usual.knees), 0.0, kHabitKneesMost),
-        .round = clamp(median(round_, usual.round), kHabitRoundLeast, kHabitRoundMost),
-        .eyes = clamp(median(eyes_, usual.eyes), 0.0, kHabitEyesMost),
-        .free_arm = clamp(median(free_arm_, usual.free_arm), 0.0, kHabitFreeArmMost)};
+    result.habit = {.knees = clamp(median(knees_per_trunk_, usual.knees), 0.0, kHabitKneesMost),
+                    .round = clamp(median(round_, usual.round), kHabitRoundLeast, kHabitRoundMost),
+                    .eyes = clamp(median(eyes_, usual.eyes), 0.0, kHabitEyesMost),
+                    .free_arm = clamp(median(free_arm_, usual.free_arm), 0.0, kHabitFreeArmMost)};
     return result;
   }
 
@@ -82,9 +81,8 @@ class HabitMeter {
     return placed_.point(hand.link, hand.point);
   }
   [[nodiscard]] const Effector* lowest() const {
-    return *std::min_element(hands_.begin(), hands_.end(), [&](const auto* a, const auto* b) {
-      return at(*a).y < at(*b).y;
-    });
+    return *std::min_element(hands_.begin(), hands_.end(),
+                             [&](const auto* a, const auto* b) { return at(*a).y < at(*b).y; });
   }
 
   void measure_knees() {
@@ -185,8 +183,7 @@ Result<LearnedHabit> learn_habit(const RecordedMotion& recorded,
                   "frames");
     }
     if (!meter.fits()) break;
-    const ClipFit fit =
-        fit_clip(recorded, *recorded.rig, recorded.motion, {range.first, last});
+    const ClipFit fit = fit_clip(recorded, *recorded.rig, recorded.motion, {range.first, last});
     measure_reaches(fit.clip, meter);
   }
   const LearnedHabit learned = meter.learned();

@@ -41,8 +41,8 @@ HumanBuilder::HumanBuilder(const Landmarks& person, const HumanSettings& setting
   if (other_stands_) base_side_ = settings.base;
   const double usual = default_mass(stature_of_limbs(person, settings.stature), settings.sex);
   const double of_mass = 1.0 + kStrengthOfMass * (settings.mass / usual - 1.0);
-  strength_ = usual / table_.mean_mass * of_mass *
-              (settings_.sex == Sex::female ? kFemaleStrength : 1.0);
+  strength_ =
+      usual / table_.mean_mass * of_mass * (settings_.sex == Sex::female ? kFemaleStrength : 1.0);
   if (!both) leg_strength_ = 2.0;
 }
 

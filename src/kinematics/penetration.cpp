@@ -66,8 +66,8 @@ Penetration limb_penetration(const BodyModel& body, const Kinematics<double>& ki
 std::vector<PlacedBox> placed_boxes(std::span<const Obstacle> obstacles) {
   std::vector<PlacedBox> boxes;
   for (const Obstacle& obstacle : obstacles) {
-    boxes.push_back({obstacle.position, obstacle.size * 0.5, obstacle.radius,
-                     to_matrix(obstacle.rotation)});
+    boxes.push_back(
+        {obstacle.position, obstacle.size * 0.5, obstacle.radius, to_matrix(obstacle.rotation)});
   }
   return boxes;
 }

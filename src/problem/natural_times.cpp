@@ -17,9 +17,9 @@ constexpr double kHandLeaves = 0.2;
 
 // A day's pace beside that of MTM-1, whose workers are trained.
 constexpr double kPace = 1.2;
-constexpr double kNearBase = 0.16 * kPace;      // s
-constexpr double kNearPerMetre = 1.0 * kPace;   // s/m
-constexpr double kNaturalDurationMin = 0.4;     // s
+constexpr double kNearBase = 0.16 * kPace;     // s
+constexpr double kNearPerMetre = 1.0 * kPace;  // s/m
+constexpr double kNaturalDurationMin = 0.4;    // s
 // Distances (limb lengths) of a goal from the limb's root between which the trunk begins to help.
 constexpr double kTrunkFrom = 0.9;
 constexpr double kTrunkTo = 1.1;
@@ -78,8 +78,8 @@ double natural_duration(const BodyModel& body, const Kinematics<double>& start,
   const double far = norm(goal.path.goal - start.origin[index(effector.limb_root)]) /
                      max(body.limb_length(effector), 1e-6);
   const double helps = clamp((far - kTrunkFrom) / (kTrunkTo - kTrunkFrom), 0.0, 1.0);
-  double duration = min(kDurationBase + kDurationPerMetre * distance,
-                        kNearBase + kNearPerMetre * distance);
+  double duration =
+      min(kDurationBase + kDurationPerMetre * distance, kNearBase + kNearPerMetre * distance);
   duration = min(duration, kDurationMax) + helps * kDurationTrunk;
   duration = duration * load_factor(load) + kTimePerLoad * max(load - kFreeLoad, 0.0);
   const double bits = natural_log(1.0 + width_along(goal) / kPointWidth) / natural_log(2.0);

@@ -20,10 +20,10 @@ inline constexpr TimeWindow kHipsRise{0.2, 1.0};
 // people.
 [[nodiscard]] PartWindows natural_windows(std::span<const ReachGoal> goals);
 
-// Duration (s) of a reach with a load (kg) in the hands: rule R9's, but for near goals that of MTM-1
-// (R-B and M-B, .16 s + 1.0 s/m, times kPace); without the jump where the trunk begins to help; with
-// the weight's factor and constant of MTM-1, and less for goals of which a whole box will do (P.
-// Fitts, J. Experimental Psychology 47 (1954) 381).
+// Duration (s) of a reach with a load (kg) in the hands: rule R9's, but for near goals that of
+// MTM-1 (R-B and M-B, .16 s + 1.0 s/m, times kPace); without the jump where the trunk begins to
+// help; with the weight's factor and constant of MTM-1, and less for goals of which a whole box
+// will do (P. Fitts, J. Experimental Psychology 47 (1954) 381).
 [[nodiscard]] double natural_duration(const BodyModel& body, const Kinematics<double>& start,
                                       const ReachGoal& goal, double load);
 

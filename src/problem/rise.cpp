@@ -152,7 +152,8 @@ std::vector<double> rise_of(const BodyModel& body, const CriteriaContext& contex
       const auto dof = body.find_dof(kBackJoints[j], freedom);
       if (!dof) continue;
       const double at = start.angles[index(*dof)];
-      const double law = freedom == FreedomKind::flexion ? back_share(j, back_joints(body)) * bent : 0.0;
+      const double law =
+          freedom == FreedomKind::flexion ? back_share(j, back_joints(body)) * bent : 0.0;
       change[index(*dof)] = -max(at - law, min(at, 0.0));
     }
   }

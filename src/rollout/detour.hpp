@@ -16,7 +16,8 @@ inline constexpr double kDetourMargin = 0.25;
 // Bends the paths of the problem around the body: rolls out a motion with uniform weights; where
 // the forearm or hand would penetrate trunk or thighs, deeper than at the start, the path gets a
 // via point at the deepest moment, pushed outward by the depth and the clearance (paper, rule R9).
-// Paths with a detour of their own stay. A detour is rejected if it does not reduce the depth or misses the goal.
+// Paths with a detour of their own stay. A detour is rejected if it does not reduce the depth or
+// misses the goal.
 void add_detours(ReachProblem& problem);
 
 }  // namespace shigusa

@@ -415,8 +415,7 @@ class PostureLaw {
             std::span<S> reference) const {
     const Vec3<S> eye = now.origin[index(head_)];
     const Mat3<S>& chest = now.link_rotation(chest_);
-    const Vec3<S> offset =
-        transpose_times(chest, without_eyes(target_ - eye, chest.cz + chest.cy));
+    const Vec3<S> offset = transpose_times(chest, without_eyes(target_ - eye, chest.cz + chest.cy));
     const S across = sqrt(offset.x * offset.x + offset.z * offset.z);
     const S turn = trunk_.empty() ? side_of(offset, across) : side_behind(offset);
     const S eyes = clamp(turn * S(1.0 - kHeadOfGaze), S(-kEyesEase), S(kEyesEase));

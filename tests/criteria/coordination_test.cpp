@@ -62,6 +62,24 @@ TEST(Coordination, KneesMayBendTooMuchOrTooLittle) {
   }
 }
 
+TEST(Coordination, KneesAreThoseOfTheHabit) {
+  const Pose pose = with_knees(peoples(kLean), 2.0 * peoples_knees(kLean, 1.0));
+  EXPECT_GT(penalty_of(pose), 0.3);
+  EXPECT_NEAR(penalty_of(pose, {.habit = {.knees = 2.0 * Habit{}.knees}}), 0.0, 1e-12);
+}
+
+TEST(Coordination, FadesForHandsAtTablesAndAbove) {
+  Pose pose = with_knees(peoples(kLean), 0.0);
+  double before = 1.0;
+  for (const double height : {0.3, kKneesUpTo + 0.05, kKneesUpTo + 0.1, kKneesNoMore, 0.8}) {
+    pose.left.hand.y = pose.right.hand.y = kPosedAnkles.y + height * kPosedStature;
+    const double now = penalty_of(pose);
+    EXPECT_LE(now, before) << height;
+    before = now;
+  }
+  EXPECT_EQ(before, 0.0);
+}
+
 TEST(Coordination, KneesAreTheMeanOfBoth) {
   Pose pose = peoples(kLean);
   pose.left_knee += kOff;

@@ -65,6 +65,24 @@ TEST(DatasetPlan, TasksOfAPersonAreOfThatPerson) {
   EXPECT_GT(statures.size(), 1u);
 }
 
+TEST(DatasetPlan, HabitsAreDrawnByTheirShares) {
+  Json json = small_plan(400, 100);
+  json["task"]["habit"] = {{"choice", {"stoop", {{"knees", {{"uniform", {2.0, 3.0}}}}}}},
+                           {"shares", {1, 3}}};
+  const DatasetPlan plan = plan_of_json(json);
+  int stoops = 0;
+  for (std::uint64_t i = 0; i < plan.tasks(); ++i) {
+    const Habit habit = plan.task(i).value().file.habit;
+    if (habit.knees < 1.0) {
+      ++stoops;
+    } else {
+      EXPECT_GE(habit.knees, 2.0);
+      EXPECT_LE(habit.knees, 3.0);
+    }
+  }
+  EXPECT_NEAR(stoops, 100, 40);  // a standard deviation of 9
+}
+
 TEST(DatasetPlan, WrongPlansAreToldBeforeAnyWork) {
   EXPECT_THAT(complaint(with("/sead", 1)),
               AllOf(HasSubstr("unknown key 'sead'"), HasSubstr("seed")));

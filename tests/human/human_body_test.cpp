@@ -113,12 +113,13 @@ TEST(HalfBody, LegsCountForBoth) {
   EXPECT_DOUBLE_EQ(elbow.torque_positive, kElbowFlexion.torque_positive);
 }
 
-TEST(HumanBody, StrengthGrowsWithMassAndIsSmallerInWomen) {
+TEST(HumanBody, StrengthGrowsByAPartOfTheMassAndIsSmallerInWomen) {
   const auto elbow = [](const PosedBody& posed) {
     return posed.body.dof(*posed.body.find_dof("right_elbow.flexion")).torque_positive;
   };
   EXPECT_DOUBLE_EQ(elbow(full_body({1.741, 73.0, Sex::male})), 70.0);
-  EXPECT_DOUBLE_EQ(elbow(full_body({1.741, 146.0, Sex::male})), 140.0);
+  EXPECT_DOUBLE_EQ(elbow(full_body({1.741, 146.0, Sex::male})), 70.0 * (1.0 + kStrengthOfMass));
+  EXPECT_NEAR(elbow(full_body({1.25 * 1.741, 1.5625 * 73.0, Sex::male})), 1.5625 * 70.0, 1e-9);
   EXPECT_DOUBLE_EQ(elbow(full_body({1.735, 61.9, Sex::female})), 42.0);
 }
 

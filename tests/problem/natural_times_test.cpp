@@ -79,6 +79,61 @@ TEST(NaturalBegin, OfLevelWaysAndWaysUpIsAtOnce) {
   }
 }
 
+class NaturalDuration : public testing::Test {
+ protected:
+  // Of a reach straight ahead from the shoulder's height.
+  double of(double way, double load = 0.0, double box = 0.0) const {
+    const int hand = body_.find_effector("right_hand").value();
+    const Kinematics<double> start = home_kinematics(posed_);
+    const Vec3d shoulder = start.link_origin(body_.effector(hand).limb_root);
+    ReachGoal goal{.effector = hand, .path = {shoulder, shoulder + kForwards * way}};
+    goal.tolerance = {box, box, box};
+    return natural_duration(body_, start, goal, load);
+  }
+
+  PosedBody posed_ = human_body();
+  const BodyModel& body_ = posed_.body;
+};
+
+TEST_F(NaturalDuration, OfNearGoalsIsThatOfMtm) {
+  for (const double way : {0.25, 0.35, 0.5}) {
+    EXPECT_NEAR(of(way) / (0.16 + way), 1.2, 1e-9) << way;
+    EXPECT_LT(of(way), reach_duration(way, false)) << way;
+  }
+  EXPECT_NEAR(of(0.59), reach_duration(0.59, false), 1e-9);
+  EXPECT_EQ(of(0.05), of(0.0));
+}
+
+TEST_F(NaturalDuration, GrowsWithoutAJumpWhereTheTrunkHelps) {
+  double before = of(0.4);
+  for (double way = 0.405; way < 1.2; way += 0.005) {
+    EXPECT_GT(of(way), before) << way;
+    EXPECT_LT(of(way), before + 0.012) << way;
+    before = of(way);
+  }
+  EXPECT_NEAR(of(1.1), reach_duration(1.1, true), 1e-9);
+}
+
+TEST_F(NaturalDuration, OfALoadHasAFactorAndAConstant) {
+  EXPECT_EQ(of(0.5, 1.0), of(0.5));
+  const double more = 10.0 - kFreeLoad;
+  EXPECT_NEAR(of(0.5, 10.0), of(0.5) * (1.0 + kPerLoad * more) + 0.0283 * more, 1e-9);
+}
+
+TEST_F(NaturalDuration, OfAnEasyGoalIsShorterByAThirdAtMost) {
+  EXPECT_LT(of(0.6, 0.0, 0.02), of(0.6));
+  EXPECT_LT(of(0.6, 0.0, 0.08), of(0.6, 0.0, 0.02));
+  EXPECT_GE(of(0.6, 0.0, 0.5), of(0.6) * 2.0 / 3.0 - 1e-9);
+}
+
+TEST_F(NaturalDuration, OfADetourIsThatOfItsLength) {
+  const int hand = body_.find_effector("right_hand").value();
+  ReachGoal goal{.effector = hand, .path = path_by(kForwards * 0.3)};
+  const double straight = natural_duration(body_, home_kinematics(posed_), goal, 0.0);
+  goal.path.detour = kUp * 0.2;
+  EXPECT_GT(natural_duration(body_, home_kinematics(posed_), goal, 0.0), straight + 0.1);
+}
+
 TEST(NaturalWindows, AreWithinTheMotion) {
   Random random(12);
   for (int i = 0; i < 200; ++i) {

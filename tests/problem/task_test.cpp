@@ -43,7 +43,7 @@ TEST(MakeProblem, LeadsTheHandFromWhereItIsToItsGoal) {
 }
 
 TEST(MakeProblem, TakesTheTimeOfTheDistance) {
-  const Task task = task_for({-0.3, 1.2, 0.4});
+  const Task task = with_preset(task_for({-0.3, 1.2, 0.4}), Preset::paper);
   const Result<ReachProblem> problem = make_problem(task);
   const EffectorPath& path = problem->goals[0].path;
   // near enough for the arm alone
@@ -51,7 +51,7 @@ TEST(MakeProblem, TakesTheTimeOfTheDistance) {
 }
 
 TEST(MakeProblem, TakesLongerWhereTheTrunkMustHelp) {
-  const Task task = task_for({-0.1, 0.2, 0.5});
+  const Task task = with_preset(task_for({-0.1, 0.2, 0.5}), Preset::paper);
   const Result<ReachProblem> problem = make_problem(task);
   const EffectorPath& path = problem->goals[0].path;
   EXPECT_EQ(problem->duration, reach_duration(norm(path.goal - path.start), true));

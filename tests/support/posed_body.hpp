@@ -118,6 +118,7 @@ void show_poses(const BodyModel& body, const std::vector<Pose>& poses, Criterion
 struct Asked {
   std::optional<double> scale{};  // empty: the usual one
   std::vector<int> effectors{};
+  Habit habit{};
 };
 
 // A criterion's penalty for a motion through these poses.
@@ -125,8 +126,9 @@ template <template <class> class Criterion>
 double penalty_of_poses(const std::vector<Pose>& poses, const Asked& asked = {},
                         const PosedBody& body = posed_body()) {
   const double usual = CriteriaSettings()[Criterion<double>::kKind].scale;
-  Criterion<double> criterion(body, {.start = body.home, .effectors = asked.effectors},
-                              asked.scale.value_or(usual));
+  Criterion<double> criterion(
+      body, {.start = body.home, .effectors = asked.effectors, .habit = asked.habit},
+      asked.scale.value_or(usual));
   show_poses(body, poses, criterion);
   return criterion.penalty();
 }
