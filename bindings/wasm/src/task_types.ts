@@ -166,6 +166,19 @@ export interface Support {
   on: string;
 }
 
+/** A person's way of moving. */
+export interface Habit {
+  /** Flexion of the knees over the lean of a far leaning trunk; 1.7 when not given. */
+  knees?: number;
+  /** Bend of the back beside people's usual one with the pelvis tipped far, below 0 a straight back; 0 when not
+   * given. */
+  round_rad?: number;
+  /** Angle by which the eyes look down from the head at a low goal; 15° when not given. */
+  eyes_rad?: number;
+  /** Flexion of a free arm's elbow over the forward turn of its shoulder; 0.6 when not given. */
+  free_arm?: number;
+}
+
 /** Weights of the score, not all 0, and the scale at which each penalty is full (docs/criteria.md). Absent ones
  * are as in the preset's own mixture. */
 export interface Criteria {
@@ -270,6 +283,10 @@ export interface Task {
   /** The share of the duration by which the head turns earlier to what is looked at, or later below 0, than
    * people's do; 0 when not given. Of the presets flat and human. */
   gaze_lead?: number;
+  /** The person's way of moving: natural, when not given, as most people; half: knees bend as much as the trunk
+   * leans; squat: knees bend much; stoop: knees stay almost straight; or numbers, such as `shigusa habit` measures
+   * in a recorded motion. Of the presets flat and human. */
+  habit?: 'natural' | 'half' | 'squat' | 'stoop' | Habit;
   /** paper, as published; flat, when not given: all parameters at once, within joint limits; layers: the paper's
    * hierarchy, first trunk and limb lengths, then arms; or human: trunk and limb lengths, then the elbows' swivel,
    * then free arms. Criteria, search and number of candidates are its own where nothing else is said. */
