@@ -161,6 +161,9 @@ std::string format_facts() {
   const TaskFile plain;
   json["default_preset"] = word_of(plain.preset);
   json["default_body"] = plain.character.source;
+  for (const NamedHabit& habit : kHabits) {
+    json["habits"].push_back({{"name", habit.word}, {"about", habit.about}});
+  }
   json["searches"] = all_words<SearchMethod>();
   json["generators"] = all_words<MotionGenerator>();
   json["layer_readings"] = all_words<LayerReading>();

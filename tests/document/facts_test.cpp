@@ -67,6 +67,17 @@ TEST(Facts, PresetsAndParetoRankByTheMixtureThatTheReaderGivesThem) {
   EXPECT_EQ(told.at("mixtures").at(told.at("pareto_mixture")), weights_of(front.criteria));
 }
 
+TEST(Facts, HabitsAreWordsOfTasksTheDefaultFirst) {
+  const Json habits = facts().at("habits");
+  EXPECT_EQ(habits.size(), kHabits.size());
+  for (const Json& habit : habits) {
+    const Json plain{{"habit", habit.at("name")}, {"goals", Json::array()}};
+    const TaskFile task = parse_task(plain.dump(), "task").value();
+    EXPECT_EQ(task.habit == Habit{}, habit == habits.at(0)) << habit;
+    EXPECT_FALSE(habit.at("about").get<std::string>().empty()) << habit;
+  }
+}
+
 TEST(Facts, CriteriaStandInTheOrderOfScoresWithTheKeysOfTheirScales) {
   const Json told = facts();
   std::size_t at = 0;

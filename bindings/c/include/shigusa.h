@@ -87,12 +87,13 @@ SHIGUSA_API shigusa_status shigusa_failure(shigusa_bytes** json);
  * {"criteria": [{"name", "scale" (the key of its scale)}], "mixtures": {name: {criterion: weight}},
  * "presets": [{"name", "mixture" (that it ranks by), "search", "candidates", "evaluations",
  * "layered", "natural"}], "pareto_mixture" (that a task with "pareto" ranks by, whatever its
- * preset), "default_preset" and "default_body" (defaults of a task), "searches",
- * "generators", "layer_readings", "sexes", "extents" and "bones" (words), "bodies": [{"name",
- * "dof"}], "ranges": {key in files: [least, most]}, "formats": [{"name", "about", "endings"
- * ([".glb", …]), "media_type", "person", "robot", "clip" (read from it), "written", "rated" (it has
- * frames at the rate asked for), "needs" (formats, of one of which the character must be; none: any
- * will do), "max_bytes" (that are read)}], "timing": [{"name", "low", "high", "of" ("motion": a
+ * preset), "default_preset" and "default_body" (defaults of a task), "habits": [{"name", "about"}]
+ * (the first is a task's default), "searches", "generators", "layer_readings", "sexes", "extents"
+ * and "bones" (words), "bodies": [{"name", "dof"}], "ranges": {key in files: [least, most]},
+ * "formats": [{"name", "about", "endings" ([".glb", …]), "media_type", "person", "robot", "clip"
+ * (read from it), "written", "rated" (it has frames at the rate asked for), "needs" (formats, of
+ * one of which the character must be; none: any will do), "max_bytes" (that are read)}],
+ * "timing": [{"name", "low", "high", "of" ("motion": a
  * parameter, or "task"), "sentence"}], "joint_names": [{"name", "bones" ({own: there})}],
  * "messages": [{"key", "text" (in English, with {} or {:.2f} for each value)}], the sentences of
  * doubts and failures}. */

@@ -219,6 +219,9 @@ export interface FormatFacts {
 /** The name of a preset. */
 export type PresetName = NonNullable<Task['preset']>;
 
+/** A habit that has a name. */
+export type HabitName = Extract<Task['habit'], string>;
+
 /** The facts of a preset, and its settings where a task says nothing else. */
 export interface PresetFacts {
   name: PresetName;
@@ -239,6 +242,7 @@ export interface Facts {
   pareto_mixture: string; // that a task with `pareto` ranks by, whatever its preset
   default_preset: PresetName; // of a task that names none
   default_body: string; // the body of such a task
+  habits: { name: HabitName; about: string }[]; // the first is that of a task that names none; one phrase in English
   searches: string[];
   generators: string[];
   layer_readings: string[];
