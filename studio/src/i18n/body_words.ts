@@ -6,12 +6,12 @@ import type { Facts } from '../../../bindings/wasm/src/types';
 export function tableWords(facts: Facts): Record<TableWords, string[]> {
   const names = (rows: readonly { name: string }[]): string[] => rows.map(({ name }) => name);
   return {
-    criteria: names(facts.criteria), presets: names(facts.presets), bodies: names(facts.bodies), sexes: facts.sexes,
+    criteria: names(facts.criteria), presets: names(facts.presets), habits: names(facts.habits), bodies: names(facts.bodies), sexes: facts.sexes,
     formats: names(facts.formats.filter(({ written }) => written)), jointNames: names(facts.joint_names), timing: names(facts.timing.filter(({ of }) => of === 'task')),
   };
 }
 
-export type TableWords = 'criteria' | 'presets' | 'bodies' | 'sexes' | 'formats' | 'jointNames' | 'timing';
+export type TableWords = 'criteria' | 'presets' | 'habits' | 'bodies' | 'sexes' | 'formats' | 'jointNames' | 'timing';
 
 export interface BodyWords extends Record<TableWords, Record<string, string>> {
   sides: Record<string, string>;
@@ -49,6 +49,7 @@ export const englishBody: BodyWords = {
     coordination: 'Coordination', hand_curve: 'Curve of the hand', trunk_travel: 'Still trunk', mass_ahead: 'Weight goes along', jolts: 'No jolts',
   },
   presets: { flat: 'whole body', human: 'trunk first', paper: 'as published', layers: 'trunk first, as published' },
+  habits: { natural: 'natural', half: 'half squat', squat: 'squat', stoop: 'stoop' },
   bodies: { human: 'Person', full_body: 'Person, simple', half_body: 'One arm and one leg' },
   sexes: { male: 'male', female: 'female' },
   formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: 'Strip, SVG', png: 'Strip, PNG', pdf: 'Strip, PDF', task: 'Task, JSON', result: 'Result, JSON' },
@@ -85,6 +86,7 @@ export const japaneseBody: BodyWords = {
     coordination: '全身の連動', hand_curve: '手の軌道の弧', trunk_travel: '体幹の安定', mass_ahead: '重心の移動', jolts: '急変のなさ',
   },
   presets: { flat: '全身まとめて', human: '体幹から順に', paper: '論文どおり', layers: '体幹から順に（論文どおり）' },
+  habits: { natural: '自然', half: '中腰', squat: 'しゃがむ', stoop: 'かがむ' },
   bodies: { human: '人', full_body: '人（簡略）', half_body: '片腕片脚' },
   sexes: { male: '男性', female: '女性' },
   formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: '連続図 SVG', png: '連続図 PNG', pdf: '連続図 PDF', task: 'タスク JSON', result: '結果 JSON' },

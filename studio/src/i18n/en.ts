@@ -51,7 +51,7 @@ export const en = {
   goalsIntro: 'Where the hands, the feet and other parts should end, in {unit} from the floor between the feet.',
   left: 'left', up: 'up', ahead: 'ahead', load: 'Load, kg', loadPasses: 'Its weight counts; it does not collide with the body or with things yet.', kg: 'kg', turn: 'Set a rotation', rings: 'Turn by rings',
   reachedBy: 'met', short: '{length} short', duration: 'Duration', auto: 'by distance', s: 's',
-  method: 'Search', effort: 'Effort', effortQuick: 'quick', effortNormal: 'normal', effortThorough: 'thorough',
+  method: 'Search', habit: 'Habit', learned: 'learned', effort: 'Effort', effortQuick: 'quick', effortNormal: 'normal', effortThorough: 'thorough',
   onFloor: '{name} stops at the floor: as it is turned, {length} is the lowest it can be.',
   facing: 'Faces', direction: 'Direction', axisNone: 'any way', axisPalm: 'palm', axisThumb: 'thumb’s side', axisFingers: 'fingers', asInTask: 'as in the task',
   facesUp: 'up', facesDown: 'down', facesIn: 'in', facesOut: 'out', facesAhead: 'ahead', facesBack: 'back',

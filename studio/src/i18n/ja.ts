@@ -45,7 +45,7 @@ export const ja: Record<Key, string> = {
   goalsIntro: '手・足など体の各部の行き先です。両足の間の床からの距離（{unit}）。',
   left: '左', up: '上', ahead: '前', load: '荷物（kg）', loadPasses: '荷物は重さだけを計算します。体や障害物との衝突は、まだ扱いません。', kg: 'kg', turn: '角度を指定', rings: 'リングで回転',
   reachedBy: '到達', short: 'あと {length}', duration: '所要時間', auto: '自動（距離による）', s: '秒',
-  method: '探索方法', effort: '探索量', effortQuick: '少なめ', effortNormal: '普通', effortThorough: '入念',
+  method: '探索方法', habit: '動き方の癖', learned: '学習した癖', effort: '探索量', effortQuick: '少なめ', effortNormal: '普通', effortThorough: '入念',
   onFloor: '{name}は床で止まります。この向きでは高さ {length} が下限です。',
   facing: '向ける部分', direction: '方向', axisNone: '指定なし', axisPalm: '手のひら', axisThumb: '親指側', axisFingers: '指先', asInTask: 'タスクの指定',
   facesUp: '上向き', facesDown: '下向き', facesIn: '内向き', facesOut: '外向き', facesAhead: '前向き', facesBack: '後ろ向き',

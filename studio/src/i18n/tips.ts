@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sentences on the effect of sliders, one for each.
+// Sentences on the effect of sliders and habits, one for each.
 import { freedomName, jointName, spokenLanguage } from './index';
 
 /** {place}: the limb or the joint that the parameter is of. */
@@ -7,6 +7,7 @@ interface Tips {
   readonly parameters: Readonly<Record<string, string>>;
   readonly weight: string;
   readonly criteria: Readonly<Record<string, string>>;
+  readonly habits: Readonly<Record<string, string>>;
 }
 
 const english: Tips = {
@@ -48,6 +49,13 @@ const english: Tips = {
     trunk_travel: 'Counts a shoulder that goes farther than the goal needs, or less far.',
     mass_ahead: 'Counts a body whose weight does not go along with the hands as people’s does.',
     jolts: 'Counts jolts: sudden changes of effort from one moment to the next.',
+  },
+  habits: {
+    natural: 'Natural: knees and trunk bend as most people’s do.',
+    half: 'Half squat: the knees bend as much as the trunk leans.',
+    squat: 'Squat: the knees bend much, and the trunk stays up.',
+    stoop: 'Stoop: the knees stay almost straight, and the trunk leans.',
+    learned: 'Learned: the numbers in the task’s file.',
   },
 };
 
@@ -91,6 +99,13 @@ const japanese: Tips = {
     mass_ahead: '人のように手と一緒に体重が移らないことを減点します。',
     jolts: '力が一瞬で大きく変わる、がくんとした動きを減点します。',
   },
+  habits: {
+    natural: '自然：多くの人と同じように、膝と上体を曲げます。',
+    half: '中腰：上体の傾きと同じだけ、膝を曲げます。',
+    squat: 'しゃがむ：膝を大きく曲げ、上体を起こしておきます。',
+    stoop: 'かがむ：膝をほとんど曲げず、上体を倒します。',
+    learned: '学習した癖：タスクのファイルにある数値に従います。',
+  },
 };
 
 const tips = (): Tips => (spokenLanguage() === 'ja' ? japanese : english);
@@ -106,4 +121,8 @@ export function parameterTip(name: string): string {
 
 export function criterionTip(name: string): string {
   return tips().criteria[name] ?? '';
+}
+
+export function habitTip(name: string): string {
+  return tips().habits[name] ?? '';
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The goals as numbers, and how motions for them are searched.
+import type { HabitName } from '../../../bindings/wasm/src/types';
 import { engineWord, t } from '../i18n';
+import { habitTip } from '../i18n/tips';
 import { chosenCandidate, type Document, type SearchSettings } from '../state/model';
 import { effectorsOf, jointsOf } from '../state/start';
 import type { Studio } from '../state/studio';
@@ -13,6 +15,7 @@ import { LookRow } from './look_row';
 import { NumberInput, writeNumber } from './number_input';
 import { LibrarySection } from './library';
 import { ThingList } from './things';
+import { giveTip } from './tooltip';
 import { VerdictBox } from './verdict';
 
 /** How many times as many motions a search scores as the preset would by itself. */
@@ -35,6 +38,8 @@ export class GoalsPanel implements Panel {
   private readonly verdict: VerdictBox;
   private readonly duration: NumberInput;
   private readonly method: HTMLSelectElement;
+  private readonly habit: HTMLSelectElement;
+  private readonly learned = h('option', { value: 'learned' }, t('learned'));
   private readonly effort: HTMLSelectElement;
   private readonly seed: HTMLInputElement;
   private rows: GoalRow[] = [];
@@ -54,6 +59,9 @@ export class GoalsPanel implements Panel {
     this.duration.element.placeholder = t('auto');
     const presets = studio.facts.presets.map(({ name }) => [name, engineWord('presets', name)] as const);
     this.method = select(t('method'), presets, studio.facts.default_preset, (value) => this.search(value));
+    const habits = studio.facts.habits.map(({ name }) => [name, engineWord('habits', name)] as const);
+    this.habit = select(t('habit'), habits, habits[0]![0], (name) => this.moveBy(name));
+    this.habit.append(this.learned);
     this.effort = select(t('effort'), efforts.map((key) => [key, t(key)] as const), 'effortNormal', (key) =>
       this.change({ evaluations: this.evaluations(this.method.value, key) }));
     this.seed = h('input', { type: 'text', inputmode: 'numeric', 'data-key': 'seed', onChange: () => this.reseed() });
@@ -70,6 +78,7 @@ export class GoalsPanel implements Panel {
       h('div', { class: 'fields' },
         h('label', {}, durationName, this.duration.element, t('s')),
         h('label', {}, h('span', {}, t('method')), this.method),
+        this.habitRow(),
         h('label', {}, h('span', {}, t('effort')), this.effort),
         h('label', {}, h('span', {}, t('seedNumber')), this.seed),
         button(t('seed'), () => void studio.searchAgain())),
@@ -92,6 +101,18 @@ export class GoalsPanel implements Panel {
     const { settings } = this.studio.document!;
     const effort = this.effortOf(settings);
     this.change({ ...withPreset(settings, preset), evaluations: effort ? this.evaluations(preset, effort) : settings.evaluations });
+  }
+
+  private habitRow(): HTMLElement {
+    const name = h('span', {}, t('habit'));
+    const row = h('label', {}, name, this.habit);
+    giveTip(row, name, this.habit, () => ({ text: [...this.habit.options].filter(({ hidden }) => !hidden).map(({ value }) => habitTip(value)).join('\n') }));
+    return row;
+  }
+
+  private moveBy(name: HabitName): void {
+    const { habit: _, ...more } = this.studio.document!.settings.more;
+    this.change({ more: name === this.studio.facts.habits[0]!.name ? more : { ...more, habit: name } });
   }
 
   /** Motions that a search scores; null: as the preset has it. */
@@ -152,8 +173,12 @@ export class GoalsPanel implements Panel {
     // as people move, or as the task says
     for (const [index, { name, natural }] of this.studio.facts.presets.entries()) {
       this.method.options[index]!.hidden = this.method.options[index]!.disabled = !natural && name !== settings.preset;
+      if (name === settings.preset) this.habit.disabled = !natural;
     }
     this.method.value = settings.preset;
+    const { habit = this.studio.facts.habits[0]!.name } = settings.more;
+    this.learned.hidden = this.learned.disabled = typeof habit === 'string';
+    this.habit.value = typeof habit === 'string' ? habit : this.learned.value;
     writeNumber(this.seed, String(settings.seed));
     this.effort.value = this.effortOf(settings) ?? 'effortNormal';
   }
