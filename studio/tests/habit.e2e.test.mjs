@@ -2,7 +2,7 @@
 // A habit, by its name or as the numbers of a task: chosen, explained, undone, kept in files.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ask, drop, openStudio, settled, take, visit } from './support.mjs';
+import { ask, drawn, drop, openStudio, settled, take, visit } from './support.mjs';
 
 const { site, browser } = await visit();
 
@@ -71,6 +71,8 @@ test('each habit is explained in both languages; presets of the paper have none'
     await page.locator('.topbar select').last().selectOption(language);
     await page.waitForFunction((code) => document.documentElement.lang === code, language);
     await page.click('#tab-goals');
+    await choice(page).scrollIntoViewIfNeeded();
+    await drawn(page); // scrolling takes a tip away
     await choice(page).hover();
     await page.locator('.tip').waitFor();
     const lines = (await page.locator('.tip').innerText()).trim().split('\n');
