@@ -160,7 +160,8 @@ struct Request {
   /// kGazeLeadLeast..kGazeLeadMost: share of the duration by which the head turns earlier than
   /// people's, below 0 later. Of the presets flat and human.
   double gaze_lead = 0.0;
-  /// The person's way of moving. Of the presets flat and human.
+  /// The person's way of moving; adopt_habit changes it with its weight. Of the presets flat and
+  /// human.
   Habit habit{};
   /// The parameters that are searched, and how; adopt_preset changes it with its criteria.
   Preset preset = Preset::flat;
@@ -193,6 +194,11 @@ struct Request {
 /// Sets the preset of a request; if it changes, also the preset's criteria and number of
 /// candidates.
 void adopt_preset(Request& request, const Preset& preset);
+/// Factor on the weight of coordination for a person's own knees: one person differs less from
+/// reach to reach than people do from each other.
+inline constexpr double kOwnKneesWeigh = 4.0;
+/// Sets the habit of a request, and with knees of its own also the weight of coordination.
+void adopt_habit(Request& request, const Habit& habit);
 /// Sets Request::pareto; turning it on also sets pareto_criteria().
 void adopt_pareto(Request& request, const bool& pareto);
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <shigusa/body.hpp>
 
 namespace shigusa {
 
 // Whether a foot is a thigh on a seat: a seated person is supported by both.
-[[nodiscard]] inline bool is_on_seat(const Foot& foot) { return foot.name.ends_with("upper_leg"); }
+[[nodiscard]] bool is_on_seat(const Foot& foot);
 
-[[nodiscard]] inline bool sits(const BodyModel& body) {
-  return std::any_of(body.feet().begin(), body.feet().end(), is_on_seat);
-}
+[[nodiscard]] bool sits(const BodyModel& body);
 
 }  // namespace shigusa

@@ -77,7 +77,7 @@ Result<Habit> parse_habit(std::string_view text, std::string_view name) {
   const Json holder{{"habit", std::move(json)}};
   JsonReader reader(holder, std::string(name) + ": ");
   Habit habit;
-  read_composite(reader, "habit", habit);
+  if (reader.has("habit")) read_composite(reader, "habit", habit);
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   return habit;
 }

@@ -251,16 +251,6 @@ inline constexpr FieldTable kFields<Request>{
                .group = OptionGroup::motion,
                .brief = "How much earlier the head turns than people's do (default 0)",
                .rare = true}},
-        Field{"habit",
-              &Request::habit,
-              "The person's way of moving: natural, when not given, as most people; half: knees "
-              "bend as much as the trunk leans; squat: knees bend much; stoop: knees stay almost "
-              "straight; or numbers, such as `shigusa habit` measures in a recorded motion. Of the "
-              "presets flat and human.",
-              {.option = "--habit",
-               .form = "natural|half|squat|stoop|NAME=NUMBER,…|FILE",
-               .group = OptionGroup::motion,
-               .brief = "Way of moving: a word, numbers, or a file of `shigusa habit`"}},
         Field{"preset",
               &Request::preset,
               "paper, as published; flat, when not given: all parameters at once, within joint "
@@ -272,6 +262,17 @@ inline constexpr FieldTable kFields<Request>{
                .brief = "Parameters, criteria and search together (default flat)",
                .written = always,
                .adopt = adopt_preset}},
+        Field{"habit",
+              &Request::habit,
+              "The person's way of moving: natural, when not given, as most people; half: knees "
+              "bend as much as the trunk leans; squat: knees bend much; stoop: knees stay almost "
+              "straight; or numbers, such as `shigusa habit` measures in a recorded motion. Of the "
+              "presets flat and human.",
+              {.option = "--habit",
+               .form = "natural|half|squat|stoop|NAME=NUMBER,…|FILE",
+               .group = OptionGroup::motion,
+               .brief = "Way of moving: a word, numbers, or a file of `shigusa habit`",
+               .adopt = adopt_habit}},
         Field{"layer_reading",
               &Request::layer_reading,
               "Of the presets layers and human, the meaning of the paper's 14 parameters of the "

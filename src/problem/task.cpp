@@ -196,11 +196,24 @@ SearchMethod search_of(const Task& task) {
   return task.search.value_or(traits_of(task.preset).search);
 }
 
-void adopt_preset(Request& request, const Preset& preset) {
-  if (preset == request.preset) return;
+void adopt_habit(Request& request, const Habit& habit) {
+  const auto own = [](const Habit& of) { return of.knees != Habit{}.knees; };
+  double& weight = request.criteria[CriterionKind::coordination].weight;
+  if (own(habit) && !own(request.habit)) weight *= kOwnKneesWeigh;
+  if (!own(habit) && own(request.habit)) weight /= kOwnKneesWeigh;
+  request.habit = habit;
+}
+
+// Sets a preset's own criteria and number of candidates.
+static void take_defaults(Request& request, Preset preset) {
   request.preset = preset;
   request.criteria = traits_of(preset).criteria();
   request.candidates = traits_of(preset).candidates;
+  adopt_habit(request, std::exchange(request.habit, {}));
+}
+
+void adopt_preset(Request& request, const Preset& preset) {
+  if (preset != request.preset) take_defaults(request, preset);
 }
 
 void adopt_pareto(Request& request, const bool& pareto) {
@@ -209,9 +222,7 @@ void adopt_pareto(Request& request, const bool& pareto) {
 }
 
 Task with_preset(Task task, Preset preset) {
-  task.preset = preset;
-  task.criteria = traits_of(preset).criteria();
-  task.candidates = traits_of(preset).candidates;
+  take_defaults(task, preset);
   return task;
 }
 

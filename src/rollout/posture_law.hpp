@@ -20,7 +20,7 @@ namespace shigusa {
 
 // Share of the duration by which the head has turned to the goal: gaze arrives before the hand
 // (Prablanc et al., Biological Cybernetics 35 (1979) 113-124).
-inline constexpr double kGazeArrives = 0.55;
+inline constexpr double kGazeArrives = 0.45;
 // The head's share of a gaze turn to the side (B. Biguer, M. Jeannerod and C. Prablanc, Exp. Brain
 // Res. 46 (1982) 301: at most two thirds), and the range of the eyes, which do the rest (rad; of
 // the 35 degrees of MIL-STD-1472).

@@ -41,7 +41,8 @@ TEST_F(ScoreCommand, AnAnimatedCharacterScoresAsItsSummaryHasIt) {
   work_.put("person.gltf", person_gltf().dump());
   const ProgramRun made =
       run_shigusa({"reach", "--character", "person.gltf", "--goal", "right_hand=-0.1,0.5,0.4",
-                   "--formats", "glb,bvh", "--evaluations", "100", "--candidates", "1", "--json"},
+                   "--formats", "glb,bvh", "--evaluations", "100", "--candidates", "1", "--json",
+                   "--duration", "1.5"},  // in haste jolts depend on the rate
                   {.folder = work_.path()});
   const Json candidate = Json::parse(made.out).at("candidates").at(0);
   const double total = candidate.at("score");

@@ -123,9 +123,9 @@ TEST(LowBack, IsFullAtItsShareAndBeyond) {
 }
 
 TEST(LowBack, StrengthFollowsTheBody) {
-  // the same stature, half the mass: half the strength
-  const PosedBody light = full_body({1.741, 36.5, Sex::male});
-  EXPECT_NEAR(penalty_of(light, {-50}), penalty_of(full_body(), {-100}), 1e-12);
+  // the same build at 0.8 of the stature: 0.64 of the mass and of the strength
+  const PosedBody small = full_body({0.8 * 1.741, 0.64 * 73.0, Sex::male});
+  EXPECT_NEAR(penalty_of(small, {-64}), penalty_of(full_body(), {-100}), 1e-12);
   const PosedBody woman = full_body({1.735, 61.9, Sex::female});
   EXPECT_NEAR(penalty_of(woman, {-60}), penalty_of(full_body(), {-100}), 1e-12);
 }

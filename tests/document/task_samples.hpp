@@ -95,6 +95,8 @@ void any_value(const Traits& traits, Value& into) {
     into = any_number(traits.low, traits.high) + 0.0;  // -0 counts as not given
   } else if constexpr (std::same_as<Value, Vec3d>) {
     for (int k = 0; k < 3; ++k) into[k] = any_number(traits.low, traits.high);
+  } else if constexpr (Tabled<Value>) {
+    for_each_field<Value>([&](const auto& field) { any_value(field.traits, into.*field.member); });
   } else {
     static_assert(std::same_as<Value, std::vector<std::string>>);
     if (*rc::gen::arbitrary<bool>()) into = {"squat_deg=60", "目", ""};

@@ -71,17 +71,18 @@ TEST(Shown, AreThreeHoweverMuchWorseThatCouldBeMade) {
 }
 
 TEST(Shown, ThatPassThroughTheBodyAreNoMoreThanThree) {
-  int colliding = 0;
   for (const auto& [task, result] : found()) {
     const std::vector<Candidate>& all = result.candidates;
     if (std::all_of(all.begin(), all.end(), collides)) continue;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!collides(all[i])) continue;
-      ++colliding;
       EXPECT_LT(i, static_cast<std::size_t>(kShownLeast));
     }
   }
-  EXPECT_GE(colliding, 1);
+  // near the own shoulder one does, after the free ones
+  const std::vector<Candidate> near = generate(task_for({0.3, 1.2, -0.05})).value().candidates;
+  EXPECT_TRUE(collides(near.back()));
+  EXPECT_FALSE(collides(near.front()));
 }
 
 TEST(Shown, ComeBeforeWhatPassesThroughSomething) {
@@ -121,13 +122,13 @@ TEST(Shown, GoStraightWhereTheDetourStartsWorse) {
   EXPECT_GE(straight, 1);
   EXPECT_GE(around, 1);
   // no tenth better
-  const Candidate low = generate(task_for({0.1, 0.1, 0.2})).value().candidates.front();
+  const Candidate low = generate(task_for({0.2, 0.15, 0.2})).value().candidates.front();
   EXPECT_EQ(low.goals[0].path, PathKind::detour);
 }
 
 // The load is let down in some haste.
 TEST(Calmer, IsAFirstChoiceThatStrainsForItsHaste) {
-  Task task = task_for({-0.55, 0.3, 0.55}, 8.0);
+  Task task = task_for({0.4, 0.05, 0.55}, 9.0);
   const GenerateResult result = generate(task).value();
   EXPECT_TRUE(result.gentled);
   EXPECT_EQ(result.candidates.front().judgement.verdict, Verdict::possible);
@@ -139,7 +140,7 @@ TEST(Calmer, IsAFirstChoiceThatStrainsForItsHaste) {
 
 TEST(Calmer, IsNoneThatWouldTakeMuchLongerOrStrainAllTheSame) {
   for (const auto& [goal, load] :
-       {std::pair{Vec3d{0.4, 0.05, 0.55}, 9.0}, std::pair{Vec3d{-0.55, 1.25, -0.15}, 10.0}}) {
+       {std::pair{Vec3d{0.4, 0.05, 0.55}, 12.0}, std::pair{Vec3d{-0.55, 1.25, -0.15}, 14.0}}) {
     const GenerateResult result = generate(task_for(goal, load)).value();
     EXPECT_EQ(result.candidates.front().judgement.verdict, Verdict::strains);
     EXPECT_FALSE(result.gentled);

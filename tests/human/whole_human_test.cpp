@@ -171,11 +171,11 @@ TEST(WholeHuman, RoundsAndTwistsItsSpine) {
 }
 
 TEST(WholeHuman, IsAsStrongAsItsSexAndMass) {
-  const PosedBody woman = human_body({1.7, 60.0, Sex::female});
-  const PosedBody man = human_body({1.7, 60.0, Sex::male});
+  const PosedBody woman = human_body({1.7, default_mass(1.7, Sex::female), Sex::female});
+  const PosedBody man = human_body({1.7, default_mass(1.7, Sex::male), Sex::male});
   const int back = man.body.find_dof("spine.flexion").value();
   const double ratio = woman.body.dof(back).torque_negative / man.body.dof(back).torque_negative;
-  EXPECT_NEAR(ratio, kFemaleStrength * 73.0 / 61.9, 1e-9);
+  EXPECT_NEAR(ratio, kFemaleStrength * (1.741 * 1.741) / (1.735 * 1.735), 1e-9);
 }
 
 }  // namespace

@@ -25,9 +25,9 @@ State end_of_reach(const PosedBody& posed, const Vec3d& goal) {
 
 TEST(RiseOf, WhoStandsHasNone) {
   for (const PosedBody& posed : {half_body(), full_body(), human_body()}) {
-    EXPECT_TRUE(rise_of(posed, posed.home).empty()) << posed.body.name();
+    EXPECT_TRUE(rise_of(posed, {.start = posed.home}).empty()) << posed.body.name();
   }
-  EXPECT_TRUE(rise_of(chain({{}, {}}), chain({{}, {}}).home).empty());
+  EXPECT_TRUE(rise_of(chain({{}, {}}), {.start = chain({{}, {}}).home}).empty());
 }
 
 TEST(RiseOf, LeadsUprightOnTheFeetAsTheyStand) {
@@ -35,7 +35,7 @@ TEST(RiseOf, LeadsUprightOnTheFeetAsTheyStand) {
   const Vec3d stands = effector_position(posed, posed.home.angles, "hips");
   for (const Vec3d& goal : {Vec3d{-0.2, 0.1, 0.35}, Vec3d{0.1, 0.3, 0.5}, Vec3d{-0.4, 0.4, 0.3}}) {
     const State low = end_of_reach(posed, goal);
-    const std::vector<double> rise = rise_of(posed, low);
+    const std::vector<double> rise = rise_of(posed, {.start = low});
     ASSERT_EQ(rise.size(), low.angles.size()) << goal.z;
     ReachProblem problem;
     problem.body = &posed.body;

@@ -283,14 +283,14 @@ export interface Task {
   /** The share of the duration by which the head turns earlier to what is looked at, or later below 0, than
    * people's do; 0 when not given. Of the presets flat and human. */
   gaze_lead?: number;
-  /** The person's way of moving: natural, when not given, as most people; half: knees bend as much as the trunk
-   * leans; squat: knees bend much; stoop: knees stay almost straight; or numbers, such as `shigusa habit` measures
-   * in a recorded motion. Of the presets flat and human. */
-  habit?: 'natural' | 'half' | 'squat' | 'stoop' | Habit;
   /** paper, as published; flat, when not given: all parameters at once, within joint limits; layers: the paper's
    * hierarchy, first trunk and limb lengths, then arms; or human: trunk and limb lengths, then the elbows' swivel,
    * then free arms. Criteria, search and number of candidates are its own where nothing else is said. */
   preset?: 'paper' | 'flat' | 'layers' | 'human';
+  /** The person's way of moving: natural, when not given, as most people; half: knees bend as much as the trunk
+   * leans; squat: knees bend much; stoop: knees stay almost straight; or numbers, such as `shigusa habit` measures
+   * in a recorded motion. Of the presets flat and human. */
+  habit?: 'natural' | 'half' | 'squat' | 'stoop' | Habit;
   /** Of the presets layers and human, the meaning of the paper's 14 parameters of the whole body:
    * shared_contractions, when not given: 12 weights and 2 contractions, or contraction_a_limb: 10 and 4. */
   layer_reading?: 'shared_contractions' | 'contraction_a_limb';
