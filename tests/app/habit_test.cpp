@@ -50,7 +50,10 @@ TEST_F(HabitCommand, IsLearnedFromAClip) {
   EXPECT_LT(Json::parse(learned.out)["knees"].get<double>(), 0.8);
   work_.put("learned.json", learned.out);
   EXPECT_LT(knees({"--habit", "learned.json"}), knees({}) - 20.0);
-  EXPECT_EQ(run({"habit", "stoops/candidate-1.bvh", "--frames", "0:60"}).out, learned.out);
+  const ProgramRun part = run({"habit", "stoops/candidate-1.bvh", "--frames", "0:55"});
+  EXPECT_NEAR(Json::parse(part.out)["knees"].get<double>(),
+              Json::parse(learned.out)["knees"].get<double>(), 0.1);
+  EXPECT_EQ(run({"habit", "stoops/candidate-1.bvh", "--frames", "0:3"}).exit_code, 2);
 }
 
 TEST_F(HabitCommand, MistakesAreNamed) {
