@@ -14,6 +14,9 @@ namespace {
 
 // Length of a standing leg, relative to a straight one: knees bent by some 11 degrees.
 constexpr double kAlmostStraight = 0.995;
+// Length of a leg from which an upright person stands, as characters from files whose rest pose has
+// the knees bent by up to 42 degrees.
+constexpr double kStandsOn = 0.93;
 // Steps on the way up, and iterations of each.
 constexpr int kSteps = 40;
 constexpr int kIterations = 4;
@@ -111,7 +114,10 @@ bool stands(const BodyModel& body, const State& start, const PosturePoints& poin
   const Vec3d line =
       PosturePoints::middle(points.shoulders, now) - PosturePoints::middle(points.hips, now);
   const double lean = atan2(sqrt(line.x * line.x + line.z * line.z), line.y);
-  return bent <= kStandsKnees * static_cast<double>(knees.size()) && lean <= kStandsLean;
+  if (lean > kStandsLean) return false;
+  const Vec3d leg = PosturePoints::middle(points.hips, now) - points.ankles;
+  return bent <= kStandsKnees * static_cast<double>(knees.size()) ||
+         norm(leg) >= kStandsOn * points.leg;
 }
 
 }  // namespace
