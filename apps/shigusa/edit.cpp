@@ -174,8 +174,7 @@ void add_edit(CLI::App& app, int& exit_code) {
   c->group(kMakeMotions)
       ->footer(
           "shigusa edit out --set squat_deg=20\n"
-          "shigusa edit out --candidate 2 --set right_swivel_deg=20 --set "
-          "left_wrist.flexion.locked=true");
+          "shigusa edit out --candidate 2 --set right_swivel_deg=20 --set left_knee.weight=3");
   describe(c->add_option("--set", options->assignments)->allow_extra_args(false),
            {.group = kOfResult,
             .brief = "A parameter's value: squat_deg=20, right_elbow.locked=true",
