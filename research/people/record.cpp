@@ -115,20 +115,20 @@ Result<Recorded> read_reach(const std::filesystem::path& clip, const Segment& se
   return reach;
 }
 
-Track joints_track(const PosedBody& posed, const Clip& clip) {
+Track joints_track(const BodyModel& body, const Clip& clip) {
   Track track;
   track.frame_time = clip.frame_time;
   track.angles = clip;
   std::array<const BodyNode*, kJoints> nodes{};
-  for (const BodyNode& node : posed.body.nodes()) {
+  for (const BodyNode& node : body.nodes()) {
     for (std::size_t j = 0; j < kBones.size(); ++j) {
       if (node.name == humanoid_bone_name(kBones[j])) nodes[j] = &node;
     }
     if (node.name == "right_hand_grip") nodes[right_grip] = &node;
   }
-  Kinematics<double> placed(posed);
+  Kinematics<double> placed(body);
   for (int f = 0; f < clip.frames; ++f) {
-    forward_kinematics<double>(posed, clip.frame(f), placed);
+    forward_kinematics<double>(body, clip.frame(f), placed);
     Joints joints;
     for (const BodyNode* node : nodes) joints.push_back(placed.point(node->link, node->point));
     track.joints.push_back(std::move(joints));
