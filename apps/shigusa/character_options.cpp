@@ -292,4 +292,12 @@ Result<ExportSettings> export_settings(const FileOptions& options, const Charact
   return usual;
 }
 
+Result<RecordedMotion> read_clip(const std::string& clip, const CharacterOptions& options,
+                                 CharacterSpec character, int first) {
+  CharacterOptions person = options;
+  person.animation.reset();
+  SHG_TRY(apply_character_options(person, character));
+  return read_recorded(clip, std::move(character), first, options.animation.value_or(""));
+}
+
 }  // namespace shigusa::app

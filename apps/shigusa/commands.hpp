@@ -113,6 +113,11 @@ inline constexpr const char* kFramesHelp = "Part of the clip, by its frames from
 [[nodiscard]] Result<void> apply_character_options(const CharacterOptions& options,
                                                    CharacterSpec& spec);
 
+// Reads a clip on a character with these options, whose animation is the clip's; see read_recorded.
+[[nodiscard]] Result<RecordedMotion> read_clip(const std::string& clip,
+                                               const CharacterOptions& options,
+                                               CharacterSpec character, int first);
+
 // Settings for writing a result: from the options, and else from `usual`. Fails on formats to which
 // this character cannot be exported.
 [[nodiscard]] Result<ExportSettings> export_settings(const FileOptions& options,

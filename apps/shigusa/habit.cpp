@@ -22,14 +22,11 @@ Result<int> habit(const HabitOptions& options) {
   for (const std::string& text : options.frames) {
     SHG_TRY_ASSIGN(ranges.emplace_back(), parse_frames(text));
   }
+  const int first = ranges.empty() ? 0 : ranges.front().first;
   CharacterSpec character{.source = options.clip};
-  character.frame = ranges.empty() ? 0 : ranges.front().first;
-  CharacterOptions person = options.person;
-  person.animation.reset();  // the clip's
-  SHG_TRY(apply_character_options(person, character));
+  character.frame = first;
   SHG_TRY_ASSIGN(const RecordedMotion recorded,
-                 read_recorded(options.clip, character, *character.frame,
-                               options.person.animation.value_or("")));
+                 read_clip(options.clip, options.person, std::move(character), first));
   const Result<LearnedHabit> learned = learn_habit(recorded, ranges);
   if (!learned) return fail(learned.error().code, learned.error().message, options.clip);
   for (const Message& doubt : recorded.doubts) note(recorded.body.name(), doubt.text);

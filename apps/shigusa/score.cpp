@@ -65,12 +65,8 @@ Result<int> score(const ScoreOptions& options) {
   CharacterSpec character;
   character.source = options.character.value_or(options.clip);
   if (character.source == options.clip) character.frame = settings.first;
-  CharacterOptions person = options.person;
-  person.animation.reset();  // the clip's
-  SHG_TRY(apply_character_options(person, character));
   SHG_TRY_ASSIGN(const RecordedMotion recorded,
-                 read_recorded(options.clip, character, settings.first,
-                               options.person.animation.value_or("")));
+                 read_clip(options.clip, options.person, std::move(character), settings.first));
   const Result<ClipScore> score = score_clip(recorded, settings);
   if (!score) return fail(score.error().code, score.error().to_string(), options.clip);
   for (const Message& doubt : recorded.doubts) note(recorded.body.name(), doubt.text);

@@ -62,8 +62,7 @@ class Coordination {
 
   void add(const PlacedFrame<S>& frame) {
     if (!points_.found || knees_.empty()) return;
-    const Vec3<S> hips = PosturePoints::middle(points_.hips, frame.kinematics);
-    const Vec3<S> line = PosturePoints::middle(points_.shoulders, frame.kinematics) - hips;
+    const Vec3<S> line = points_.trunk(frame.kinematics);
     const S lean = max(atan2(line.z, line.y), S(0));
     Vec3<S> hand{};
     for (const GoalHand& goal : hands_) hand += goal.hand.in(frame.kinematics);

@@ -39,6 +39,11 @@ struct PosturePoints {
   double leg = 0.0;                       // m, from hip to ankle of a straight leg, mean of both
   bool found = false;                     // whether the body has all points
 
+  // The line (m, world) from the middle of the hips to that of the shoulders.
+  template <class S>
+  [[nodiscard]] Vec3<S> trunk(const Kinematics<S>& placed) const {
+    return middle(shoulders, placed) - middle(hips, placed);
+  }
   template <class S>
   [[nodiscard]] static Vec3<S> middle(const std::array<LinkPoint, 2>& pair,
                                       const Kinematics<S>& placed) {

@@ -51,8 +51,7 @@ class HabitMeter {
   }
 
   [[nodiscard]] double lean() const {
-    const Vec3d line = PosturePoints::middle(points_.shoulders, placed_) -
-                       PosturePoints::middle(points_.hips, placed_);
+    const Vec3d line = points_.trunk(placed_);
     return atan2(line.z, line.y);
   }
 

@@ -16,17 +16,10 @@ constexpr double kSquatSlack = radians(8.0);
 constexpr double kSquatAim = radians(4.0);
 constexpr double kSquatPull = 1.0;
 
-std::optional<double> fixed_squat(const Problem& problem) {
-  const std::optional<FixedParameters>& fixed = problem.task.fixed;
-  const auto squat = problem.parameters->find("squat_rad");
-  if (!fixed || !squat || !fixed->set[*squat]) return std::nullopt;
-  return fixed->values.values[*squat];
-}
-
 }  // namespace
 
 std::optional<SquatTarget> SquatTarget::of(const Problem& problem) {
-  const std::optional<double> squat = fixed_squat(problem);
+  const std::optional<double> squat = fixed_value(problem, "squat_rad");
   if (!squat) return std::nullopt;
   const BodyModel& body = problem.task.body;
   SquatTarget target;

@@ -117,6 +117,17 @@ bool lead(HumanoidBone bone, double haste, ReachProblem& problem) {
   return check_rows(problem).has_value();
 }
 
+// Brings the hips' way off its line, back from where the standing pelvis faces.
+void go_back_first(ReachProblem& problem) {
+  const BodyModel& body = *problem.body;
+  ReachGoal& hips = problem.goals.back();
+  const int pelvis = body.effector(hips.effector).link;
+  const Vec3d ahead = placed(body, problem.standing()).link_rotation(pelvis).cz;
+  hips.path.detour =
+      normalized(Vec3d{ahead.x, 0.0, ahead.z}, {0, 0, 1}) * (-kHipsBack * body.stature());
+  hips.path.detour_peak = kHipsBackAt;
+}
+
 // Brings the neck's way off its line, so that it keeps its distance from the hips, which are led
 // before it.
 void go_about_hips(ReachProblem& problem) {
@@ -129,27 +140,20 @@ void go_about_hips(ReachProblem& problem) {
   neck.detour_peak = neck.own_time(0.5);
 }
 
-// Whether the user fixes a squat that is none of who stands.
-bool keeps_bent(const Problem& problem) {
-  const std::optional<FixedParameters>& fixed = problem.task.fixed;
-  const auto squat = problem.parameters->find("squat_rad");
-  return fixed && squat && fixed->set[*squat] && fixed->values.values[*squat] > kStandsKnees;
-}
-
-// The better start of the approaches of who begins bent and stands up: hips and neck, or the hips
-// alone, go up on ways of their own. No approaches where the goals cannot be met like that.
+// The approaches of a person who begins bent and stands up, and their best start: hips and neck, or
+// the hips alone, go up on ways of their own. No approaches where the goals cannot be met like
+// that, or where the user fixes knees that no standing person has.
 struct Rising {
   double start = std::numeric_limits<double>::infinity();
   std::vector<ReachProblem> approaches{};
 };
 Rising rising(const Problem& problem, const ReachProblem& reach) {
   Rising best;
-  if (reach.rise.empty() || !may_score(problem) || keeps_bent(problem)) return best;
+  const bool keeps_bent = fixed_value(problem, "squat_rad").value_or(0.0) > kStandsKnees;
+  if (reach.rise.empty() || !may_score(problem) || keeps_bent) return best;
   ReachProblem hips = reach;
   if (!lead(HumanoidBone::hips, kHipsHaste, hips)) return best;
-  EffectorPath& way = hips.goals.back().path;
-  way.detour = Vec3d{0.0, 0.0, -kHipsBack * reach.body->stature()};
-  way.detour_peak = kHipsBackAt;
+  go_back_first(hips);
   ReachProblem trunk = hips;
   const bool leads_trunk = lead(HumanoidBone::neck, kNeckHaste, trunk);
   if (leads_trunk) go_about_hips(trunk);

@@ -55,11 +55,10 @@ SearchResult WholeBodySearch::run(const Progress& progress) {
   const bool paper = problem_.task.preset == Preset::paper;
   // if the user fixes the squat, the knees follow it
   Niche knees = !paper && space_.find("squat") < 0 ? stiff_knees(space_) : Niche{};
-  const bool bent = !paper;
   add_islands({{.niche = std::move(knees),
-                .bent = bent,
+                .bent = !paper,
                 .budget = budget_ - StylePlans::kParts * part_,
-                .step = bent ? kSearchStep : kWideStep}},
+                .step = paper ? kWideStep : kSearchStep}},
               joint);
   const Island& all = islands_.front();
   if (part_ > 0) {

@@ -15,7 +15,7 @@ constexpr PartWindows kUp{{{0.0, 0.9}, {0.1, 0.96}, {0.25, 1.0}, {0.0, 1.0}}};
 // Share of the time after which a hand on its way down leaves.
 constexpr double kHandLeaves = 0.2;
 
-// A day's pace beside that of MTM-1, whose workers are trained.
+// Pace beside that of MTM-1, whose workers are trained; chosen, as recorded people are slower.
 constexpr double kPace = 1.2;
 constexpr double kNearBase = 0.16 * kPace;     // s
 constexpr double kNearPerMetre = 1.0 * kPace;  // s/m
@@ -53,7 +53,7 @@ double width_along(const ReachGoal& goal) {
 }
 
 // Height gained on the way, as a share of its length.
-double rise_of(const EffectorPath& path) {
+double slope_of(const EffectorPath& path) {
   const Vec3d offset = path.goal - path.start;
   const double length = norm(offset);
   return length > 0.0 ? offset.y / length : 0.0;
@@ -66,10 +66,10 @@ double natural_haste(const EffectorPath& path) {
   // their way down (see also Papaxanthis et al., Neurosci. Lett. 253 (1998) 103)
   constexpr double kLevel = 0.07;
   constexpr double kUpwards = 0.2;
-  return kLevel + kUpwards * rise_of(path);
+  return kLevel + kUpwards * slope_of(path);
 }
 
-double natural_begin(const EffectorPath& path) { return kHandLeaves * max(-rise_of(path), 0.0); }
+double natural_begin(const EffectorPath& path) { return kHandLeaves * max(-slope_of(path), 0.0); }
 
 double natural_duration(const BodyModel& body, const Kinematics<double>& start,
                         const ReachGoal& goal, double load) {
@@ -90,7 +90,7 @@ double natural_duration(const BodyModel& body, const Kinematics<double>& start,
 PartWindows natural_windows(std::span<const ReachGoal> goals) {
   double rise = 0.0;
   for (const ReachGoal& goal : goals)
-    rise += rise_of(goal.path) / static_cast<double>(goals.size());
+    rise += slope_of(goal.path) / static_cast<double>(goals.size());
   const double up = 0.5 + 0.5 * rise;
   PartWindows windows;
   for (std::size_t p = 0; p < kTimedParts; ++p) {

@@ -10,27 +10,27 @@
 namespace shigusa {
 namespace {
 
-// Whether the user fixes this parameter of the whole body.
-bool fixes(const Task& task, std::string_view name) {
-  if (!task.fixed || traits_of(task.preset).layers) return false;
-  const auto found = parameter_list(whole_body_plan(task.body, task.supports)).find(name);
-  return found && *found < task.fixed->set.size() && task.fixed->set[*found];
-}
-
 Result<std::unique_ptr<const Problem>> posed(Task task) {
-  if (fixes(task, "squat_rad")) {
-    // given knees are in whatever proportion to the trunk they are
-    task.criteria[CriterionKind::coordination].weight = 0.0;
-  }
   auto problem = std::make_unique<Problem>(std::move(task));
   SHG_TRY_ASSIGN(problem->reach, make_problem(problem->task));
   SHG_TRY_ASSIGN(problem->plan, plan_of(problem->task.body, problem->task.start, problem->task,
                                         problem->task.criteria));
   problem->parameters = std::make_shared<const ParameterList>(parameter_list(problem->plan));
+  // given knees are in whatever proportion to the trunk they are
+  if (fixed_value(*problem, "squat_rad")) {
+    problem->task.criteria[CriterionKind::coordination].weight = 0.0;
+  }
   return problem;
 }
 
 }  // namespace
+
+std::optional<double> fixed_value(const Problem& problem, std::string_view name) {
+  const std::optional<FixedParameters>& fixed = problem.task.fixed;
+  const auto found = problem.parameters->find(name);
+  if (!fixed || !found || *found >= fixed->set.size() || !fixed->set[*found]) return std::nullopt;
+  return fixed->values.values[*found];
+}
 
 Result<std::unique_ptr<const Problem>> prepare(const Task& task) {
   SHG_TRY_ASSIGN(Task ready, standing(task));

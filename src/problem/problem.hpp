@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <shigusa/request.hpp>
+#include <string_view>
 #include <utility>
 
 #include "plan/plan.hpp"
@@ -21,6 +23,9 @@ struct Problem {
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 };
+
+// The value at which the task fixes a parameter of its plan; none if the search is free in it.
+[[nodiscard]] std::optional<double> fixed_value(const Problem& problem, std::string_view name);
 
 // The problem of a task. Fails if a foot cannot do as the task asks, and as make_problem and
 // plan_of do, in this order.

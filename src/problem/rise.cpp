@@ -111,8 +111,7 @@ bool stands(const BodyModel& body, const State& start, const PosturePoints& poin
   double bent = 0.0;
   for (const int knee : knees) bent += start.angles[index(knee)];
   const Kinematics<double> now = placed(body, start);
-  const Vec3d line =
-      PosturePoints::middle(points.shoulders, now) - PosturePoints::middle(points.hips, now);
+  const Vec3d line = points.trunk(now);
   const double lean = atan2(sqrt(line.x * line.x + line.z * line.z), line.y);
   if (lean > kStandsLean) return false;
   const Vec3d leg = PosturePoints::middle(points.hips, now) - points.ankles;
@@ -163,7 +162,7 @@ std::vector<double> rise_of(const BodyModel& body, const CriteriaContext& contex
       change[index(*dof)] = -max(at - law, min(at, 0.0));
     }
   }
-  // arms hang from there, as those of who begins to reach
+  // arms hang there, as in standing
   for (const Effector& hand : body.effectors()) {
     if (hand.part.limb != LimbKind::arm) continue;
     for (const int d : body.chain(hand.link)) {

@@ -7,7 +7,8 @@
 
 namespace shigusa {
 
-// Trunk's lean and mean flexion of the knees (rad) up to which a person counts as standing.
+// Trunk's lean and mean flexion of the knees (rad) up to which a person counts as standing; legs
+// almost as long as straight ones do too, whatever their knees.
 inline constexpr double kStandsLean = radians(20.0);
 inline constexpr double kStandsKnees = radians(20.0);
 // Least duration (s) of a motion that begins bent: recorded rises from a squat or a stoop take 1.1

@@ -143,7 +143,7 @@ struct ReachProblem {
   [[nodiscard]] std::vector<double> momentum() const;
   // Number of the goals that the task asks for.
   [[nodiscard]] std::size_t asked() const { return goals.size() - led; }
-  // The state to which postures are relative: the start, or who rises from it.
+  // The state to which postures are relative: the start, or standing in a rise from it.
   [[nodiscard]] State standing() const;
   // The state in which the motion begins.
   [[nodiscard]] const State& start() const { return context.start; }
