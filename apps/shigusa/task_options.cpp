@@ -211,8 +211,14 @@ std::string kind_of(std::string_view option) {
 
 // Parses a habit: a name, numbers such as "knees=2.1,round_deg=8", or the path of a file.
 Result<Habit> habit_of(const std::string& text) {
+  Texts words;
   for (const NamedHabit& named : kHabits) {
     if (text == named.word) return named.habit;
+    words.emplace_back(named.word);
+  }
+  if (text.find_first_of("=./") == text.npos) {
+    return fail(ErrorCode::invalid_argument,
+                unknown_name("habit", text, words).text + ", or a path such as ./habit.json");
   }
   if (text.find('=') == text.npos) return read_habit(text);
   Habit habit;

@@ -65,7 +65,8 @@ TEST_F(HabitCommand, MistakesAreNamed) {
   EXPECT_THAT(told("knee=2"), HasSubstr("knees"));
   EXPECT_THAT(told("knees=many"), HasSubstr("--habit"));
   EXPECT_THAT(told("knees=99"), HasSubstr("of the habit is 99"));
-  EXPECT_THAT(told("sqat"), HasSubstr("sqat"));
+  EXPECT_THAT(told("sqat"), HasSubstr("did you mean 'squat'"));
+  EXPECT_THAT(told("none.json"), HasSubstr("none.json"));
   work_.put("wrong.json", "{\"knees\": \"two\"}");
   EXPECT_THAT(told("wrong.json"), HasSubstr("knees"));
   EXPECT_EQ(run({"habit", "none.bvh"}).exit_code, 2);
