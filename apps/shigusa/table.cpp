@@ -277,7 +277,7 @@ void note_run(const FinishedRun& run, const Judgement& start) {
     note("candidates", generation.fewer.text);
   note_supports(run);
   if (generation.slowed) {
-    note("duration", fmt::format("{:.2f} s, as nothing that was found is possible in less",
+    note("duration", fmt::format("{:.2f} s, as what was found strains or is impossible in less",
                                  generation.duration));
   }
   if (generation.gentled) {

@@ -306,8 +306,8 @@ struct GenerateResult {
   /// List of the parameters in Candidate::parameters.
   std::shared_ptr<const ParameterList> parameters{};
   double duration = 0.0;  ///< s, duration of the motions
-  /// Whether the duration was lengthened because no motion in the usual duration was possible; only
-  /// for tasks without a duration. See played_task.
+  /// Whether the duration was lengthened because no motion in the usual duration was possible, or a
+  /// rise from a bent start strained; only for tasks without a duration. See played_task.
   bool slowed = false;
   /// Whether the duration was lengthened because the first candidate in the usual duration jolts
   /// (see Suddenness) or strains (then by a factor of 1.3 at most); only for tasks without a

@@ -9,6 +9,9 @@ namespace shigusa {
 
 namespace {
 
+// End of a closed hand beyond its grip, as a share of the open hand.
+constexpr double kKnuckles = 0.15;
+
 // Radius (m) of a capsule about its midpoint.
 double reach_of(const BodyModel& body, int number) {
   const Capsule& capsule = body.capsules()[index(number)];
@@ -24,6 +27,13 @@ bool rests_on(const BodyModel& body, int capsule, const std::string& name,
       [&](const RestingPlace& place) { return place.link == link && place.on == name; });
 }
 
+// Share of a hand's capsule up to its knuckles: on the floor fingers curl about what they take.
+float fist_part(const Capsule& hand, const Vec3d& grip) {
+  const Vec3d line = hand.to - hand.from;
+  const double at = dot(grip - hand.from, line) / max(dot(line, line), 1e-12);
+  return static_cast<float>(clamp(at + kKnuckles, 0.0, 1.0));
+}
+
 // Adds the floor pairs of a limb. A hand without a wrist points along its forearm, and cannot be
 // kept off the floor.
 void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& pairs) {
@@ -31,7 +41,10 @@ void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& 
   const int count = static_cast<int>(body.capsules().size());
   for (int c = 0; c < count; ++c) {
     const int link = body.capsules()[index(c)].link;
-    if (body.moves(effector.limb_root, link)) pairs.floor.push_back({c, 0});
+    if (!body.moves(effector.limb_root, link)) continue;
+    CollisionPairs::Pair& pair = pairs.floor.emplace_back();
+    pair.limb = c;
+    if (link == effector.link) pair.part = fist_part(body.capsules()[index(c)], effector.point);
   }
 }
 

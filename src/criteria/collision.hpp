@@ -31,6 +31,7 @@ struct CollisionPairs {
     double allowed = 0.0;  // m, positive depth in the start posture
     double give = 0.0;     // m, compliance of the softer of both
     float near = 0.0F;     // m², of parts: squared distance of midpoints from which they are apart
+    float part = 1.0F;     // of the floor: share of the capsule that counts, from its first end
   };
   std::vector<Pair> parts;      // limbs and parts of the body
   std::vector<Pair> obstacles;  // any capsule and one of `shapes`
@@ -79,7 +80,9 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& 
   }
   for (auto& pair : pairs.floor) {
     const PlacedCapsule<S>& limb = placed[index(pair.limb)];
-    const S height = min(limb.from.y, limb.to.y - S(taper_of(capsules[index(pair.limb)])));
+    const S part(static_cast<Element<S>>(pair.part));
+    const S end = limb.from.y + part * (limb.to.y - limb.from.y);
+    const S height = min(limb.from.y, end - part * S(taper_of(capsules[index(pair.limb)])));
     visit(pair, CollisionKind::floor, S(capsules[index(pair.limb)].radius - pair.allowed) - height);
   }
 }

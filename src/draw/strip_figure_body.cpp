@@ -20,6 +20,8 @@ struct Taper {
 constexpr Taper kUpperArm{0.021, 0.017};
 constexpr Taper kLowerArm{0.017, 0.012};
 constexpr Taper kHand{0.012, 0.009};
+constexpr double kFist =
+    0.5;  // least length of a hand with curled fingers, relative to an open one
 constexpr Taper kUpperLeg{0.034, 0.024};
 constexpr Taper kLowerLeg{0.024, 0.015};
 constexpr Taper kFoot{0.016, 0.009};
@@ -56,7 +58,7 @@ Vec3d along(const std::vector<Vec3d>& line, double share) {
 
 FigureBody::FigureBody(const Skeleton& skeleton, const StripSettings& settings,
                        const Upright& upright)
-    : skeleton_(skeleton) {
+    : skeleton_(skeleton), floor_(settings.floor) {
   find_bones(settings);
   measure_rest(upright);
   find_plain_bones();
@@ -316,14 +318,17 @@ void FigureBody::add_limb(const Chain& limb, bool leg, const std::vector<Transfo
   parts.push_back(leg ? foot(limb, world, size) : hand(limb, world, size));
 }
 
-// Hand from the wrist to the mean of all finger tips, or to the grip.
+// Hand from the wrist to the mean of all finger tips, or to the grip; on the floor fingers curl.
 Part FigureBody::hand(const Chain& arm, const std::vector<Transformd>& world, double size) const {
   Vec3d tip{};
   for (const int node : arm.tips) tip += world[at(node)].translation;
   tip = tip * (1.0 / static_cast<double>(arm.tips.size()));
-  return {{{world[at(arm.joint[2])].translation, kHand.from * size}, {tip, kHand.to * size}},
-          arm.tone,
-          1};
+  const Vec3d& wrist = world[at(arm.joint[2])].translation;
+  const Vec3d line = tip - wrist;
+  const double drop = -dot(line, upright_.up);
+  const double above = floor_ ? dot(wrist, upright_.up) - *floor_ : drop;
+  if (above < drop) tip = wrist + line * clamp(above / drop, kFist, 1.0);
+  return {{{wrist, kHand.from * size}, {tip, kHand.to * size}}, arm.tone, 1};
 }
 
 // Foot of ankle, ball and tips of the toes, and a heel below and behind the ankle, which files

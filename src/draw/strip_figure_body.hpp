@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <shigusa/draw.hpp>
 #include <vector>
 
@@ -99,7 +100,8 @@ class FigureBody {
   std::vector<Vec3d> rest_;  // (nodes) origins with all joints at rest
   Upright upright_;          // of the rest posture
   double stature_ = 0.0;
-  std::vector<Bone> bones_;  // bones outside the anatomical pieces
+  std::optional<double> floor_;  // height along `up`, where it is told
+  std::vector<Bone> bones_;      // bones outside the anatomical pieces
 };
 
 }  // namespace shigusa::strip

@@ -30,6 +30,9 @@ bool lacks_choice(const Task& task, const GenerateResult& generation) {
 // Factor on the usual number of motions, for a task that does not set a number.
 constexpr int kLongerSearch = 3;
 
+// Factor on the duration of a rise that strains.
+constexpr double kSlowerRise = 1.3;
+
 constexpr std::uint64_t kOtherNumbers = 0x9e3779b97f4a7c15U;
 
 }  // namespace
@@ -58,6 +61,15 @@ std::optional<Attempt> other_numbers_attempt(const Problem& problem, const Gener
   Attempt attempt{run_of(problem)};
   attempt.run.seed ^= kOtherNumbers;
   return attempt;
+}
+
+std::optional<Attempt> slower_rise_attempt(const Problem& problem, const GenerateResult& found) {
+  const Task& task = problem.task;
+  const bool strains = found.candidates.front().judgement.verdict == Verdict::strains;
+  if (problem.reach.rise.empty() || !strains || task.duration || found.slowed) return std::nullopt;
+  if (found.end == SearchEnd::cancelled) return std::nullopt;
+  const double duration = possible_duration(found).value_or(kSlowerRise * found.duration);
+  return Attempt{run_of(problem), duration, task.evaluations.has_value()};
 }
 
 Result<GenerateResult> made(const Attempt& attempt, const Problem& problem,

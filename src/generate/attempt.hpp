@@ -25,8 +25,11 @@ using NextAttempt = std::optional<Attempt>(const Problem& problem, const Generat
 [[nodiscard]] NextAttempt longer_attempt;
 // Other random numbers.
 [[nodiscard]] NextAttempt other_numbers_attempt;
+// A longer duration, for a person who stands up and strains.
+[[nodiscard]] NextAttempt slower_rise_attempt;
 // All attempts, in the order in which they are made.
-inline constexpr NextAttempt* kAttempts[] = {slower_attempt, longer_attempt, other_numbers_attempt};
+inline constexpr NextAttempt* kAttempts[] = {slower_attempt, longer_attempt, other_numbers_attempt,
+                                             slower_rise_attempt};
 
 // The result of one attempt; replays are not counted as evaluations. Fails as search_problem does,
 // and for a duration out of range.

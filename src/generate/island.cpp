@@ -108,8 +108,10 @@ void Island::begin() {
 void Island::begin_bent() {
   std::vector<double> points = known_starts(approach_, space_, task_.starts);
   scales_ = start_scales(points, space_.genes());
+  const std::vector<double> others = habit_starts(approach_, space_, points);
   const std::vector<double> bent = bent_starts(space_);
   points.insert(points.end(), bent.begin(), bent.end());
+  points.insert(points.end(), others.begin(), others.end());
   bring_in(points);
   const auto genes = index(searched_.genes);
   const auto count = std::min(index(plan_.budget), points.size() / genes);

@@ -16,6 +16,9 @@ namespace {
 // modes for a standing body.
 constexpr double kLeans[] = {0.0, 30.0, 60.0, 90.0};
 constexpr double kSquats[] = {0.0, 40.0, 80.0, 120.0};
+// Bends of the knees (deg) tried for a habit, in the nearest rows of the table.
+constexpr double kHabitSquats[] = {10.0, 40.0, 65.0, 85.0, 100.0, 115.0, 130.0, 138.0};
+constexpr int kHabitRows = 8;
 
 constexpr double kPlaceUnit = 1e-3;  // statures
 
@@ -135,6 +138,23 @@ std::vector<double> bent_starts(const ParameterSpace& space) {
       points.insert(points.end(), upright.begin(), upright.end());
       set("squat", squat);
       set("lean", lean);
+    }
+  }
+  return points;
+}
+
+std::vector<double> habit_starts(const ReachProblem& problem, const ParameterSpace& space,
+                                 std::span<const double> known) {
+  const int squat = space.find("squat");
+  if (squat < 0 || problem.context.habit.knees == Habit{}.knees) return {};
+  std::vector<double> points;
+  const std::size_t genes = index(space.genes());
+  const std::size_t rows = std::min(known.size() / genes, index(kHabitRows));
+  for (std::size_t k = 0; k < rows; ++k) {
+    for (const double bent : kHabitSquats) {
+      const auto row = known.subspan(k * genes, genes);
+      points.insert(points.end(), row.begin(), row.end());
+      *(points.end() - space.genes() + squat) = space.coordinate(squat, radians(bent));
     }
   }
   return points;

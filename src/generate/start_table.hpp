@@ -65,6 +65,12 @@ inline constexpr double kSearchStep = 0.07;
                                                const ParameterSpace& space,
                                                std::span<const Parameters> given);
 
+// The points (points × genes) that a person with a habit of the knees begins at as well: known
+// ones, which are of usual persons, with other bends of the knees. None for the usual habit.
+[[nodiscard]] std::vector<double> habit_starts(const ReachProblem& problem,
+                                               const ParameterSpace& space,
+                                               std::span<const double> known);
+
 // Initial step along each gene (genes), relative to kSearchStep: the spread of the points (points ×
 // genes) of known_starts(), which differ as motions to nearby goals do. Their mean square is 1
 // apart from the lower bound kLeastScale. Empty without points.

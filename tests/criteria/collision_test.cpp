@@ -98,10 +98,29 @@ TEST(Collision, NamesWhatPassesThroughWhatAndWhen) {
   EXPECT_DOUBLE_EQ(found.time, 0.1);
 }
 
-TEST(Collision, SeesTheFloorBelowTheHands) {
+// Fingers curl on the floor: a hand that points down may be as low as its knuckles.
+TEST(Collision, AHandOnTheFloorEndsAtItsKnuckles) {
   const PosedBody posed = human_body();
-  const auto deep = posture(posed, {{"right_hip.flexion", 110}, {"right_knee.flexion", 130}});
-  EXPECT_EQ(deepest_collision(posed, clip_of(posed, {deep}), at_start(posed)).other, "floor");
+  const Effector& hand = posed.body.effector(*posed.body.find_effector("left_hand"));  // the lower
+  int stands = 0;
+  int in_floor = 0;
+  for (double bent = 60.0; bent < 170.0; bent += 1.0) {
+    const auto low = posture(posed, {{"right_hip.flexion", bent}, {"right_knee.flexion", bent}});
+    const Kinematics<double> kinematics = placed(posed, low);
+    const double grip = kinematics.point(hand.link, hand.point).y;
+    const CollisionFound found = deepest_collision(posed, clip_of(posed, {low}), at_start(posed));
+    const bool through = found.depth > 0.0 && found.other == "floor";
+    if (grip > 0.055 && grip < 0.08) {
+      ++stands;
+      EXPECT_FALSE(through) << grip;
+    }
+    if (grip > 0.0 && grip < 0.02) {
+      ++in_floor;
+      EXPECT_TRUE(through) << grip;
+    }
+  }
+  EXPECT_GT(stands, 0);
+  EXPECT_GT(in_floor, 0);
 }
 
 // A ball centred at the wrist: the depth is the sum of both radii.

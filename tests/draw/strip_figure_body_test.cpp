@@ -48,5 +48,33 @@ TEST(FigureBody, NecksBeginAtTheNeckOrWhatCarriesTheHead) {
   }
 }
 
+// Length of a hand drawn from a wrist at the height 0.06 down to a finger tip at -0.04.
+double hand_length(const std::optional<double>& floor) {
+  StripSettings settings;
+  settings.floor = floor;
+  SkeletonMotion motion;
+  const auto add = [&](const std::string& name, int parent, const Vec3d& offset) {
+    motion.skeleton.nodes.push_back({name, parent, offset, false});
+    motion.clip.local.push_back({offset, {}});
+  };
+  add("hips", -1, {0, 0.46, 0});
+  add("left_upper_arm", 0, {0.1, 0, 0});
+  add("left_lower_arm", 1, {0, -0.2, 0});
+  add("left_hand", 2, {0, -0.2, 0});
+  add("left_tip", 3, {0, -0.1, 0});
+  motion.clip.frames = 1;
+  const FigureBody body(motion.skeleton, settings, {{0, 1, 0}, {0, 0, 1}});
+  const auto parts = body.parts(world_transforms(motion.skeleton, motion.clip, 0), kSize);
+  const std::vector<Ball>& hand = parts.back().balls;
+  return norm(hand.at(1).centre - hand.at(0).centre);
+}
+
+TEST(FigureBody, FingersCurlOnTheFloor) {
+  EXPECT_NEAR(hand_length(std::nullopt), 0.1, 1e-12);
+  EXPECT_NEAR(hand_length(-0.1), 0.1, 1e-12);
+  EXPECT_NEAR(hand_length(0.0), 0.06, 1e-12);
+  EXPECT_NEAR(hand_length(0.05), 0.05, 1e-12);  // a fist
+}
+
 }  // namespace
 }  // namespace shigusa::strip

@@ -128,7 +128,7 @@ TEST(Shown, GoStraightWhereTheDetourStartsWorse) {
 
 // The load is let down in some haste.
 TEST(Calmer, IsAFirstChoiceThatStrainsForItsHaste) {
-  Task task = task_for({0.4, 0.05, 0.55}, 9.0);
+  Task task = task_for({0.4, 0.12, 0.55}, 9.0);
   const GenerateResult result = generate(task).value();
   EXPECT_TRUE(result.gentled);
   EXPECT_EQ(result.candidates.front().judgement.verdict, Verdict::possible);

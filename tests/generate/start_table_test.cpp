@@ -22,6 +22,11 @@ using testing::SizeIs;
 constexpr Vec3d kTable{-0.1, 0.85, 0.45};
 constexpr int kMost = 16;
 
+Task with_habit(Task task, const Habit& habit) {
+  adopt_habit(task, habit);
+  return task;
+}
+
 // A problem with its space.
 struct Begun {
   Task task;
@@ -29,8 +34,9 @@ struct Begun {
   ParameterList list;
   ParameterSpace space;
 
-  Begun(const PosedBody& posed, std::vector<Goal> goals)
-      : task(with_preset(Task(posed, {.goals = std::move(goals)}), Preset::flat)),
+  Begun(const PosedBody& posed, std::vector<Goal> goals, const Habit& habit = {})
+      : task(
+            with_habit(with_preset(Task(posed, {.goals = std::move(goals)}), Preset::flat), habit)),
         problem(make_problem(task).value()),
         list(testing_support::list_of(task)),
         space(problem, list, GeneCode::natural) {}
@@ -83,6 +89,18 @@ TEST(NearestStarts, AreMuchBetterThanBentPostures) {
     near += begun.best(begun.starts());
   }
   EXPECT_LT(near, 0.5 * bent);
+}
+
+TEST(HabitStarts, AreBetterForWhoseKneesAreNotUsual) {
+  for (const double knees : {0.3, 3.0}) {
+    Begun begun(human_body(), {{"right_hand", {-0.3, 0.2, 0.35}}}, {.knees = knees});
+    const std::vector<double> known = begun.starts();
+    const std::vector<double> own = habit_starts(begun.problem, begun.space, known);
+    ASSERT_FALSE(own.empty());
+    EXPECT_LT(begun.best(own), 0.9 * begun.best(known)) << knees;
+  }
+  const Begun usual(human_body(), {{"right_hand", kTable}});
+  EXPECT_TRUE(habit_starts(usual.problem, usual.space, usual.starts()).empty());
 }
 
 TEST(NearestStarts, OfALeftHandAreTheMirrorImage) {

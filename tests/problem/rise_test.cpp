@@ -6,7 +6,9 @@
 #include <shigusa/generate.hpp>
 #include <shigusa/human.hpp>
 
+#include "generate/attempt.hpp"
 #include "plan/assignment.hpp"
+#include "problem/problem.hpp"
 #include "rollout/reach_problem.hpp"
 #include "support/bodies.hpp"
 
@@ -85,6 +87,24 @@ TEST(Rise, WhoIsToReachLowAgainStaysLow) {
   const FinalPosture end =
       second_end(Task(posed, {.goals = {{"right_hand", {0.1, 0.15, 0.4}}}}), low);
   EXPECT_GT(end.trunk_lean, radians(35.0));
+}
+
+// A rise in which the person strains is given more time, as one that is impossible in less.
+TEST(Rise, WhoStrainsTakesLonger) {
+  const PosedBody posed = human_body();
+  Task task(posed, {.goals = {{"right_hand", {-0.22, 1.05, 0.38}}}});
+  GenerateResult found;
+  found.status = ReachStatus::reached;
+  found.candidates.resize(2);
+  found.candidates[0].judgement.verdict = Verdict::strains;
+  found.candidates[1].judgement.verdict = Verdict::impossible;
+  found.candidates[1].judgement.possible_in = 1.5;
+  EXPECT_FALSE(slower_rise_attempt(*prepare(task).value(), found));
+  task.start = end_of_reach(posed, {-0.2, 0.12, 0.3});
+  const auto problem = prepare(task).value();
+  EXPECT_EQ(slower_rise_attempt(*problem, found).value().duration, 1.5);
+  found.candidates[0].judgement.verdict = Verdict::possible;
+  EXPECT_FALSE(slower_rise_attempt(*problem, found));
 }
 
 // A squat is fixed at the end of the motion, whatever the knees are at its start.
