@@ -30,9 +30,6 @@ bool lacks_choice(const Task& task, const GenerateResult& generation) {
 // Factor on the usual number of motions, for a task that does not set a number.
 constexpr int kLongerSearch = 3;
 
-// Factor on the duration of a rise that strains.
-constexpr double kSlowerRise = 1.3;
-
 constexpr std::uint64_t kOtherNumbers = 0x9e3779b97f4a7c15U;
 
 }  // namespace
@@ -67,8 +64,8 @@ std::optional<Attempt> slower_rise_attempt(const Problem& problem, const Generat
   const Task& task = problem.task;
   const bool strains = found.candidates.front().judgement.verdict == Verdict::strains;
   if (problem.reach.rise.empty() || !strains || task.duration || found.slowed) return std::nullopt;
-  if (found.end == SearchEnd::cancelled) return std::nullopt;
-  const double duration = possible_duration(found).value_or(kSlowerRise * found.duration);
+  const std::optional<double> duration = possible_duration(found);
+  if (found.end == SearchEnd::cancelled || !duration) return std::nullopt;
   return Attempt{run_of(problem), duration, task.evaluations.has_value()};
 }
 

@@ -25,7 +25,7 @@ using NextAttempt = std::optional<Attempt>(const Problem& problem, const Generat
 [[nodiscard]] NextAttempt longer_attempt;
 // Other random numbers.
 [[nodiscard]] NextAttempt other_numbers_attempt;
-// A longer duration, for a person who stands up and strains.
+// A longer duration, for a person who stands up and strains, where other candidates are too fast.
 [[nodiscard]] NextAttempt slower_rise_attempt;
 // All attempts, in the order in which they are made.
 inline constexpr NextAttempt* kAttempts[] = {slower_attempt, longer_attempt, other_numbers_attempt,
