@@ -128,6 +128,20 @@ void go_back_first(ReachProblem& problem) {
   hips.path.detour_peak = kHipsBackAt;
 }
 
+// Turns the hips upright, as in standing, on their way: beneath an arm that reaches up they would
+// tip and bend the knees. False if the IK has no rows left.
+bool level_hips(ReachProblem& problem) {
+  const BodyModel& body = *problem.body;
+  ReachGoal& hips = problem.goals.back();
+  const int pelvis = body.effector(hips.effector).link;
+  hips.turn = {.kind = Turning::axis,
+               .start = placed(body, problem.start()).link_rotation(pelvis),
+               .goal = {},
+               .axis = {0, 1, 0},
+               .direction = placed(body, problem.standing()).link_rotation(pelvis).cy};
+  return check_rows(problem).has_value();
+}
+
 // Brings the neck's way off its line, so that it keeps its distance from the hips, which are led
 // before it.
 void go_about_hips(ReachProblem& problem) {
@@ -140,9 +154,9 @@ void go_about_hips(ReachProblem& problem) {
   neck.detour_peak = neck.own_time(0.5);
 }
 
-// The approaches of a person who begins bent and stands up, and their best start: hips and neck, or
-// the hips alone, go up on ways of their own. No approaches where the goals cannot be met like
-// that, or where the user fixes knees that no standing person has.
+// The approaches of a person who begins bent and stands up, and their best start: the hips alone,
+// with the neck, or turned upright go up on ways of their own. No approaches where the goals cannot
+// be met like that, or where the user fixes knees that no standing person has.
 struct Rising {
   double start = std::numeric_limits<double>::infinity();
   std::vector<ReachProblem> approaches{};
@@ -154,11 +168,13 @@ Rising rising(const Problem& problem, const ReachProblem& reach) {
   ReachProblem hips = reach;
   if (!lead(HumanoidBone::hips, kHipsHaste, hips)) return best;
   go_back_first(hips);
+  ReachProblem level = hips;
+  const bool keeps_level = level_hips(level);
   ReachProblem trunk = hips;
   const bool leads_trunk = lead(HumanoidBone::neck, kNeckHaste, trunk);
   if (leads_trunk) go_about_hips(trunk);
-  for (const ReachProblem* up : {&hips, &trunk}) {
-    if (up == &trunk && !leads_trunk) continue;
+  for (const ReachProblem* up : {&hips, &trunk, &level}) {
+    if ((up == &trunk && !leads_trunk) || (up == &level && !keeps_level)) continue;
     const ClosestReach closest = closest_reach(*up);
     if (!closest.reached()) continue;
     std::vector<ReachProblem> approaches = approaches_to_goal(*up, closest, true);

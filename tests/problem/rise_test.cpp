@@ -73,7 +73,8 @@ TEST(Rise, WhoBeginsBentStandsUpWhereTheGoalIsMetSo) {
   const PosedBody posed = human_body();
   for (const Vec3d& from : {Vec3d{-0.2, 0.12, 0.3}, Vec3d{-0.05, 0.4, 0.35}}) {
     const State low = end_of_reach(posed, from);
-    for (const Vec3d& goal : {Vec3d{-0.22, 1.05, 0.38}, Vec3d{-0.22, 1.55, 0.4}}) {
+    for (const Vec3d& goal :
+         {Vec3d{-0.22, 1.05, 0.38}, Vec3d{-0.22, 1.55, 0.4}, Vec3d{-0.1, 1.85, 0.1}}) {
       const FinalPosture end = second_end(Task(posed, {.goals = {{"right_hand", goal}}}), low);
       EXPECT_LT(end.knee_flexion, radians(20.0)) << from.y << " to " << goal.y;
       EXPECT_LT(std::abs(end.trunk_lean), radians(15.0)) << from.y << " to " << goal.y;
