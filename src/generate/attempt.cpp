@@ -32,13 +32,18 @@ constexpr int kLongerSearch = 3;
 
 constexpr std::uint64_t kOtherNumbers = 0x9e3779b97f4a7c15U;
 
+// In the least duration in which a candidate is possible; replays the candidates if the task's
+// budget is used up.
+std::optional<Attempt> slower(const Problem& problem, const GenerateResult& found) {
+  const std::optional<double> duration = possible_duration(found);
+  if (problem.task.duration || !duration) return std::nullopt;
+  return Attempt{run_of(problem), duration, problem.task.evaluations.has_value()};
+}
+
 }  // namespace
 
-// Replays the candidates in the longer duration if the task's budget is used up.
 std::optional<Attempt> slower_attempt(const Problem& problem, const GenerateResult& found) {
-  const std::optional<double> duration = possible_duration(found);
-  if (!wants_more(found) || problem.task.duration || !duration) return std::nullopt;
-  return Attempt{run_of(problem), duration, problem.task.evaluations.has_value()};
+  return wants_more(found) ? slower(problem, found) : std::nullopt;
 }
 
 std::optional<Attempt> longer_attempt(const Problem& problem, const GenerateResult& found) {
@@ -61,12 +66,9 @@ std::optional<Attempt> other_numbers_attempt(const Problem& problem, const Gener
 }
 
 std::optional<Attempt> slower_rise_attempt(const Problem& problem, const GenerateResult& found) {
-  const Task& task = problem.task;
   const bool strains = found.candidates.front().judgement.verdict == Verdict::strains;
-  if (problem.reach.rise.empty() || !strains || task.duration || found.slowed) return std::nullopt;
-  const std::optional<double> duration = possible_duration(found);
-  if (found.end == SearchEnd::cancelled || !duration) return std::nullopt;
-  return Attempt{run_of(problem), duration, task.evaluations.has_value()};
+  const bool ended = found.slowed || found.end == SearchEnd::cancelled;
+  return strains && !ended && !problem.reach.rise.empty() ? slower(problem, found) : std::nullopt;
 }
 
 Result<GenerateResult> made(const Attempt& attempt, const Problem& problem,

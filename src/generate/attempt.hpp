@@ -9,7 +9,8 @@
 
 namespace shigusa {
 
-// A further search of a problem whose first search found no possible motion, or too few.
+// A further search of a problem whose first search found no possible motion, too few, or a rise
+// that strains.
 struct Attempt {
   RunSettings run{};
   std::optional<double> duration{};  // s; none: the problem's own

@@ -108,7 +108,9 @@ void Island::begin() {
 void Island::begin_bent() {
   std::vector<double> points = known_starts(approach_, space_, task_.starts);
   scales_ = start_scales(points, space_.genes());
-  const std::vector<double> others = habit_starts(approach_, space_, points);
+  // a part gives the knees itself
+  const std::vector<double> others =
+      plan_.niche.empty() ? habit_starts(approach_, space_, points) : std::vector<double>{};
   const std::vector<double> bent = bent_starts(space_);
   points.insert(points.end(), bent.begin(), bent.end());
   points.insert(points.end(), others.begin(), others.end());

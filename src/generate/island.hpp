@@ -49,7 +49,7 @@ void add(SearchResult part, SearchResult& all);
 // and in any order.
 class Island {
  public:
-  // Largest number of motions scored to find a bent start.
+  // Largest number of motions scored to find a bent start, but for habit_starts().
   static constexpr int kStarts = 32;
 
   // Problem, approach and run outlive the island. `threads`: see BatchSettings.

@@ -16,7 +16,8 @@ namespace {
 // modes for a standing body.
 constexpr double kLeans[] = {0.0, 30.0, 60.0, 90.0};
 constexpr double kSquats[] = {0.0, 40.0, 80.0, 120.0};
-// Bends of the knees (deg) tried for a habit, in the nearest rows of the table.
+// Bends of the knees (deg; chosen, four batches) tried for a habit, in the nearest rows of the
+// table.
 constexpr double kHabitSquats[] = {10.0, 40.0, 65.0, 85.0, 100.0, 115.0, 130.0, 138.0};
 constexpr int kHabitRows = 8;
 

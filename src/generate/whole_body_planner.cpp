@@ -168,16 +168,17 @@ Rising rising(const Problem& problem, const ReachProblem& reach) {
   ReachProblem hips = reach;
   if (!lead(HumanoidBone::hips, kHipsHaste, hips)) return best;
   go_back_first(hips);
-  ReachProblem level = hips;
-  const bool keeps_level = level_hips(level);
+  std::vector<ReachProblem> ways{hips};
   ReachProblem trunk = hips;
-  const bool leads_trunk = lead(HumanoidBone::neck, kNeckHaste, trunk);
-  if (leads_trunk) go_about_hips(trunk);
-  for (const ReachProblem* up : {&hips, &trunk, &level}) {
-    if ((up == &trunk && !leads_trunk) || (up == &level && !keeps_level)) continue;
-    const ClosestReach closest = closest_reach(*up);
+  if (lead(HumanoidBone::neck, kNeckHaste, trunk)) {
+    go_about_hips(trunk);
+    ways.push_back(std::move(trunk));
+  }
+  if (level_hips(hips)) ways.push_back(std::move(hips));
+  for (const ReachProblem& up : ways) {
+    const ClosestReach closest = closest_reach(up);
     if (!closest.reached()) continue;
-    std::vector<ReachProblem> approaches = approaches_to_goal(*up, closest, true);
+    std::vector<ReachProblem> approaches = approaches_to_goal(up, closest, true);
     const double start = best_start(problem, approaches.front());
     if (start < best.start) best = {start, std::move(approaches)};
   }
