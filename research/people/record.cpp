@@ -72,17 +72,24 @@ Rig own_rig(const Landmarks& start, const SkeletonMotion& motion) {
 
 }  // namespace
 
-Result<std::vector<Segment>> downward_segments(const std::filesystem::path& manifest) {
+Result<std::vector<Segment>> all_segments(const std::filesystem::path& manifest) {
   SHG_TRY_ASSIGN(const std::string text, read_text_file(manifest, kManifestMaxBytes));
   std::vector<Segment> segments;
   for (const std::string_view line : split(text, '\n')) {
     const auto cells = split(line, '\t');
-    if (cells.size() < 4 || !cells[0].ends_with("-low")) continue;
+    if (cells.size() < 4) continue;
     const auto first = number(cells[2]);
     const auto last = number(cells[3]);
     if (!first || !last) continue;
     segments.push_back({std::string(cells[0]), *first / kManifestRate, *last / kManifestRate});
   }
+  if (segments.empty()) return fail(ErrorCode::parse, "has no segment", manifest.string());
+  return segments;
+}
+
+Result<std::vector<Segment>> downward_segments(const std::filesystem::path& manifest) {
+  SHG_TRY_ASSIGN(std::vector<Segment> segments, all_segments(manifest));
+  std::erase_if(segments, [](const Segment& each) { return !each.name.ends_with("-low"); });
   if (segments.empty()) {
     return fail(ErrorCode::parse, "has no segment that ends in -low", manifest.string());
   }

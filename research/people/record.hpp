@@ -9,7 +9,7 @@
 
 #include "kinematics/fit_clip.hpp"
 
-// A recorded man's reaches to the floor, with the corresponding requests to shigusa.
+// A recorded man's reaches to the floor and back up, with the corresponding requests to shigusa.
 namespace shigusa::bench {
 
 // One line of the manifest: a reach with the right hand, its frames in the 60 Hz file.
@@ -18,6 +18,8 @@ struct Segment {
   int first = 0;
   int last = 0;
 };
+// Lists all reaches, down and up. Fails on a file that cannot be read or has none.
+[[nodiscard]] Result<std::vector<Segment>> all_segments(const std::filesystem::path& manifest);
 // Selects the downward reaches ("…-low"). Fails on a file that cannot be read or has none.
 [[nodiscard]] Result<std::vector<Segment>> downward_segments(const std::filesystem::path& manifest);
 
