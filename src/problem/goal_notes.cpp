@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <shigusa/human.hpp>
 #include <shigusa/request.hpp>
-#include <string_view>
+#include <utility>
 
 #include "body/capsules.hpp"
+#include "body/seat.hpp"
 #include "core/say.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "task_supports.hpp"
@@ -36,6 +38,40 @@ std::string part_at(const BodyModel& body, const Kinematics<double>& start, cons
   return {};
 }
 
+// Where people take a step: bearings (rad) from straight ahead of what is behind them, and of what
+// is beside them below the knees, both farther from the hips than kStepAside; horizontal distances
+// (statures) of what is far, above the knees and below. Chosen by looking at motions.
+constexpr double kStepBehind = radians(110.0);
+constexpr double kStepBeside = radians(60.0);
+constexpr double kStepAside = 0.2;
+constexpr double kStepFar = 0.58;
+constexpr double kStepFarLow = 0.45;
+
+// Why a standing person takes a step to a goal; none without a reason.
+std::optional<Message> why_step(const BodyModel& body, const Kinematics<double>& start,
+                                const Goal& goal) {
+  const auto at = [&](HumanoidBone bone) -> std::optional<Vec3d> {
+    const BodyNode* node = body.find_node(humanoid_bone_name(bone));
+    if (node == nullptr) return std::nullopt;
+    return start.point(node->link, node->point);
+  };
+  const auto left = at(HumanoidBone::left_upper_leg);
+  const auto right = at(HumanoidBone::right_upper_leg);
+  const auto knee = at(HumanoidBone::right_lower_leg);
+  if (!left || !right || !knee || sits(body) || body.is_robot()) return std::nullopt;
+  const Vec3d across = *left - *right;
+  const Vec3d way = goal.position - 0.5 * (*left + *right);
+  const double bearing =
+      abs(atan2(way.x * across.x + way.z * across.z, way.z * across.x - way.x * across.z));
+  const double distance = sqrt(way.x * way.x + way.z * way.z) / body.stature();
+  const bool low = goal.position.y < knee->y;
+  const bool aside = distance > kStepAside;
+  if (aside && bearing > kStepBehind) return say("step_behind", goal.effector);
+  if (aside && low && bearing > kStepBeside) return say("step_beside", goal.effector);
+  if (distance <= (low ? kStepFarLow : kStepFar)) return std::nullopt;
+  return say("step_far", goal.effector);
+}
+
 }  // namespace
 
 std::vector<Message> goal_notes(const Task& task) {
@@ -55,6 +91,7 @@ std::vector<Message> goal_notes(const Task& task) {
     }
     const std::string part = part_at(body, start, goal.position);
     if (!part.empty()) notes.push_back(say("goal_in_part", goal.effector, part));
+    if (auto why = why_step(body, start, goal)) notes.push_back(std::move(*why));
   }
   return notes;
 }

@@ -6,6 +6,7 @@
 #include <shigusa/human.hpp>
 #include <shigusa/request.hpp>
 
+#include "human/at_ease.hpp"
 #include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
@@ -55,6 +56,22 @@ TEST(GoalNotes, TellOfWhatIsInTheHead) {
   EXPECT_THAT(notes_on(Part("pelvis").middle), IsEmpty());
   // feet may stand where they are
   EXPECT_THAT(notes_on(Part("left_foot").middle, "right_foot"), IsEmpty());
+}
+
+TEST(GoalNotes, TellWherePeopleTakeAStep) {
+  EXPECT_THAT(notes_on({-0.2, 0.9, -0.5}), ElementsAre(HasSubstr("is behind them")));
+  EXPECT_THAT(notes_on({-0.6, 0.15, 0.05}), ElementsAre(HasSubstr("is low beside them")));
+  EXPECT_THAT(notes_on({-0.2, 0.15, 0.85}), ElementsAre(HasSubstr("is far from their feet")));
+  EXPECT_THAT(notes_on({-0.2, 0.9, 1.05}), ElementsAre(HasSubstr("is far from their feet")));
+  for (const Vec3d& near : {Vec3d{-0.2, 0.15, 0.5}, {-0.7, 1.2, 0.0}, {-0.2, 0.9, 0.8}}) {
+    EXPECT_THAT(notes_on(near), IsEmpty());
+  }
+  // who sits stays
+  const PosedBody sitting = build_human(
+      seated(standing_landmarks(1.7, kStandingToeOut), 1.7, 0.42),
+      {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70.0, .sits = true});
+  const Task behind(sitting, {.goals = {{"right_hand", {-0.2, 0.9, -0.5}}}});
+  EXPECT_THAT(goal_notes(behind), IsEmpty());
 }
 
 }  // namespace
