@@ -40,7 +40,8 @@ std::string part_at(const BodyModel& body, const Kinematics<double>& start, cons
 
 // Where people take a step: bearings (rad) from straight ahead of what is behind them, and of what
 // is beside them below the knees, both farther from the hips than kStepAside; horizontal distances
-// (statures) of what is far, above the knees and below. Chosen by looking at motions.
+// (statures) of what is far, above the knees and below. The cases are those in which motions on the
+// spot looked unlike people; the numbers are chosen.
 constexpr double kStepBehind = radians(110.0);
 constexpr double kStepBeside = radians(60.0);
 constexpr double kStepAside = 0.2;
