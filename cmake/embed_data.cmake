@@ -31,23 +31,11 @@ endfunction()
 embed_page_part(script js kPageScript)
 embed_page_part(style css kPageStyle)
 
-# The start tables: a line `table NAME FEET COORDINATES…` and its rows `X Y Z DIGITS`, separated by tabs.
-read_data(rows data/starts.tsv)
-string(REGEX REPLACE "#[^\n]*\n" "" rows "${rows}")
-string(REGEX MATCHALL "table\t[^\n]*" tables "${rows}")
-list(TRANSFORM tables REPLACE "table\t(.*)\t(.*)\t(.*)" "{\"\\3\", \\2, \\1},")
-list(JOIN tables "\n" tables)
-string(REGEX REPLACE "(-?[0-9]+)\t(-?[0-9]+)\t(-?[0-9]+)\t([0-9A-Za-z]+)\n" "{{\\1, \\2, \\3}, \"\\4\"},\n" rows "${rows}")
-string(REGEX REPLACE "table\t([^\t]*)[^\n]*\n" "};\nconstexpr StartRow \\1[] = {\n" rows "${rows}")
-string(REGEX REPLACE "^};\n" "" rows "${rows}")
-embed_source(start_table_rows generate/start_table.hpp "namespace start_rows {
-${rows}};
-constexpr StartTable kTables[] = {
-${tables}
-};
-}  // namespace start_rows
-
-std::span<const StartTable> start_tables() { return start_rows::kTables; }")
+if(SHIGUSA_STARTS)
+  read_data(rows data/starts.tsv)
+endif()
+embed_source(start_table_rows generate/start_table.hpp "#pragma GCC diagnostic ignored \"-Woverlength-strings\"
+const std::string_view kStartText = R\"starts(${rows})starts\";")
 
 if(SHIGUSA_MANNEQUIN)
   read_data(bytes data/mannequin.bin HEX)

@@ -100,9 +100,9 @@ void add_motion_columns(std::span<const DatasetSeries> all, Table& table) {
       {.name = "trunk_turn_rad", .unit = "rad", .says = "at the end, to the left above 0"});
   table.columns.push_back(
       {.name = "elbow_swivel_rad", .unit = "rad", .says = "at the end, outwards above 0"});
-  table.columns.push_back(
-      {.name = "stoop_squat_index",
-       .says = "at the end: below 30 a full squat, above 90 a full stoop; NaN of who stays up"});
+  table.columns.push_back({.name = "stoop_squat_index",
+                           .says = "at the end: below 30 a full squat, above 90 a full stoop; NaN "
+                                   "of who stays up or whose hands do"});
   table.columns.push_back(
       {.name = "most_loaded_share", .says = "of its strength, of the joint that needs most"});
   table.columns.push_back(

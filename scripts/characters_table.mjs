@@ -20,9 +20,9 @@ const isMeasured = (goal) => !goal.verdicts || (Number.isFinite(goal.deepest_mm)
 // what is counted, how much of it there is, the floor or the ceiling, and which of these it is
 const sums = [
   ['characters that are read', rows.length, asked > 0 ? +asked : 16, 1],
-  ['first choices that are possible, %', share((goal) => goal.met && goal.verdicts[0] === 'p'), 85, 1],
-  ['first choices that are impossible, or none, %', share((goal) => !/^[ps]/.test(goal.verdicts)), 8, -1],
-  ['goals with three motions that could be made, %', share((goal) => isMade(goal, 3)), 78, 1],
+  ['first choices that are possible, %', share((goal) => goal.met && goal.verdicts[0] === 'p'), 80, 1],
+  ['first choices that are impossible, or none, %', share((goal) => !/^[ps]/.test(goal.verdicts)), 13, -1],
+  ['goals with three motions that could be made, %', share((goal) => isMade(goal, 3)), 55, 1],
   ['goals whose depths were measured, %', share(isMeasured), asked > 0 ? 0 : 81, 1],
   ["longest first choice, times the built-in person's", most('longer'), 1.75, -1],
   ['deepest vertex, mm', most('deepest_mm'), 180, -1],

@@ -108,7 +108,7 @@ BEGIN {
   # folders that may use public headers, and all headers of these rooms
   inside["dataset"] = " dataset core files formats "
   inside["apps"] = " core files problem "
-  inside["bindings"] = " document "
+  inside["bindings"] = " document generate "
 }
 
 FNR == 1 {

@@ -15,13 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* type_of(const fs::path& file) {
-  static constexpr std::array<std::pair<std::string_view, const char*>, 9> kTypes{{
+  static constexpr std::array<std::pair<std::string_view, const char*>, 10> kTypes{{
       {".html", "text/html; charset=utf-8"},
       {".js", "text/javascript"},
       {".css", "text/css"},
       {".wasm", "application/wasm"},
       {".json", "application/json"},
       {".svg", "image/svg+xml"},
+      {".tsv", "text/tab-separated-values"},
       {".png", "image/png"},
       {".ico", "image/x-icon"},
       {".woff2", "font/woff2"},

@@ -23,7 +23,7 @@ struct FinalPosture {
   double knee_flexion = 0.0;  ///< rad, mean flexion of the standing legs' knees
   /// 100 (1 - drop of the hips / drop of the shoulders). In people, values below 30 are a full
   /// squat and above 90 a full stoop (after S. Schmid et al., European Spine Journal 31 (2022)).
-  /// Empty if the shoulders go down by less than a tenth of the stature.
+  /// Empty if the shoulders go down by less than a tenth of the stature, or no hand to the knees.
   std::optional<double> stoop_squat_index;
   double trunk_lean = 0.0;  ///< rad, lean of the line from hips to shoulders, > 0 forwards
   /// rad, turn of the line of the shoulders about the vertical, > 0 to the left.

@@ -10,7 +10,7 @@
 #include "generate/candidate.hpp"
 #include "generate/distinct.hpp"
 #include "generate/island.hpp"
-#include "generate/start_table.hpp"
+#include "generate/known_starts.hpp"
 #include "goal_search.hpp"
 #include "independent_reach.hpp"
 #include "report.hpp"
@@ -114,8 +114,7 @@ std::vector<double> search_from(const PosedBody& posed, const Vec3d& goal, bool 
   SearchProblem problem = best.watch(searched.problem());
   std::vector<double> starts = bent_starts(searched.space());
   if (table) {
-    const std::vector<double> near =
-        nearest_starts(searched.reach(), searched.space(), kNearestStarts);
+    const std::vector<double> near = KnownStarts(searched.reach(), searched.space()).points();
     starts.insert(starts.end(), near.begin(), near.end());
   }
   std::vector<double> scores(starts.size() / index(problem.genes));

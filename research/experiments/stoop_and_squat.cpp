@@ -55,7 +55,7 @@ double asked_for_squat(const Plan& plan, const PosedBody& posed, const Vec3d& go
   GoalSearch searched(posed, goal, {.criteria = criteria});
   const double worst = worst_score(searched.criteria());
   double best = worst;
-  PostureMeter meter(posed, posed.home);
+  PostureMeter meter(posed, posed.home, posed.body.find_effector("right_hand").value());
   SearchProblem problem = searched.problem();
   const auto genes = static_cast<std::size_t>(problem.genes);
   problem.evaluate = [&](std::span<const double> points, std::span<double> scores) {

@@ -17,8 +17,8 @@ inline constexpr double kKneesBegin = radians(10);
 // share of it at distance 0.
 inline constexpr double kHandAhead = 0.32;
 inline constexpr double kKneesNear = 0.5;
-// Heights (statures) of the hand up to which the proportion counts in full, 63 cm for a man, and
-// from which it does not count: at tables people hinge.
+// Heights (statures) of the hand up to which the knees bend in full, 63 cm for a man, and from
+// which they do not bend: at tables people hinge.
 inline constexpr double kKneesUpTo = 0.36;
 inline constexpr double kKneesNoMore = 0.52;
 // Relative increase of the knee flexion per kilogram of load in the hand: stoops are for light
@@ -37,8 +37,8 @@ template <class S>
 // bend both. With T the lean of the line from hips to shoulders and K the knees' flexion, q = ((K -
 // K*(T)) / angle)² / 4 and P = q / (1 + q). K* keeps the posture index of R. Burgess-Limerick and
 // B. Abernethy (Human Factors 39 (1997) 141), which is the same from 9 to 63 cm, and is less for a
-// near load (Int. J. Industrial Ergonomics 22 (1998) 367); it is the person's habit. The penalty
-// fades for higher hands. A body without these joints has no penalty.
+// near load (Int. J. Industrial Ergonomics 22 (1998) 367); it is the person's habit. For higher
+// hands K* fades to straight legs. A body without these joints has no penalty.
 template <class S>
 class Coordination {
  public:
@@ -69,12 +69,13 @@ class Coordination {
     if (!hands_.empty()) hand = hand * S(1.0 / static_cast<double>(hands_.size()));
     const S x = hand.x - S(points_.ankles.x);
     const S z = hand.z - S(points_.ankles.z);
-    const S knees = S(of_trunk_) * usual_knees(lean, sqrt(x * x + z * z) * S(per_ahead_));
+    const S low =
+        hands_.empty() ? S(1) : clamp((S(no_more_) - hand.y) * S(per_height_), S(0), S(1));
+    const S knees = low * S(of_trunk_) * usual_knees(lean, sqrt(x * x + z * z) * S(per_ahead_));
     S bent(0);
     for (const std::size_t knee : knees_) bent = bent + frame.angles[knee];
     const S off = (bent * S(1.0 / static_cast<double>(knees_.size())) - knees) * S(per_angle_);
-    const S low = clamp((S(no_more_) - hand.y) * S(per_height_), S(0), S(1));
-    off_ = off * off * S(0.25) * (hands_.empty() ? S(1) : low);
+    off_ = off * off * S(0.25);
   }
 
   [[nodiscard]] S penalty() const { return off_ / (S(1) + off_); }
@@ -86,7 +87,7 @@ class Coordination {
   double per_angle_;   // 1/rad
   double of_trunk_;    // knee flexion per lean, with the load
   double per_ahead_;   // 1/m
-  double no_more_;     // m, world: height of the hand from which nothing counts
+  double no_more_;     // m, world: height of the hand from which legs are straight
   double per_height_;  // 1/m
   S off_{};            // of the last frame seen
 };

@@ -303,8 +303,8 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
   result.measures = measure_motion(recorded.body, result.motion, context);
   // the player's meter saw the surrounding frames too
   result.measures.support = player.support().margins();
-  PostureMeter meter(recorded.body, recorded.home);
-  result.final_posture = meter.measure(result.motion.clip.frame(result.motion.clip.frames - 1), 0);
+  PostureMeter meter(recorded.body, recorded.home, 0);
+  result.final_posture = meter.measure(result.motion.clip.frame(result.motion.clip.frames - 1));
   doubt(settings, result);
   return result;
 }

@@ -13,8 +13,8 @@ Style style_of(const std::optional<double>& stoop_squat_index) {
                                             : Style::between;
 }
 
-Archive::Archive(const PosedBody& posed)
-    : dofs_(posed.body.dofs().size()), meter_(posed.body, posed.home), angles_(dofs_) {
+Archive::Archive(const PosedBody& posed, int hand)
+    : dofs_(posed.body.dofs().size()), meter_(posed.body, posed.home, hand), angles_(dofs_) {
   for (std::size_t d = 0; d < dofs_; ++d) {
     const JointPlace& part = posed.body.dofs()[d].part;
     if (part.freedom_kind != FreedomKind::rotation) continue;
@@ -52,11 +52,7 @@ void Archive::add(std::span<const double> points, std::span<const double> scores
     std::vector<Archived>& cell = cells_[cell_of(posture, index)];
     if (cell.size() >= kPerCell && !(scores[i] < cell.back().score)) continue;
     const std::span<const double> point = points.subspan(i * genes, genes);
-    insert({{point.begin(), point.end()},
-            scores[i],
-            {posture.begin(), posture.end()},
-            style_of(index)},
-           cell);
+    insert({{point.begin(), point.end()}, scores[i], meter_.look(angles_), style_of(index)}, cell);
   }
 }
 
@@ -94,15 +90,6 @@ std::vector<Archived> Archive::ranked() const {
 void copy_end(const Clip& clip, std::span<float> posture) {
   const std::span<const double> last = clip.frame(clip.frames - 1);
   for (std::size_t d = 0; d < posture.size(); ++d) posture[d] = static_cast<float>(last[d]);
-}
-
-double posture_distance(std::span<const float> a, std::span<const float> b) {
-  double squares = 0.0;
-  for (std::size_t d = 0; d < a.size(); ++d) {
-    const double difference = static_cast<double>(a[d]) - static_cast<double>(b[d]);
-    squares += difference * difference;
-  }
-  return sqrt(squares / static_cast<double>(a.size()));
 }
 
 }  // namespace shigusa

@@ -23,7 +23,7 @@ inline constexpr std::size_t kStyles = 4;
 struct Archived {
   std::vector<double> point;
   double score = 0.0;
-  std::vector<float> posture;  // (dofs) rad
+  Look look;
   Style style = Style::upright;
 };
 
@@ -38,8 +38,8 @@ class Archive {
   static constexpr double kIndexCell = 15.0;      // in points of the stoop-squat index
   static constexpr std::size_t kPerCell = 4;
 
-  // The body outlives the archive.
-  explicit Archive(const PosedBody& body);
+  // The body outlives the archive. `hand`: see PostureMeter.
+  Archive(const PosedBody& body, int hand);
 
   // Adds points (motions × genes) with their scores (motions) and postures (motions × dofs).
   // Motions with a score of `worst` or above are skipped: they violate a constraint.
@@ -71,8 +71,5 @@ class Archive {
 
 // Copies the last frame of a clip into a posture (dofs, or empty) of the archive's format.
 void copy_end(const Clip& clip, std::span<float> posture);
-
-// Root-mean-square difference of two postures' joint angles (rad).
-[[nodiscard]] double posture_distance(std::span<const float> a, std::span<const float> b);
 
 }  // namespace shigusa

@@ -22,9 +22,12 @@ std::tuple<bool, int, double> choice_of(const Task& task, const GenerateResult& 
           -generation.candidates.front().score.total};
 }
 
+constexpr int kLeastChoice = 2;  // candidates
+
+// A choice of two that look different is one.
 bool lacks_choice(const Task& task, const GenerateResult& generation) {
   const auto [first, could, score] = choice_of(task, generation);
-  return !first || could < shown_least(task);
+  return !first || could < std::min(kLeastChoice, task.candidates);
 }
 
 // Factor on the usual number of motions, for a task that does not set a number.
@@ -56,12 +59,13 @@ std::optional<Attempt> longer_attempt(const Problem& problem, const GenerateResu
   return attempt;
 }
 
-// Repeats the search with as many motions: a sixth of the total after all attempts.
+// Repeats the search with as many motions as the longer one.
 std::optional<Attempt> other_numbers_attempt(const Problem& problem, const GenerateResult& found) {
   const Task& task = problem.task;
   if (task.evaluations || task.pareto || task.own_search || !wants_more(found)) return std::nullopt;
   Attempt attempt{run_of(problem)};
   attempt.run.seed ^= kOtherNumbers;
+  attempt.run.evaluations = kLongerSearch * usual_evaluations(task);
   return attempt;
 }
 

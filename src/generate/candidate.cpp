@@ -165,9 +165,8 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
   candidate.measures = measure_motion(body, rolled.motion, context_of(problem, candidate));
   candidate.judgement = judge(body, rolled.motion, candidate.measures);
   const Clip& clip = rolled.motion.clip;
-  candidate.final_posture =
-      PostureMeter(body, task.home)
-          .measure(clip.frame(clip.frames - 1), approach.goals.front().effector);
+  candidate.final_posture = PostureMeter(body, task.home, approach.goals.front().effector)
+                                .measure(clip.frame(clip.frames - 1));
   candidate.motion = std::move(rolled.motion);
   return candidate;
 }

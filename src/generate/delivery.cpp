@@ -21,30 +21,24 @@ constexpr int kWorseTries = 24;
 
 // Steps of the delivery, by preset.
 struct Policy {
-  bool by_end = false;       // copies are judged by the last frame, not by all frames
+  bool by_look = false;      // copies are judged by how they end, not by all frames
   bool asks_free = false;    // colliding motions do not count
   bool asks_smooth = false;  // jolting motions do not count
-  bool near_copies = false;
   bool styles = false;
   bool as_people = false;  // no strange final postures beside a first candidate with a normal one
-  std::vector<double> spare_distances{};  // rad
-  int tries = 0;                          // spare motions per distance
+  int tries = 0;           // spare motions
 };
 
 Policy policy_of(const Task& task) {
   if (!traits_of(task.preset).natural) return {};
   if (traits_of(task.preset).layers) {
-    return {.by_end = true,
-            .near_copies = true,
-            .spare_distances = {kNearEnd},
-            .tries = task.candidates};
+    return {.by_look = true, .tries = task.candidates};
   }
-  return {.by_end = true,
+  return {.by_look = true,
           .asks_free = true,
           .asks_smooth = minds_jolts(task),
           .styles = true,
           .as_people = true,
-          .spare_distances = {kDistinctEnd, kNearEnd},
           .tries = kTries};
 }
 
@@ -63,7 +57,6 @@ struct Ahead {
 struct Replayed {
   Candidate candidate;
   bool as_searched = false;
-  bool copy = false;
 };
 
 class Delivery {
@@ -75,27 +68,18 @@ class Delivery {
         planner_(planner),
         approach_(approach),
         selection_(selection),
-        generation_(generation) {}
+        generation_(generation),
+        meter_(task.body, task.home, 0) {}
 
   void take_picked() {
-    std::vector<Candidate> nearer;
     std::vector<Ahead> ahead = play_ahead();
     for (std::size_t i = 0; i < selection_.picked.size(); ++i) {
       const Individual& individual = selection_.picked[i];
       if (is_enough()) return;
       Ahead played =
           i < ahead.size() ? std::move(ahead[i]) : play(planner_.expand(individual.point));
-      std::optional<Replayed> replayed = replayed_of(std::move(played), kDistinctEnd, false);
-      if (!replayed) continue;
-      if (!replayed->copy) {
-        add(std::move(*replayed), individual.score);
-      } else if (policy_.near_copies) {
-        nearer.push_back(std::move(replayed->candidate));
-      }
-    }
-    for (Candidate& candidate : nearer) {
-      if (is_enough()) return;
-      if (!is_copy(candidate.motion.clip, kNearEnd, false)) all().push_back(std::move(candidate));
+      std::optional<Replayed> replayed = replayed_of(std::move(played), false);
+      if (replayed) add(std::move(*replayed), individual.score);
     }
   }
 
@@ -105,22 +89,18 @@ class Delivery {
     for (const Archived& spare : selection_.spare) {
       if (spare.score > selection_.picked.front().score + kStyleSpread) break;
       if (has_free(spare.style)) continue;
-      if (tried[static_cast<std::size_t>(spare.style)]++ < policy_.tries) {
-        take_spare(spare, kDistinctEnd);
-      }
+      if (tried[static_cast<std::size_t>(spare.style)]++ < policy_.tries) take_spare(spare);
     }
   }
 
   void take_spares() {
-    for (const double apart : policy_.spare_distances) {
-      int tries = 0;
-      for (const Archived& spare : selection_.spare) {
-        if (is_enough() || tries >= policy_.tries) break;
-        if (spare.score > selection_.picked.front().score + kCandidateSpread) break;
-        if (has_like(spare, apart)) continue;
-        ++tries;
-        take_spare(spare, apart);
-      }
+    int tries = 0;
+    for (const Archived& spare : selection_.spare) {
+      if (is_enough() || tries >= policy_.tries) break;
+      if (spare.score > selection_.picked.front().score + kCandidateSpread) break;
+      if (has_like(spare)) continue;
+      ++tries;
+      take_spare(spare);
     }
     if (policy_.as_people) take_worse();
   }
@@ -135,9 +115,9 @@ class Delivery {
           }));
       if (shown >= shown_least(task_) || tries >= kWorseTries) return;
       if (spare.score <= selection_.picked.front().score + kCandidateSpread) continue;
-      if (has_like(spare, kDistinctEnd)) continue;
+      if (has_like(spare)) continue;
       ++tries;
-      take_spare(spare, kDistinctEnd, true);
+      take_spare(spare, true);
     }
   }
 
@@ -155,10 +135,15 @@ class Delivery {
       return is_free(candidate) && end_style(candidate) == style;
     });
   }
-  [[nodiscard]] bool has_like(const Archived& archived, double apart) const {
-    return std::any_of(all().begin(), all().end(), [&](const Candidate& candidate) {
-      return is_free(candidate) && ends_like(candidate, archived, apart);
-    });
+  // The looks of the candidates.
+  [[nodiscard]] const std::vector<Look>& looks() {
+    while (looks_.size() < all().size()) {
+      looks_.push_back(meter_.look(all()[looks_.size()].motion.clip));
+    }
+    return looks_;
+  }
+  [[nodiscard]] bool has_like(const Archived& archived) {
+    return looks_like(archived.look, true, kLookSlack);
   }
   [[nodiscard]] bool is_enough() const {
     return std::count_if(all().begin(), all().end(), [this](const Candidate& candidate) {
@@ -166,12 +151,20 @@ class Delivery {
            }) >= task_.candidates;
   }
 
+  // Whether a look is that of a candidate, or with `of_free` of a free candidate.
+  [[nodiscard]] bool looks_like(const Look& look, bool of_free, double slack) {
+    const std::vector<Look>& known = looks();
+    for (std::size_t k = 0; k < known.size(); ++k) {
+      if (of_free && !is_free(all()[k])) continue;
+      if (look_alike(known[k], look, slack)) return true;
+    }
+    return false;
+  }
   // Whether a motion copies a candidate, or with `of_free` a free candidate.
-  [[nodiscard]] bool is_copy(const Clip& clip, double apart, bool of_free) const {
+  [[nodiscard]] bool is_copy(const Clip& clip, bool of_free) {
+    if (policy_.by_look) return looks_like(meter_.look(clip), of_free, 1.0);
     return std::any_of(all().begin(), all().end(), [&](const Candidate& better) {
-      if (of_free && !is_free(better)) return false;
-      return policy_.by_end ? final_distance(better.motion.clip, clip) < apart
-                            : largest_distance(better.motion.clip, clip) < kDistinctPosture;
+      return largest_distance(better.motion.clip, clip) < kDistinctPosture;
     });
   }
 
@@ -199,27 +192,28 @@ class Delivery {
     return ahead;
   }
 
-  // The motion as a candidate; none if it misses its goals or is a copy that the policy rejects.
-  std::optional<Replayed> replayed_of(Ahead played, double apart, bool of_free) {
+  // The motion as a candidate; none if it misses its goals or is a copy.
+  std::optional<Replayed> replayed_of(Ahead played, bool of_free) {
     if (!played.arrival) {
       ++generation_.log.missed;
       return std::nullopt;
     }
-    const bool copy = is_copy(played.arrival->rolled.motion.clip, apart, of_free);
-    if (copy) ++generation_.log.near_copies;
-    if (copy && !policy_.near_copies) return std::nullopt;
+    if (is_copy(played.arrival->rolled.motion.clip, of_free)) {
+      ++generation_.log.near_copies;
+      return std::nullopt;
+    }
     const bool as_searched = played.arrival->as_searched;
     if (!played.candidate) {
       played.candidate = planner_.candidate(played.expanded, std::move(*played.arrival));
     }
-    return Replayed{std::move(*played.candidate), as_searched, copy};
+    return Replayed{std::move(*played.candidate), as_searched};
   }
 
   // Adds a spare motion that does not copy a free candidate: colliding candidates are dropped at
   // the end.
-  void take_spare(const Archived& spare, double apart, bool possible_ones = false) {
-    std::optional<Replayed> replayed = replayed_of(play(planner_.expand(spare.point)), apart, true);
-    if (!replayed || replayed->copy || !is_free(replayed->candidate)) return;
+  void take_spare(const Archived& spare, bool possible_ones = false) {
+    std::optional<Replayed> replayed = replayed_of(play(planner_.expand(spare.point)), true);
+    if (!replayed || !is_free(replayed->candidate)) return;
     if (possible_ones && !could_be_made(replayed->candidate)) return;
     const std::size_t before = all().size();
     add(std::move(*replayed), spare.score);
@@ -251,6 +245,8 @@ class Delivery {
   std::size_t approach_;
   const Selection& selection_;
   GenerateResult& generation_;
+  PostureMeter meter_;
+  std::vector<Look> looks_;
   int taken_ = 0;
 };
 
@@ -279,6 +275,24 @@ void keep_within_limits(GenerateResult& generation) {
   std::vector<Candidate>& all = generation.candidates;
   if (std::all_of(all.begin(), all.end(), passes)) return;
   generation.log.over_limit = static_cast<int>(std::erase_if(all, passes));
+}
+
+// Drops the worst candidates with the words of a better one, apart from those needed to show
+// `shown`. Returns their number.
+int drop_same_words(int shown, std::vector<Candidate>& all) {
+  int dropped = 0;
+  for (std::size_t k = all.size(); k-- > 1 && static_cast<int>(all.size()) > shown;) {
+    const std::vector<PostureWord> words = words_for(all[k].final_posture);
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(k);
+    if (std::none_of(all.begin(), end, [&words](const Candidate& better) {
+          return words_for(better.final_posture) == words;
+        })) {
+      continue;
+    }
+    all.erase(end);
+    ++dropped;
+  }
+  return dropped;
 }
 
 // Drops candidates beyond `most`: impossible ones first, then the worst that shares its style.
@@ -325,12 +339,20 @@ void deliver_candidates(const Task& task, Planner& planner, std::size_t approach
   delivery.take_spares();
   // scores may differ on an earlier approach than the one searched
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_of(task));
+  int same = 0;
   if (traits_of(task.preset).natural) {
     traits_of(task.preset).layers ? keep_within_limits(generation)
                                   : drop_collisions(shown_least(task), generation);
     if (minds_jolts(task)) drop_jolts(generation);
+    // who asks for more than usual wants all that look different
+    if (!traits_of(task.preset).layers && task.candidates <= traits_of(task.preset).candidates) {
+      same = drop_same_words(shown_least(task), generation.candidates);
+    }
   }
-  selection.similar = count_similar(selection, generation.candidates, delivery.taken());
+  PostureMeter meter(task.body, task.home, 0);
+  std::vector<Look> looks;
+  for (const Candidate& c : generation.candidates) looks.push_back(meter.look(c.motion.clip));
+  selection.similar = same + count_similar(selection, looks, delivery.taken());
   keep_most(static_cast<std::size_t>(task.candidates), generation.candidates);
   generation.fewer = why_fewer(task, generation, selection);
 }

@@ -11,11 +11,9 @@ namespace shigusa {
 // than the task asks for:
 //   1. Each picked point is played on the first approach that leads to the goals, and becomes a
 //      candidate unless it copies one, until there are enough.
-//   2. Motions that were copies by kDistinctEnd are taken where they differ by kNearEnd.
-//   3. Where all motions of a style collide, spare points of that style are tried.
-//   4. Spare points with scores little worse than the best fill the gaps, first those that end
-//      kDistinctEnd from all others, then those that end kNearEnd from them.
-//   5. Motions that exceed a limit or collide are dropped if others do not, then the worst of any
+//   2. Where all motions of a style collide, spare points of that style are tried.
+//   3. Spare points with scores little worse than the best fill the gaps.
+//   4. Motions that exceed a limit or collide are dropped if others do not, then the worst of any
 //      excess.
 // The task's preset selects the steps.
 void deliver_candidates(const Task& task, Planner& planner, std::size_t approach, Found found,

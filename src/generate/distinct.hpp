@@ -8,14 +8,9 @@ namespace shigusa {
 // Distance (rad) up to which two motions are one candidate for the presets paper and layers: root
 // mean square over the dofs, the largest over the frames.
 inline constexpr double kDistinctPosture = radians(5.0);
-// Distance of final postures (rad, root mean square) up to which two motions are one candidate for
-// natural presets (PresetTraits::natural).
+// Distance of final postures (rad, root mean square) up to which two motions of a Pareto front are
+// one candidate.
 inline constexpr double kDistinctEnd = radians(10.0);
-// Distance of final postures (rad) used instead of kDistinctEnd if it leaves too few candidates:
-// another pose of an arm, a higher elbow.
-inline constexpr double kNearEnd = radians(5.0);
-// Distance (rad) by which a replay in double precision may bring two final postures nearer.
-inline constexpr double kEndSlack = radians(0.1);
 // Largest score difference of a candidate from the best one; see also kShownLeast.
 inline constexpr double kCandidateSpread = 0.6;
 // Number of feasible candidates that are delivered whatever their score.
@@ -23,6 +18,10 @@ inline constexpr int kShownLeast = 3;
 // Largest score difference of the best candidate of another style, if the best one bends down:
 // people squat although it costs more, and some stoop.
 inline constexpr double kStyleSpread = 1.5;
+// Largest swivel of the elbow of people who squat, whose arms are between their knees, and the
+// score by which such a squat may be worse than another one.
+inline constexpr double kElbowBetween = radians(30.0);
+inline constexpr double kElbowSpread = 0.3;
 // Score difference between search and replay that is not counted in SearchLog. Searches score in
 // single precision, replays in double; feasibility and jolts depend on peak accelerations, which
 // single precision changes by some 2e-3 rad/s².

@@ -8,7 +8,6 @@
 
 #include "core/check.hpp"
 #include "core/index.hpp"
-#include "generate/start_table.hpp"
 
 namespace shigusa {
 namespace {
@@ -34,11 +33,13 @@ void add(SearchResult part, SearchResult& all) {
 }
 
 Island::Island(const Problem& problem, const ReachProblem& approach, const RunSettings& run,
-               const ParameterSpace& space, IslandPlan plan, int threads, const Progress& progress)
+               const ParameterSpace& space, const KnownStarts& known, IslandPlan plan, int threads,
+               const Progress& progress)
     : task_(problem.task),
       approach_(approach),
       run_(run),
       space_(space),
+      known_(known),
       plan_(std::move(plan)),
       scorer_(problem, approach, run.criteria, space_, threads),
       progress_(progress) {
@@ -79,7 +80,7 @@ SearchResult Island::take_result() {
 
 void Island::begin() {
   begun_ = true;
-  if (plan_.bent) begin_bent();
+  if (plan_.bent || plan_.style) begin_at_best();
   const int left = plan_.budget - found_.evaluations;
   if (left <= 0) return;
   if (search_of(task_) == SearchMethod::cma_es && task_.preset != Preset::paper &&
@@ -103,20 +104,27 @@ void Island::begin() {
   add(std::move(rest), found_);
 }
 
-// Scores known starts for nearby goals and bent postures, and begins at the best: a search that
-// begins upright finds bent postures only by chance.
-void Island::begin_bent() {
-  std::vector<double> points = known_starts(approach_, space_, task_.starts);
-  scales_ = start_scales(points, space_.genes());
+// Scores the start point, known starts for nearby goals and bent postures, and begins at the best:
+// a search that begins upright finds bent postures only by chance.
+void Island::begin_at_best() {
+  std::vector<double> points =
+      plan_.style ? known_.within(plan_.niche) : known_.points(task_.starts);
+  if (!plan_.style) scales_ = start_scales(points, space_.genes());
   // a part gives the knees itself
   const std::vector<double> others =
       plan_.niche.empty() ? habit_starts(approach_, space_, points) : std::vector<double>{};
-  const std::vector<double> bent = bent_starts(space_);
-  points.insert(points.end(), bent.begin(), bent.end());
+  points.insert(points.begin(), plan_.from.begin(), plan_.from.end());
+  if (plan_.bent) {
+    const std::vector<double> bent = bent_starts(space_);
+    points.insert(points.end(), bent.begin(), bent.end());
+  }
   points.insert(points.end(), others.begin(), others.end());
+  if (points.size() <= plan_.from.size()) return;
   bring_in(points);
   const auto genes = index(searched_.genes);
-  const auto count = std::min(index(plan_.budget), points.size() / genes);
+  // the search that follows needs a population
+  const int most = plan_.style ? plan_.budget / 2 : plan_.budget;
+  const auto count = std::min(index(most), points.size() / genes);
   points.resize(count * genes);
   std::vector<double> scores(count);
   searched_.evaluate(points, scores);

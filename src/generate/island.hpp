@@ -9,21 +9,13 @@
 #include <vector>
 
 #include "generate/archive.hpp"
+#include "generate/known_starts.hpp"
 #include "generate/parameter_space.hpp"
 #include "point_scorer.hpp"
 #include "problem/task_search.hpp"
 #include "search/cma_es.hpp"
 
 namespace shigusa {
-
-// Bounds of one coordinate.
-struct Bound {
-  int gene = 0;
-  double low = 0.0;
-  double high = 1.0;
-};
-// A part of the space, as bounds of some coordinates.
-using Niche = std::vector<Bound>;
 
 // Initial step of a search over a whole part of the space.
 inline constexpr double kWideStep = 0.15;
@@ -36,7 +28,8 @@ inline constexpr int kScalesAlone = 100;
 struct IslandPlan {
   Niche niche{};
   std::vector<double> from{};  // start point; empty: the plain motion
-  bool bent = false;           // starts at the best of known starts and bent postures instead
+  bool bent = false;           // may start at a bent posture
+  bool style = false;          // the niche is a style: may start at known motions of that style
   int budget = 0;              // motions
   double step = kWideStep;     // initial standard deviation
   std::uint64_t stream = 0;    // selects other random numbers for the same seed
@@ -52,9 +45,10 @@ class Island {
   // Largest number of motions scored to find a bent start, but for habit_starts().
   static constexpr int kStarts = 32;
 
-  // Problem, approach and run outlive the island. `threads`: see BatchSettings.
+  // Problem, approach, run and known starts outlive the island. `threads`: see BatchSettings.
   Island(const Problem& problem, const ReachProblem& approach, const RunSettings& run,
-         const ParameterSpace& space, IslandPlan plan, int threads, const Progress& progress);
+         const ParameterSpace& space, const KnownStarts& known, IslandPlan plan, int threads,
+         const Progress& progress);
   Island(const Island&) = delete;
   Island& operator=(const Island&) = delete;
 
@@ -69,7 +63,7 @@ class Island {
 
  private:
   void begin();
-  void begin_bent();
+  void begin_at_best();
   [[nodiscard]] SearchResult search_at_once(int budget) const;
   // Map coordinates of this part to those of the space, and back to the nearest point of the part.
   void take_in(std::span<double> points) const;
@@ -79,6 +73,7 @@ class Island {
   const ReachProblem& approach_;
   const RunSettings& run_;
   ParameterSpace space_;
+  const KnownStarts& known_;
   IslandPlan plan_;
   PointScorer scorer_;
   SearchProblem searched_;

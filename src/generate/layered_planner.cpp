@@ -88,7 +88,7 @@ class UpperSearch {
         run_(std::move(run)),
         layers_(approach == LayeredApproach::layers),
         genes_(searched_genes(problem)),
-        archive_(task),
+        archive_(task, problem.reach.goals.front().effector),
         scorer_(problem, problem.layers[0].criteria, task.batch,
                 [&libraries](std::span<const Vec3d> hands) { return libraries.choose(hands); }) {
     if (layers_) return;

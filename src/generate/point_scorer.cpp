@@ -53,7 +53,7 @@ PointScorer::PointScorer(const Problem& problem, const ReachProblem& approach,
       space_(space),
       threads_(threads),
       batch_(approach, criteria, {.simd = task_.batch.simd, .threads = threads}),
-      archive_(task_),
+      archive_(task_, approach.goals.front().effector),
       squat_(SquatTarget::of(problem)) {}
 
 void PointScorer::score(std::span<const double> points, std::span<double> scores) {

@@ -14,11 +14,16 @@ Selection distinct_postures(const Archive& archive, int most) {
   const std::vector<Archived> ranked = archive.ranked();
   std::vector<const Archived*> picked;
   Selection selection;
-  const auto near = [](const Archived& a, const Archived& b) {
-    return posture_distance(a.posture, b.posture) < kDistinctEnd + kEndSlack;
-  };
   // people do not squat for goals they reach standing
   const bool bends = !ranked.empty() && ranked.front().style != Style::upright;
+  const auto squats = [](const Archived& archived) { return archived.style == Style::squat; };
+  const auto between = std::find_if(ranked.begin(), ranked.end(), [&](const Archived& archived) {
+    return squats(archived) && abs(archived.look.swivel) <= kElbowBetween;
+  });
+  const auto waits = [&](const Archived& archived) {
+    return squats(archived) && between != ranked.end() && &archived < &*between &&
+           between->score <= archived.score + kElbowSpread && &archived != &ranked.front();
+  };
   for (const bool new_style_only : {true, false}) {
     selection.worse = 0;
     for (const Archived& archived : ranked) {
@@ -28,8 +33,10 @@ Selection distinct_postures(const Archive& archive, int most) {
         ++selection.worse;
         continue;
       }
+      if (new_style_only && waits(archived)) continue;
       const bool is_hidden = std::any_of(picked.begin(), picked.end(), [&](const Archived* better) {
-        return near(*better, archived) || (new_style_only && better->style == archived.style);
+        return look_alike(better->look, archived.look, kLookSlack) ||
+               (new_style_only && better->style == archived.style);
       });
       if (!is_hidden) picked.push_back(&archived);
     }
@@ -44,20 +51,14 @@ Selection distinct_postures(const Archive& archive, int most) {
   return selection;
 }
 
-bool ends_like(const Candidate& candidate, const Archived& archived, double apart) {
-  std::vector<float> end(archived.posture.size());
-  copy_end(candidate.motion.clip, end);
-  return posture_distance(end, archived.posture) < apart;
-}
-
-int count_similar(const Selection& selection, std::span<const Candidate> candidates, int taken) {
+int count_similar(const Selection& selection, std::span<const Look> candidates, int taken) {
   if (selection.picked.empty()) return 0;
   const double most = selection.picked.front().score + kCandidateSpread;
   const auto alike = std::count_if(
       selection.spare.begin(), selection.spare.end(), [&candidates, most](const Archived& spare) {
         return spare.score <= most &&
                std::any_of(candidates.begin(), candidates.end(),
-                           [&spare](const Candidate& c) { return ends_like(c, spare, kNearEnd); });
+                           [&spare](const Look& look) { return look_alike(look, spare.look); });
       });
   return std::max(static_cast<int>(alike) - taken, 0);
 }

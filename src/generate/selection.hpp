@@ -15,20 +15,17 @@ namespace shigusa {
 struct Selection {
   std::vector<Individual> picked;
   std::vector<Archived> spare{};  // replacements for picked points, best first
-  int similar = 0;                // not delivered, as they end like a better one
+  int similar = 0;                // not delivered, as they look like a better one
   int worse = 0;                  // more than kCandidateSpread worse than the best
 };
 
-// Picks at most `most` archived points that end differently and are not much worse than the best:
+// Picks at most `most` archived points that look different and are not much worse than the best:
 // first the best of each style, then the others, best first. The rest are spare.
 [[nodiscard]] Selection distinct_postures(const Archive& archive, int most);
 
-// Whether a candidate and an archived motion end less than `apart` (rad) from each other.
-[[nodiscard]] bool ends_like(const Candidate& candidate, const Archived& archived, double apart);
-
-// Number of spare points little worse than the best that end like a candidate, less the `taken`
+// Number of spare points little worse than the best that look like a candidate, less the `taken`
 // ones, which became candidates.
-[[nodiscard]] int count_similar(const Selection& selection, std::span<const Candidate> candidates,
+[[nodiscard]] int count_similar(const Selection& selection, std::span<const Look> candidates,
                                 int taken);
 
 // The reason for fewer candidates than the task asks for; empty if there are enough.

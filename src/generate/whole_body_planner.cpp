@@ -9,7 +9,7 @@
 #include "candidate.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
-#include "generate/start_table.hpp"
+#include "generate/known_starts.hpp"
 #include "planner.hpp"
 #include "problem/rise.hpp"
 #include "problem/task_goals.hpp"
@@ -57,7 +57,7 @@ bool goes_around(const ReachProblem& problem) {
 double best_start(const Problem& problem, const ReachProblem& approach) {
   const Task& task = problem.task;
   const ParameterSpace space(approach, *problem.parameters, gene_code(task), task.fixed);
-  std::vector<double> points = known_starts(approach, space, task.starts);
+  std::vector<double> points = KnownStarts(approach, space).points(task.starts);
   const std::vector<double> bent = bent_starts(space);
   points.insert(points.end(), bent.begin(), bent.end());
   std::vector<double> scores(points.size() / index(std::max(space.genes(), 1)));

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/index.hpp"
-#include "generate/start_table.hpp"
+#include "generate/known_starts.hpp"
 #include "search/genetic.hpp"
 #include "whole_body_styles.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 // Styles get one or two ninths of a budget, in full batches; the rest is spent on all parameters.
 constexpr int kBatch = static_cast<int>(kFullBatch);
-constexpr int kUnit = 9 * kBatch;
+constexpr int kUnit = 12 * kBatch;
 // Motions after which late styles begin: known starts leave little to find after them.
 constexpr int kGuess = 8 * kBatch;
 
@@ -37,7 +37,8 @@ WholeBodySearch::WholeBodySearch(const Problem& problem, const ReachProblem& app
       approach_(approach),
       run_(run),
       space_(approach, *problem.parameters, gene_code(problem.task), problem.task.fixed),
-      archive_(problem.task),
+      known_(approach, space_),
+      archive_(problem.task, approach.goals.front().effector),
       budget_(run.evaluations.value_or(usual_evaluations(problem.task))),
       part_(style_part(problem.task, budget_)),
       threads_(problem.task.batch.threads),
@@ -82,7 +83,7 @@ SearchResult WholeBodySearch::run(const Progress& progress) {
 void WholeBodySearch::add_islands(std::vector<IslandPlan> plans, JointProgress& joint) {
   for (IslandPlan& plan : plans) {
     const Progress progress = joint.part(static_cast<double>(plan.budget) / budget_);
-    islands_.emplace_back(problem_, approach_, run_, space_, std::move(plan), own_threads_,
+    islands_.emplace_back(problem_, approach_, run_, space_, known_, std::move(plan), own_threads_,
                           progress);
   }
 }

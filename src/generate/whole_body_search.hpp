@@ -41,6 +41,7 @@ class WholeBodySearch {
   const ReachProblem& approach_;
   const RunSettings& run_;
   ParameterSpace space_;
+  KnownStarts known_;
   Archive archive_;
   int budget_;       // motions
   int part_;         // motions per style; 0: no styles

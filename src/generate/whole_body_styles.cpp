@@ -22,7 +22,7 @@ namespace {
 
 constexpr StyleRange kBentStyles[] = {
     {"squat", 115, 138, true, 2}, {"squat", 0, 30}, {"squat", 50, 90}};
-constexpr StyleRange kUprightStyles[] = {{"lean", 8, 25, true}, {"squat", 12, 35, true}};
+constexpr StyleRange kUprightStyles[] = {{"lean", 12, 40, true}, {"squat", 20, 45, true}};
 // One of each pair: the side opposite to the best motion's.
 constexpr StyleRange kOtherSides[][2] = {
     {{"twist", 20, 65}, {"twist", -65, -20}},
@@ -88,6 +88,7 @@ void StylePlans::add(const StyleRange& style, const Archived* best,
   plans.push_back({.niche = niche_of(style),
                    .from = best == nullptr || far ? std::vector<double>{} : best->point,
                    .bent = far,
+                   .style = true,
                    .budget = style.parts * part_});
   planned_.push_back(&style);
   left_ -= style.parts;

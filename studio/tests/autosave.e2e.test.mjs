@@ -88,7 +88,7 @@ test('a second tab is told and goes on with a copy', { timeout: 240_000 }, async
   await noticed(other, 'openElsewhere');
   assert.match(await other.locator('.message').innerText(), /“Untitled” is open in another tab.*“Untitled \(copy\)”/);
   assert.equal(await kept(other), first);
-  await other.keyboard.press('Digit5');
+  await other.keyboard.press('Digit2');
   await saved(other);
   const second = await kept(other);
   await page.keyboard.press('Digit1');
@@ -108,7 +108,7 @@ test('a second tab is told and goes on with a copy', { timeout: 240_000 }, async
 test('a link leaves the address once its work is kept', { timeout: 240_000 }, async () => {
   const { page, context, errors } = await open();
   await settled(page);
-  await page.keyboard.press('Digit4');
+  await page.keyboard.press('Digit2');
   await saved(page);
   const own = await kept(page);
   const { work: of } = (await records(page, 'works'))[0];

@@ -205,7 +205,7 @@ test('a character is named in a link, and its file asked for', { timeout: 300_00
   await other.waitForFunction(() => window.shigusa.state.notice?.key === 'unknownWanted');
   assert.equal(await kept(other), before);
   // a link made meanwhile names it too, and what is done meanwhile goes along
-  await other.keyboard.press('Digit4');
+  await other.keyboard.press('Digit2');
   const changed = await kept(other);
   assert.notEqual(changed, before);
   const again = unpacked(await copyLink(other));

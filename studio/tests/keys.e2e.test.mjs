@@ -8,7 +8,7 @@ const { site, browser } = await visit();
 const { page, errors } = await openStudio(browser, site.url);
 await settled(page);
 
-const task = { evaluations: 64, goals: [{ effector: 'right_hand', position_m: [-0.25, 1.1, 0.4] }] };
+const task = { evaluations: 864, goals: [{ effector: 'right_hand', position_m: [-0.25, 1.1, 0.4] }] };
 const place = () => page.evaluate(() => window.shigusa.document.goals[0].position_m.map((value) => Math.round(value * 1e6) / 1e6));
 const focused = () => page.evaluate(() => document.activeElement.className);
 

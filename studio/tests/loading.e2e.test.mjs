@@ -20,6 +20,18 @@ test('all that an English page loads without being asked weighs 320 kB at most, 
   assert.ok(sum <= kMost, `${sum} bytes of ${names}`);
 });
 
+test('an engine whose start tables cannot be fetched, or are none, does not start, and the page says so', async () => {
+  for (const answer of [(route) => route.abort(), (route) => route.fulfill({ body: '<!doctype html>' })]) {
+    const { page, context } = await openStudio(browser, 'about:blank');
+    await context.route('**/starts-*.tsv', answer);
+    await page.goto(site.url);
+    await page.getByRole('alert').waitFor();
+    assert.match(await page.getByRole('alert').innerText(), /The engine did not start\. A part of the page could not be loaded/);
+    assert.equal(await page.evaluate(() => window.shigusa), undefined);
+    await context.close();
+  }
+});
+
 test('panels that are seldom wanted at once come after the first motions', async () => {
   const { page } = await openStudio(browser, site.url);
   await settled(page);

@@ -114,7 +114,7 @@ test('a project that another tab has is neither renamed nor deleted', { timeout:
   await other.keyboard.press('Enter');
   await other.locator('.said', { hasText: 'open in another tab' }).waitFor();
   assert.deepEqual((await records(page, 'projects')).map(({ name }) => name).sort(), ['Mine', 'Untitled']);
-  await page.keyboard.press('Digit4');
+  await page.keyboard.press('Digit1');
   await saved(page);
   assert.equal((await records(page, 'projects')).length, 2, 'the first tab goes on with its own');
   assert.deepEqual(errors, []);
@@ -169,7 +169,7 @@ test('a change right before a reload or a crash is there again, though the datab
       throw new DOMException('too late', 'AbortError');
     };
   });
-  await page.keyboard.press('Digit4');
+  await page.keyboard.press('Digit1');
   const changed = await kept(page);
   assert.notEqual(JSON.parse(changed).chosen, before);
   page.on('dialog', (dialog) => void dialog.accept());

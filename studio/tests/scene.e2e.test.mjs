@@ -48,7 +48,7 @@ test('ghosts stand where the motion has the figure, and another motion has other
   await settled(page);
   await ghostsFollowTheMotion(page);
   const first = await page.evaluate(() => window.shigusa.ghosts('head'));
-  await page.keyboard.press('Digit4');
+  await page.keyboard.press('Digit2');
   await until(page, (old) => JSON.stringify(window.shigusa.ghosts('head')) !== old, JSON.stringify(first));
   await page.keyboard.press('g');
   await until(page, () => window.shigusa.ghosts('right_hand').length === 0);

@@ -15,6 +15,7 @@ const kFolder = '/some/where/';
 
 const types = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
+  '.tsv': 'text/tab-separated-values',
 };
 
 async function answer(folder, request, response) {

@@ -36,7 +36,7 @@ class HabitCommand : public testing::Test {
 TEST_F(HabitCommand, AWordNumbersAndAFileBendTheKnees) {
   const double natural = knees({});
   EXPECT_LT(knees({"--habit", "stoop"}), natural - 20.0);
-  EXPECT_GT(knees({"--habit", "squat"}), natural + 10.0);
+  EXPECT_GT(knees({"--habit", "squat"}), natural + 6.0);
   EXPECT_LT(knees({"--habit", "knees=0.2"}), natural - 20.0);
   work_.put("habit.json", "{\"knees\": 0.2, \"round_rad\": 0.1}");
   EXPECT_LT(knees({"--habit", "habit.json"}), natural - 20.0);

@@ -139,6 +139,7 @@ class Studio : public testing::Test {
 TEST_F(Studio, ServesThePageWithItsTypesAndAPolicy) {
   work_.put("page/index.html", "<!doctype html><title>studio</title>");
   work_.put("page/assets/engine.wasm", "wasm");
+  work_.put("page/assets/starts.tsv", "table");
   work_.put("page/assets/main.js", "export {};");
   start((work_.path() / "page").string());
   const std::string page = get("/");
@@ -148,6 +149,7 @@ TEST_F(Studio, ServesThePageWithItsTypesAndAPolicy) {
   EXPECT_THAT(page, HasSubstr("\r\n\r\n<!doctype html><title>studio</title>"));
   EXPECT_EQ(get("/index.html?lang=ja"), page);
   EXPECT_THAT(get("/assets/engine.wasm"), HasSubstr("application/wasm"));
+  EXPECT_THAT(get("/assets/starts.tsv"), HasSubstr("text/tab-separated-values"));
   EXPECT_THAT(get("/assets/main.js"), HasSubstr("text/javascript"));
   EXPECT_THAT(get("/none.js"), StartsWith("HTTP/1.1 404 "));
   EXPECT_THAT(get("/assets"), StartsWith("HTTP/1.1 404 "));

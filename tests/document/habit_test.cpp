@@ -67,7 +67,7 @@ double back_of(const Candidate& candidate, const BodyModel& body) {
 TEST(Habit, RoundsTheBackAndBendsTheFreeElbow) {
   const Task usual = reach_of({});
   Habit habit;
-  habit.round = radians(20.0);
+  habit.round = radians(30.0);
   EXPECT_GT(back_of(best_of(reach_of(habit)), usual.body),
             back_of(best_of(usual), usual.body) + radians(4.0));
   habit = {.free_arm = 1.4};

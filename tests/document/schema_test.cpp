@@ -161,6 +161,8 @@ TEST(ResultSchema, RefusesBrokenResults) {
   // a list or a number of another size may stand in many places; null and true may stand nowhere
   const Json good = result_of(file_with({-0.2, 1.1, 0.4}));
   for (const Json::json_pointer& place : places(good)) {
+    // the values of a message are of any kind
+    if (place.to_string().find("/values/") != std::string::npos) continue;
     for (const Json& value : {Json(nullptr), Json(true)}) {
       Json json = good;
       json[place] = value;

@@ -40,9 +40,9 @@ int right_hand(const PosedBody& posed) {
 class FinalPostures : public testing::TestWithParam<const char*> {
  protected:
   const PosedBody body_ = std::string(GetParam()) == "half_body" ? half_body() : full_body();
-  PostureMeter meter_{body_, body_.home};
+  PostureMeter meter_{body_, body_.home, right_hand(body_)};
   [[nodiscard]] FinalPosture of(const std::vector<double>& angles) {
-    return meter_.measure(angles, right_hand(body_));
+    return meter_.measure(angles);
   }
 };
 
@@ -54,7 +54,7 @@ TEST_P(FinalPostures, StartIsUpright) {
 }
 
 TEST_P(FinalPostures, HipsThatStayAtTheirHeightAreAStoop) {
-  std::vector<double> angles = posed(body_, {});
+  std::vector<double> angles = posed(body_, {{"right_shoulder.flexion", 90.0}});  // hangs
   for (const char* hip : {"left_hip.flexion", "right_hip.flexion"}) {
     if (const auto dof = body_.body.find_dof(hip))
       angles[static_cast<std::size_t>(*dof)] += radians(90.0);
@@ -66,17 +66,17 @@ TEST_P(FinalPostures, HipsThatStayAtTheirHeightAreAStoop) {
 }
 
 TEST_P(FinalPostures, HipsThatSinkWithTheShouldersAreASquat) {
-  const FinalPosture posture = of(mode(body_, "squat", radians(100.0)));
+  const FinalPosture posture = of(mode(body_, "squat", radians(115.0)));
   EXPECT_LT(posture.stoop_squat_index.value(), 15.0);
   // an upright trunk sinks as far as its hips do
-  const double sunk = of(posed(body_, {{"right_knee.flexion", 90.0},
-                                       {"right_hip.flexion", 50.0},
-                                       {"right_ankle.flexion", 40.0}}))
+  const double sunk = of(posed(body_, {{"right_knee.flexion", 110.0},
+                                       {"right_hip.flexion", 60.0},
+                                       {"right_ankle.flexion", 50.0}}))
                           .stoop_squat_index.value();
   if (std::string(GetParam()) == "half_body") {
     EXPECT_NEAR(sunk, 0.0, 6.0);
   }
-  EXPECT_NEAR(posture.knee_flexion, radians(100.0), 0.1);
+  EXPECT_NEAR(posture.knee_flexion, radians(115.0), 0.1);
   EXPECT_EQ(posture_words(posture), "squat");
 }
 
@@ -113,19 +113,33 @@ TEST(FinalPosture, OfOneWhoSitsHasNoWordsOfKnees) {
   const PosedBody posed = build_human(
       seated(standing_landmarks(1.7, kStandingToeOut), 1.7, 0.42),
       {.name = "s", .extent = BodyExtent::human, .stature = 1.7, .mass = 70.0, .sits = true});
-  PostureMeter meter(posed, posed.home);
-  const auto start = meter.measure(posed.home.angles, right_hand(posed));
+  PostureMeter meter(posed, posed.home, right_hand(posed));
+  const auto start = meter.measure(posed.home.angles);
   EXPECT_EQ(posture_words(start), "sitting");
-  const auto bent = meter.measure(mode(posed, "lean", radians(60.0)), right_hand(posed));
+  const auto bent = meter.measure(mode(posed, "lean", radians(60.0)));
   EXPECT_GT(bent.stoop_squat_index.value_or(0.0), kStoopIndex);  // hips cannot come down
   EXPECT_EQ(posture_words(bent), "sitting, leaning");
 }
 
+TEST(FinalPosture, OfHandsAboveTheKneesIsToldByTrunkAndKnees) {
+  const PosedBody body = full_body();
+  PostureMeter meter(body, body.home, right_hand(body));
+  const auto hinge = [&](double arm) {
+    return meter.measure(posed(body, {{"right_hip.flexion", 90.0},
+                                      {"left_hip.flexion", 90.0},
+                                      {"right_shoulder.flexion", arm}}));
+  };
+  EXPECT_GT(hinge(90.0).stoop_squat_index.value_or(0.0), kStoopIndex);  // it hangs
+  const FinalPosture reaching = hinge(160.0);
+  EXPECT_FALSE(reaching.stoop_squat_index.has_value());
+  EXPECT_EQ(posture_words(reaching), "upright, leaning");
+}
+
 TEST(FinalPosture, TurnToTheLeftIsPositive) {
   const PosedBody posed = full_body();
-  PostureMeter meter(posed, posed.home);
-  const FinalPosture left = meter.measure(mode(posed, "twist", radians(40.0)), right_hand(posed));
-  const FinalPosture right = meter.measure(mode(posed, "twist", radians(-40.0)), right_hand(posed));
+  PostureMeter meter(posed, posed.home, right_hand(posed));
+  const FinalPosture left = meter.measure(mode(posed, "twist", radians(40.0)));
+  const FinalPosture right = meter.measure(mode(posed, "twist", radians(-40.0)));
   EXPECT_GT(left.trunk_turn, radians(20.0));
   EXPECT_NEAR(right.trunk_turn, -left.trunk_turn, 0.1);
   EXPECT_EQ(posture_words(left), "upright, turned left");

@@ -114,7 +114,7 @@ TEST(ParameterSpace, RowsAreTheDecodedParametersRounded) {
 
 TEST(Archive, KeepsTheBestOfEachCellAndDropsWhatMissed) {
   const PosedBody posed = half_body();
-  Archive archive(posed);
+  Archive archive(posed, 0);
   const std::size_t dofs = posed.body.dofs().size();
   // the mode's own direction: knees bend under an upright trunk, hips sink with the shoulders
   const std::vector<double> squat = posture_modes(posed)[0].direction;
@@ -125,7 +125,7 @@ TEST(Archive, KeepsTheBestOfEachCellAndDropsWhatMissed) {
     points.push_back(0.1 * static_cast<double>(i));
     scores.push_back(i == 3 ? 1.0 : 0.9 - 0.05 * static_cast<double>(i));
     for (std::size_t d = 0; d < dofs; ++d) {
-      postures[i * dofs + d] = static_cast<float>((i == 9 ? 1.6 : 0.1) * squat[d]);
+      postures[i * dofs + d] = static_cast<float>((i == 9 ? 2.2 : 0.1) * squat[d]);
     }
   }
   archive.add(points, scores, postures, 1.0);
@@ -141,7 +141,7 @@ TEST(Archive, KeepsTheBestOfEachCellAndDropsWhatMissed) {
 
 class Flat : public testing::TestWithParam<Vec3d> {};
 
-TEST_P(Flat, CandidatesMeetTheGoalWithinAllLimitsAndEndApart) {
+TEST_P(Flat, CandidatesMeetTheGoalWithinAllLimitsAndLookDifferent) {
   Task task = flat_task(full_body(), GetParam());
   task.duration = 2.0;  // in less time, strength allows less variety
   const GenerateResult generation = generate(task).value();
@@ -153,16 +153,10 @@ TEST_P(Flat, CandidatesMeetTheGoalWithinAllLimitsAndEndApart) {
     EXPECT_LE(candidate.goals[0].error, 1e-3);
     EXPECT_TRUE(candidate.measures.over_limit.empty());
     EXPECT_LE(MeasuredMotion(problem, candidate.motion.clip).contact_slide, 1e-3);
-    const Clip& a = candidate.motion.clip;
+    PostureMeter meter(task.body, task.home, 0);
+    const Look look = meter.look(candidate.motion.clip);
     for (std::size_t k = 0; k < i; ++k) {
-      const Clip& b = generation.candidates[k].motion.clip;
-      double squares = 0.0;
-      for (int d = 0; d < a.dofs; ++d) {
-        const auto j = static_cast<std::size_t>(d);
-        const double difference = a.frame(a.frames - 1)[j] - b.frame(b.frames - 1)[j];
-        squares += difference * difference;
-      }
-      EXPECT_GE(std::sqrt(squares / a.dofs), kNearEnd - kEndSlack);
+      EXPECT_FALSE(look_alike(meter.look(generation.candidates[k].motion.clip), look, 0.98));
     }
   }
 }
@@ -199,7 +193,7 @@ TEST(FlatSearch, SaysWhyThereAreFewerCandidates) {
   const GenerateResult fewer = generate(task).value();
   EXPECT_LT(fewer.candidates.size(), 500U);
   EXPECT_THAT(fewer.fewer, testing::HasSubstr(std::to_string(fewer.candidates.size()) + " of 500"));
-  EXPECT_THAT(fewer.fewer, testing::HasSubstr("end within 5° of a better one"));
+  EXPECT_THAT(fewer.fewer, testing::HasSubstr("look like a better one"));
 }
 
 TEST(FlatSearch, BeatsThePapersAlgorithmByThePapersOwnCriteria) {

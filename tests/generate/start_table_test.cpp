@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "generate/start_table.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <string>
 
 #include "body/anthropometry.hpp"
+#include "generate/known_starts.hpp"
 #include "problem/make_problem.hpp"
 #include "rollout/batch_rollout.hpp"
 #include "support/named_values.hpp"
@@ -41,7 +40,7 @@ struct Begun {
         list(testing_support::list_of(task)),
         space(problem, list, GeneCode::natural) {}
 
-  [[nodiscard]] std::vector<double> starts() const { return nearest_starts(problem, space, kMost); }
+  [[nodiscard]] std::vector<double> starts() const { return KnownStarts(problem, space).points(); }
   [[nodiscard]] double at(std::span<const double> points, const std::string& name,
                           std::size_t row = 0) const {
     const int gene = space.find(name);
@@ -57,26 +56,45 @@ struct Begun {
   }
 };
 
-TEST(StartTable, HasADigitForEachCoordinateOfItsRows) {
-  ASSERT_THAT(start_tables(), SizeIs(3));
-  for (const StartTable& table : start_tables()) {
-    const auto names = std::count(table.names.begin(), table.names.end(), ' ') + 1;
-    for (const StartRow& row : table.rows) {
-      const std::string_view digits = row.coordinates;
-      ASSERT_EQ(static_cast<std::ptrdiff_t>(digits.size()), names);
-      ASSERT_EQ(digits.find_first_not_of(kStartDigits), std::string_view::npos);
-    }
+TEST(StartTables, AreWrittenAsTheyWereRead) {
+  std::string text(kStartText);
+  while (text.starts_with('#')) text = text.substr(text.find('\n') + 1);
+  EXPECT_EQ(start_text(start_tables()), text);
+}
+
+// Sets tables, and those of the library again at the end.
+struct OtherTables {
+  bool good;
+  explicit OtherTables(const std::string& text) : good(set_start_tables(text)) {}
+  ~OtherTables() { (void)set_start_tables(std::string(kStartText)); }
+};
+
+TEST(StartTables, OfAnotherFormAreRefused) {
+  const std::string good = "table\tone\t2\tsquat lean\n-100 -200 300 0\tz0\tA5\n";
+  ASSERT_TRUE(OtherTables(good).good);
+  for (const auto& [part, by] : {std::pair{"z0", "z"},
+                                 {"z0", "z?"},
+                                 {"300 0", "300"},
+                                 {"300 0", "300 0 0"},
+                                 {"-100", "x"},
+                                 {"table\t", "table "},
+                                 {"\t2\t", "\ttwo\t"}}) {
+    std::string text = good;
+    text.replace(text.find(part), std::string(part).size(), by);
+    EXPECT_FALSE(OtherTables(text).good) << text;
   }
+  EXPECT_GT(start_tables().size(), 3U);  // the library's again
 }
 
 TEST(StartTable, NamesAllCoordinatesOfTheBuiltInBodies) {
   for (const PosedBody& posed : {half_body(), full_body(), human_body()}) {
     const Begun begun(posed, {{"right_hand", kTable}});
     const std::vector<std::string> names = begun.space.names();
-    std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : " ") + name;
-    const auto is_own = [&](const StartTable& table) { return table.names == all; };
-    EXPECT_TRUE(std::any_of(start_tables().begin(), start_tables().end(), is_own)) << all;
+    const auto is_own = [&](const StartTable& table) {
+      return std::equal(names.begin(), names.end(), table.names.begin(), table.names.end());
+    };
+    EXPECT_TRUE(std::any_of(start_tables().begin(), start_tables().end(), is_own))
+        << posed.body.name();
   }
 }
 
@@ -143,16 +161,39 @@ TEST(StartPlace, IsByTheOwnArm) {
   EXPECT_NEAR(start_place(changed, usual.home, hand, low)->y, -0.5 * F::kShoulderHeight, 1e-3);
 }
 
-TEST(NearestStarts, OfTwoHandsSetBothArms) {
-  const Vec3d other{0.2, 1.1, 0.4};
-  const Begun right(human_body(), {{"right_hand", kTable}});
-  const Begun left(human_body(), {{"left_hand", other}});
-  const Begun both(human_body(), {{"right_hand", kTable}, {"left_hand", other}});
-  const std::vector<double> points = both.starts();
-  EXPECT_EQ(both.at(points, "right_elbow"), right.at(right.starts(), "right_elbow"));
-  EXPECT_EQ(both.at(points, "left_elbow"), left.at(left.starts(), "left_elbow"));
-  EXPECT_DOUBLE_EQ(both.at(points, "lean"),
-                   0.5 * (right.at(right.starts(), "lean") + left.at(left.starts(), "lean")));
+TEST(NearestStarts, OfTwoHandsInTheMirrorExchangeTheArms) {
+  const Vec3d other{0.25, 1.1, 0.4};
+  const auto image = [](const Vec3d& v) { return Vec3d{-v.x, v.y, v.z}; };
+  const Begun as(human_body(), {{"right_hand", kTable}, {"left_hand", other}});
+  const Begun in(human_body(), {{"left_hand", image(kTable)}, {"right_hand", image(other)}});
+  for (std::size_t row = 0; row < kMost; ++row) {
+    EXPECT_EQ(as.at(as.starts(), "right_elbow", row), in.at(in.starts(), "left_elbow", row));
+    EXPECT_EQ(as.at(as.starts(), "left_swivel", row), in.at(in.starts(), "right_swivel", row));
+    EXPECT_DOUBLE_EQ(as.at(as.starts(), "twist", row), 1.0 - in.at(in.starts(), "twist", row));
+  }
+}
+
+// A goal of each kind that has a table: the best known start is little worse than the default
+// query's best motion, and better than that of a plainer kind's table.
+TEST(NearestStarts, AreOfTheKindAsked) {
+  const std::vector<Goal> box{{"right_hand", {-0.17, 0.3, 0.4}}, {"left_hand", {0.17, 0.3, 0.4}}};
+  for (const StartTable& table : start_tables()) {
+    EXPECT_GT(table.rows.size(), 100U);
+    for (const StartRow& row : table.rows) ASSERT_GT(row.motions.size(), 0U);
+  }
+  Begun both(human_body(), box);
+  EXPECT_LT(both.best(both.starts()), 0.5 * both.best(bent_starts(both.space)));
+}
+
+TEST(NearestStarts, WithinAPartOfTheSpaceAreInIt) {
+  const Begun begun(human_body(), {{"right_hand", {-0.2, 0.2, 0.4}}});
+  const int squat = begun.space.find("squat");
+  const double least = begun.space.coordinate(squat, radians(115.0));
+  const std::vector<double> points =
+      KnownStarts(begun.problem, begun.space).within({{squat, least, 1.0}});
+  ASSERT_THAT(points, testing::Not(IsEmpty()));
+  const auto rows = points.size() / static_cast<std::size_t>(begun.space.genes());
+  for (std::size_t k = 0; k < rows; ++k) EXPECT_GE(begun.at(points, "squat", k), least - 0.02);
 }
 
 TEST(NearestStarts, OfWhatIsNoHandAreNone) {

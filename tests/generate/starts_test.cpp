@@ -7,8 +7,8 @@
 #include <shigusa/human.hpp>
 #include <shigusa/run.hpp>
 
+#include "generate/known_starts.hpp"
 #include "generate/parameter_space.hpp"
-#include "generate/start_table.hpp"
 #include "problem/make_problem.hpp"
 #include "support/named_values.hpp"
 
@@ -68,9 +68,9 @@ TEST(KnownStarts, PutGivenMotionsBeforeTheNearestOfTheTable) {
   const auto genes = static_cast<std::size_t>(space.genes());
   const std::vector<Parameters> given{space.decode(any_point(space, 1)),
                                       space.decode(any_point(space, 2))};
-  const std::vector<double> table = nearest_starts(problem, space, kNearestStarts);
-  EXPECT_EQ(known_starts(problem, space, {}), table);
-  const std::vector<double> points = known_starts(problem, space, given);
+  const KnownStarts known(problem, space);
+  const std::vector<double> table = known.points();
+  const std::vector<double> points = known.points(given);
   ASSERT_THAT(points, SizeIs(kNearestStarts * genes));
   for (std::size_t k = 0; k < given.size(); ++k) {
     const auto at = points.begin() + static_cast<std::ptrdiff_t>(k * genes);
@@ -81,7 +81,7 @@ TEST(KnownStarts, PutGivenMotionsBeforeTheNearestOfTheTable) {
   EXPECT_EQ(rest, std::vector<double>(table.begin(),
                                       table.begin() + static_cast<std::ptrdiff_t>(rest.size())));
   const std::vector<Parameters> many(20, given[0]);
-  EXPECT_THAT(known_starts(problem, space, many), SizeIs(many.size() * genes));
+  EXPECT_THAT(known.points(many), SizeIs(many.size() * genes));
 }
 
 // A hand, two hands, and an elbow, which has no table.

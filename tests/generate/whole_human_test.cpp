@@ -7,7 +7,6 @@
 #include <shigusa/human.hpp>
 
 #include "generate/archive.hpp"
-#include "generate/distinct.hpp"
 
 namespace shigusa {
 namespace {
@@ -71,14 +70,13 @@ TEST(WholeHuman, HasSeveralAnswersToWhatIsEasyAsWell) {
     const std::vector<Candidate>& all = generation.candidates;
     EXPECT_GE(all.size(), 1U) << generation.fewer.text;
     candidates += all.size();
-    std::vector<std::vector<float>> ends;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const Clip& clip = all[i].motion.clip;
-      const auto last = clip.frame(clip.frames - 1);
-      ends.emplace_back(last.begin(), last.end());
-      for (std::size_t k = 0; k < i; ++k) {
-        EXPECT_GE(posture_distance(ends[k], ends[i]), kNearEnd - kEndSlack);
-      }
+    const PosedBody posed = human_body();
+    PostureMeter meter(posed.body, posed.home, 0);
+    std::vector<Look> looks;
+    for (const Candidate& candidate : all) {
+      const Look look = meter.look(candidate.motion.clip);
+      for (const Look& better : looks) EXPECT_FALSE(look_alike(better, look, 0.98));
+      looks.push_back(look);
     }
   }
   EXPECT_GE(candidates, 9U);

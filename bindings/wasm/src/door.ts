@@ -206,10 +206,13 @@ export class DoorResult {
 export class Door {
   private readonly calls: Calls;
 
-  constructor(module: ShigusaModule) {
+  constructor(module: ShigusaModule, starts: Uint8Array) {
     this.calls = new Calls(module);
     const abi = module._shigusa_abi_version();
     if (abi !== abiVersion) throw new Error(`shigusa.wasm has ABI ${abi}; this script is for ${abiVersion}`);
+    // without its tables a search would have other results than the native library's
+    const set = this.calls.with((scratch) => module._shigusa_script_set_starts(scratch.bytes(starts), starts.length));
+    if (set === 0) throw new EngineError({ code: 'parse', message: 'these bytes are no start tables (starts.tsv)' });
   }
 
   get version(): string {
@@ -287,8 +290,9 @@ export class Door {
   }
 }
 
-/** Starts the engine in this thread. `wasm`: shigusa.wasm, compiled or its bytes. */
-export async function openDoor(wasm: WebAssembly.Module | Uint8Array<ArrayBuffer>): Promise<Door> {
+/** Starts the engine in this thread. `wasm`: shigusa.wasm, compiled or its bytes. `starts`: the bytes of starts.tsv
+ *  beside it, the start points of searches. Fails with an EngineError, `parse`, where these are no such tables. */
+export async function openDoor(wasm: WebAssembly.Module | Uint8Array<ArrayBuffer>, starts: Uint8Array): Promise<Door> {
   const compiled = wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
   return new Promise((resolve, reject) => {
     createModule({
@@ -296,6 +300,6 @@ export async function openDoor(wasm: WebAssembly.Module | Uint8Array<ArrayBuffer
         WebAssembly.instantiate(compiled, imports).then(received, reject);
         return {};
       },
-    }).then((module) => resolve(new Door(module)), reject);
+    }).then((module) => resolve(new Door(module, starts))).catch(reject);
   });
 }

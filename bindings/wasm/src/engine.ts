@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine of a page: two workers that share one compiled module. Searches have one for themselves, as an
-// abort ends it; the other one does what must be quick.
+// The engine of a page: two workers that share one compiled module, each with a copy of the start tables. Searches
+// have one for themselves, as an abort ends it; the other one does what must be quick.
 import { EngineError } from './errors.js';
 import { Lane } from './lane.js';
 import type {
@@ -15,21 +15,31 @@ export interface EngineSettings {
   moduleUrl?: string | URL;
   /** The module itself, where it is at hand. */
   wasm?: WebAssembly.Module;
+  /** Where starts.tsv is, the start points of searches; else beside this script. */
+  startsUrl?: string | URL;
+  /** Its bytes, where they are at hand. */
+  starts?: Uint8Array;
   /** Makes a worker of worker.ts. */
   createWorker?: () => Worker;
 }
 
-/** Loads the module and starts the workers. Fails with an EngineError: `io` where the module cannot be
- *  fetched, `unsupported` where this machine's WebAssembly cannot run it. */
+/** Loads the module with its start tables and starts the workers. Fails with an EngineError: `io` where one of the two
+ *  cannot be fetched or the address of the tables has something else, `parse` where `starts` are no tables,
+ *  `unsupported` where this machine's WebAssembly cannot run the module. */
 export async function createEngine(settings: EngineSettings = {}): Promise<Engine> {
-  const wasm = settings.wasm ??
-    (await compile(settings.moduleUrl ?? new URL('./module/shigusa.wasm', import.meta.url)));
-  const engine = new WorkerEngine(wasm, settings.createWorker ?? createWorker);
+  const startsUrl = settings.startsUrl ?? new URL('./module/starts.tsv', import.meta.url);
+  const [wasm, starts] = await Promise.all([
+    Promise.resolve(settings.wasm ?? compile(settings.moduleUrl ?? new URL('./module/shigusa.wasm', import.meta.url))),
+    Promise.resolve(settings.starts ?? fetchBytes(startsUrl)),
+  ]);
+  const engine = new WorkerEngine(settings.createWorker ?? createWorker, wasm, starts);
   try {
     await engine.ready();
   } catch (error) {
     engine.dispose();
-    throw error;
+    // of all that is done until then the tables alone are parsed
+    const foreign = settings.starts === undefined && error instanceof EngineError && error.failure.code === 'parse';
+    throw foreign ? cannotLoad(startsUrl, error) : error;
   }
   return engine;
 }
@@ -41,8 +51,7 @@ function createWorker(): Worker {
 async function compile(url: string | URL): Promise<WebAssembly.Module> {
   let bytes: ArrayBuffer;
   try {
-    const response = await fetch(url);
-    if (!response.ok) throw new Error(`status ${response.status}`);
+    const response = await fetched(url);
     // while it comes, where the server tells its type
     if (response.headers.get('content-type')?.startsWith('application/wasm') === true) {
       return await WebAssembly.compileStreaming(Promise.resolve(response));
@@ -50,13 +59,31 @@ async function compile(url: string | URL): Promise<WebAssembly.Module> {
     bytes = await response.arrayBuffer();
   } catch (error) {
     if (error instanceof WebAssembly.CompileError) throw cannotRun(error);
-    throw new EngineError({ code: 'io', message: `cannot load ${url}: ${said(error)}` });
+    throw cannotLoad(url, error);
   }
   try {
     return await WebAssembly.compile(bytes);
   } catch (error) {
     throw cannotRun(error);
   }
+}
+
+async function fetchBytes(url: string | URL): Promise<Uint8Array> {
+  try {
+    return new Uint8Array(await (await fetched(url)).arrayBuffer());
+  } catch (error) {
+    throw cannotLoad(url, error);
+  }
+}
+
+async function fetched(url: string | URL): Promise<Response> {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`status ${response.status}`);
+  return response;
+}
+
+function cannotLoad(url: string | URL, error: unknown): EngineError {
+  return new EngineError({ code: 'io', message: `cannot load ${url}: ${said(error)}` });
 }
 
 function cannotRun(error: unknown): EngineError {
@@ -76,9 +103,9 @@ class WorkerEngine implements Engine {
   private opened = 0;
   private known: Facts | undefined;
 
-  constructor(wasm: WebAssembly.Module, makeWorker: () => Worker) {
-    this.search = new Lane(makeWorker, wasm);
-    this.quick = new Lane(makeWorker, wasm);
+  constructor(makeWorker: () => Worker, wasm: WebAssembly.Module, starts: Uint8Array) {
+    this.search = new Lane(makeWorker, wasm, starts);
+    this.quick = new Lane(makeWorker, wasm, starts);
   }
 
   async ready(): Promise<void> {

@@ -31,7 +31,9 @@ export class Lane {
   private last = 0;
   private disposed = false;
 
-  constructor(private readonly createWorker: () => Worker, private readonly wasm: WebAssembly.Module) {
+  constructor(
+    private readonly createWorker: () => Worker, private readonly wasm: WebAssembly.Module, private readonly starts: Uint8Array,
+  ) {
     this.start();
   }
 
@@ -78,7 +80,7 @@ export class Lane {
       this.broke(event.message || 'the worker could not be started');
     };
     this.worker = worker;
-    this.post({ type: 'start', wasm: this.wasm });
+    this.post({ type: 'start', wasm: this.wasm, starts: this.starts });
     return worker;
   }
 

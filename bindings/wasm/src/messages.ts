@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The messages between engine.ts and its workers. A worker gets the module first, then what it must know of
-// characters and calls, one at a time; it answers each call once, after any progress.
+// The messages between engine.ts and its workers. A worker gets the module and its start tables first, then
+// what it must know of characters and calls, one at a time; it answers each call once, after any progress.
 import type {
   CharacterDescription, CharacterSpec, EngineFailure, ExportOptions, Facts, Generated, Progress, SampledName,
   Series, Summary, Task,
@@ -38,7 +38,7 @@ export interface Answers {
 export type Answer = Answers[Call['kind']];
 
 export type ToWorker =
-  | { type: 'start'; wasm: WebAssembly.Module }
+  | { type: 'start'; wasm: WebAssembly.Module; starts: Uint8Array }
   | { type: 'know'; character: number; spec: CharacterSpec; bytes: Uint8Array | undefined }
   | { type: 'forget'; character: number }
   | { type: 'call'; id: number; call: Call };

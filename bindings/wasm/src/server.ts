@@ -34,7 +34,7 @@ export class Server {
   receive(message: ToWorker): void {
     switch (message.type) {
       case 'start':
-        this.door = openDoor(message.wasm);
+        this.door = openDoor(message.wasm, message.starts);
         this.door.catch(() => {});
         break;
       case 'know':

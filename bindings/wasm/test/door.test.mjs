@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { EngineError } from '../dist/door.js';
-import { openedDoor, smallTask } from './support.mjs';
+import { EngineError, openDoor } from '../dist/door.js';
+import { openedDoor, smallTask, starts, wasmBytes } from './support.mjs';
 
 const door = await openedDoor();
 const human = door.character({ source: 'human' });
@@ -251,6 +251,25 @@ test('a motion that left as BVH is read as a character and scored', () => {
   near(score.follows.worst_mm, 0, 0.01);
   assert.ok(score.score > 0 && Object.keys(score.criteria).length > 3);
   result.free();
+});
+
+test('a text without start tables is refused', async () => {
+  const text = starts.toString();
+  const table = text.slice(text.indexOf('table\t'));
+  const row = table.indexOf('\n', table.indexOf('\n') + 1);
+  const broken = {
+    'no text': '',
+    'remarks alone': '# Start tables',
+    'a page': '<!doctype html><title>404</title>',
+    'a row without its table': table.slice(table.indexOf('\n') + 1),
+    'a row with a digit too few': table.slice(0, row - 1),
+    'a digit that is none': `${table.slice(0, row - 1)}?`,
+  };
+  for (const [name, bytes] of Object.entries(broken)) {
+    await assert.rejects(openDoor(wasmBytes, new TextEncoder().encode(bytes)),
+      (error) => error instanceof EngineError && error.failure.code === 'parse' && /starts\.tsv/.test(error.message), name);
+  }
+  assert.ok(await openDoor(wasmBytes, new TextEncoder().encode(table.slice(0, row))));
 });
 
 test('memory is given back', () => {

@@ -3,11 +3,11 @@ import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { createEngine, EngineError } from '../dist/engine.js';
 import { NodeWorker } from './node_worker.mjs';
-import { openedDoor, sleep, smallTask, wasmBytes } from './support.mjs';
+import { openedDoor, sleep, smallTask, starts, wasmBytes } from './support.mjs';
 
 const wasm = await WebAssembly.compile(wasmBytes);
 const createWorker = () => new NodeWorker();
-const engine = await createEngine({ wasm, createWorker });
+const engine = await createEngine({ wasm, starts, createWorker });
 after(() => engine.dispose());
 const human = await engine.open({ source: 'human' });
 const longTask = { ...smallTask, evaluations: 500000 };
@@ -147,7 +147,7 @@ test('a task that no message can carry is refused, and the engine goes on', asyn
 
 test('a worker that dies fails its call, and another takes its place', async () => {
   const workers = [];
-  const mortal = await createEngine({ wasm, createWorker: () => workers[workers.push(new NodeWorker()) - 1] });
+  const mortal = await createEngine({ wasm, starts, createWorker: () => workers[workers.push(new NodeWorker()) - 1] });
   const person = await mortal.open({ source: 'human' });
   const search = mortal.generate(person, longTask);
   await sleep(50);
@@ -158,7 +158,7 @@ test('a worker that dies fails its call, and another takes its place', async () 
 });
 
 test('an engine that is closed refuses what waits and what comes', async () => {
-  const brief = await createEngine({ wasm, createWorker });
+  const brief = await createEngine({ wasm, starts, createWorker });
   const person = await brief.open({ source: 'human' });
   const search = brief.generate(person, longTask);
   brief.dispose();
@@ -167,8 +167,34 @@ test('an engine that is closed refuses what waits and what comes', async () => {
 });
 
 test('a module that cannot be fetched is told', async () => {
-  await assert.rejects(createEngine({ moduleUrl: 'data:text/plain,none', createWorker }),
+  await assert.rejects(createEngine({ moduleUrl: 'data:text/plain,none', starts, createWorker }),
     (error) => error.failure.code === 'unsupported');
-  await assert.rejects(createEngine({ moduleUrl: 'http://127.0.0.1:1/shigusa.wasm', createWorker }),
+  await assert.rejects(createEngine({ moduleUrl: 'http://127.0.0.1:1/shigusa.wasm', starts, createWorker }),
     (error) => error.failure.code === 'io');
+});
+
+test('without its start tables no engine starts, and the address that should have them is told', async () => {
+  const { started, ended } = NodeWorker;
+  const refused = (settings, check) => // an engine that starts all the same would keep this process alive
+    assert.rejects(createEngine({ wasm, createWorker, ...settings }).then((made) => made.dispose()), check);
+  // a host without the file, one that answers with its page, and one with an empty file
+  for (const startsUrl of ['http://127.0.0.1:1/starts.tsv', 'data:text/html,<!doctype html>', 'data:text/plain,']) {
+    await refused({ startsUrl }, ({ name, failure }) => {
+      assert.deepEqual([name, failure.code], ['EngineError', 'io']);
+      assert.ok(failure.message.startsWith(`cannot load ${startsUrl}: `), failure.message);
+      return true;
+    });
+  }
+  await refused({ starts: starts.subarray(0, starts.length - 5) }, ({ failure }) => failure.code === 'parse');
+  assert.equal(NodeWorker.ended - ended, NodeWorker.started - started, 'no worker is left');
+});
+
+test('start tables come from their address', async () => {
+  const startsUrl = `data:text/tab-separated-values;base64,${starts.toString('base64')}`;
+  const fetching = await createEngine({ wasm, startsUrl, createWorker });
+  const person = await fetching.open({ source: 'human' });
+  const there = await fetching.generate(person, smallTask);
+  const here = await engine.generate(human, smallTask);
+  assert.deepEqual(summaryLess(there.summary), summaryLess(here.summary));
+  fetching.dispose();
 });

@@ -10,7 +10,7 @@ import { smallTask } from './support.mjs';
 const chromium = '/usr/bin/chromium-headless-shell';
 const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; " +
   "base-uri 'none'; form-action 'none'";
-const types = { js: 'text/javascript', mjs: 'text/javascript', wasm: 'application/wasm', html: 'text/html' };
+const types = { js: 'text/javascript', mjs: 'text/javascript', wasm: 'application/wasm', html: 'text/html', tsv: 'text/tab-separated-values' };
 
 const page = '<!doctype html><title>engine</title><script type="module" src="/page.js"></script>';
 const script = `
@@ -43,7 +43,7 @@ try {
 async function answer(request, response) {
   const path = new URL(request.url, 'http://localhost').pathname;
   const bytes = path === '/' ? page : path === '/page.js' ? script
-    : /^\/dist\/[a-z/]+\.(js|mjs|wasm)$/.test(path)
+    : /^\/dist\/[a-z/]+\.(js|mjs|wasm|tsv)$/.test(path)
       ? await readFile(new URL(`..${path}`, import.meta.url)).catch(() => null) : null;
   const ending = path === '/' ? 'html' : path.split('.').at(-1);
   response.writeHead(bytes === null ? 404 : 200, {

@@ -3,8 +3,9 @@ import { readFile } from 'node:fs/promises';
 import { openDoor } from '../dist/door.js';
 
 export const wasmBytes = await readFile(new URL('../dist/module/shigusa.wasm', import.meta.url));
+export const starts = await readFile(new URL('../dist/module/starts.tsv', import.meta.url));
 
-export const openedDoor = () => openDoor(wasmBytes);
+export const openedDoor = () => openDoor(wasmBytes, starts);
 
 /** A small search that is over in no time. */
 export const smallTask = {

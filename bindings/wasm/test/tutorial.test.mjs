@@ -17,7 +17,7 @@ async function tutorialFiles() {
 
 async function answer(files, request, response) {
   const path = new URL(request.url, 'http://localhost').pathname.slice(1) || 'index.html';
-  const packed = /^engine\/([a-z_/]+\.(?:js|mjs|wasm))$/.exec(path);
+  const packed = /^engine\/([a-z_/]+\.(?:js|mjs|wasm|tsv))$/.exec(path);
   const bytes = packed === null ? files.get(path)
     : await readFile(new URL(`../dist/${packed[1]}`, import.meta.url)).catch(() => undefined);
   response.writeHead(bytes === undefined ? 404 : 200, { 'content-type': types[path.split('.').at(-1)] ?? 'text/plain' });

@@ -67,7 +67,7 @@ inline constexpr std::array kTasks{
     MessageText{"fewer_kept", "{} of {} candidates: of the others that were kept, {}"},
     MessageText{"fewer_none", "there are none"},
     MessageText{"and_more", "{}; {}"},
-    MessageText{"fewer_alike", "{} end within 5° of a better one"},
+    MessageText{"fewer_alike", "{} look like a better one"},
     MessageText{"fewer_near_copies", "{} move like a better one"},
     MessageText{"fewer_worse", "{} score over {} worse than the best"},
     MessageText{"fewer_jolting", "{} jolt"},

@@ -15,6 +15,7 @@ export interface ShigusaModule {
   _malloc(size: number): number;
   _free(pointer: number): void;
   _shigusa_script_watch(): number;
+  _shigusa_script_set_starts(text: number, size: number): number;
 
   _shigusa_abi_version(): number;
   _shigusa_version(): number;

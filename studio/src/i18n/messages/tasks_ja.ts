@@ -36,7 +36,7 @@ export const tasks: Readonly<Record<string, string>> = {
   fewer_kept: '候補は {1} 個のうち {0} 個です。ほかの動作: {2}。',
   fewer_none: 'なし',
   and_more: '{0}、{1}',
-  fewer_alike: '{0} 個が、よりよい動作と終わりの姿勢の差が 5° 以内のもの',
+  fewer_alike: '{0} 個が、よりよい動作と同じに見えるもの',
   fewer_near_copies: '{0} 個が、よりよい動作とほとんど同じもの',
   fewer_worse: '{0} 個が、最良より {1} を超えて劣るもの',
   fewer_jolting: '{0} 個が、急に動くもの',

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Progress without a table that grows and without code made at run time: the one function that a
-// search reports to asks the module's own `report`.
+// Functions for the module's script alone, beside those of the C interface. Progress comes without
+// a table that grows and without code made at run time: the one function that a search reports to
+// asks the module's own `report`.
 #include <emscripten.h>
 #include <shigusa.h>
+
+#include "generate/start_table.hpp"
 
 // clang-format off
 EM_JS(int32_t, shigusa_report_to_script, (double fraction, int32_t evaluations, double best_score), {
@@ -26,4 +29,11 @@ extern "C" {
 // budget, motions scored and the lowest score, which returns true to stop.
 SHIGUSA_API const shigusa_watch* shigusa_script_watch(void);
 const shigusa_watch* shigusa_script_watch(void) { return &kWatch; }
+
+// Gives the module its start tables, the `size` bytes of starts.tsv, which it does not hold. Called
+// once, before anything is generated. 0 if the bytes are no such tables, 1 otherwise.
+SHIGUSA_API int32_t shigusa_script_set_starts(const char* text, uint32_t size);
+int32_t shigusa_script_set_starts(const char* text, uint32_t size) {
+  return shigusa::set_start_tables({text, size}) && !shigusa::start_tables().empty() ? 1 : 0;
+}
 }
