@@ -37,7 +37,7 @@ test('from opening to one’s own character in an adjusted motion in eight actio
   await act(() => page.locator('.card .pick').nth(1).click());
   await act(() => page.click('#tab-adjust'));
   await act(async () => {
-    await slide(page, '[data-parameter="squat_deg"]', 0.6);
+    await slide(page, '[data-parameter="squat_deg"]', 0.35);
     await page.waitForFunction(() => Object.keys(window.shigusa.document.edits).length === 1, undefined, { timeout: 20_000 });
   });
   await act(() => openTab(page, 'take'));
