@@ -87,6 +87,7 @@ void add_trunk_modes(const BodyModel& body, ModeBuilder& modes) {
   if (waist) {
     modes.add({"round", kRoundSentence, {}, radians(-15.0), radians(70.0)}, round);
   } else {
+    // chosen: with 10 below, searches undo the law's difference between men and women (decision 45)
     modes.add({"round", kRoundMoreSentence, {}, radians(-6.0), radians(10.0)}, round);
   }
   modes.add({"twist", kTwistSentence, {}, radians(-65.0), radians(65.0)}, twist);

@@ -25,7 +25,7 @@ using F = StatureFractions;
 constexpr double kTableShoulder = F::kShoulderHeight;
 constexpr double kTableArm = F::kUpperArm + F::kForearm + kGripFraction * F::kHand;
 
-// Places (statures) that are as far apart as a kilogram of load, and as a radian of turn.
+// Places (statures; chosen) that are as far apart as a kilogram of load, and as a radian of turn.
 constexpr double kLoadWeight = 0.02;
 constexpr double kTurnWeight = 0.1;
 

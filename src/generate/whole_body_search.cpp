@@ -12,7 +12,7 @@
 namespace shigusa {
 namespace {
 
-// Styles get one or two ninths of a budget, in full batches; the rest is spent on all parameters.
+// Styles get one or two twelfths of a budget, in full batches; the rest is spent on all parameters.
 constexpr int kBatch = static_cast<int>(kFullBatch);
 constexpr int kUnit = 12 * kBatch;
 // Motions after which late styles begin: known starts leave little to find after them.

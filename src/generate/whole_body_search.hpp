@@ -23,7 +23,7 @@ class WholeBodySearch {
 
   // Runs the search. One that finds the best well ends with one motion, and no criterion decides
   // between that and the alternatives of people. So the preset flat spends a third of the budget on
-  // all parameters together, and a ninth or two on each style (StylePlans). Each is an island;
+  // all parameters together, and a twelfth or two on each style (StylePlans). Each is an island;
   // islands run in parallel, one per thread:
   //  the first starts | all parameters to kGuess motions, early styles | the rest, late styles
   // Styles begin at the best of the first starts or of the first kGuess motions: at fixed counts,
