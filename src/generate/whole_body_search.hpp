@@ -22,7 +22,7 @@ class WholeBodySearch {
   WholeBodySearch(const Problem& problem, const ReachProblem& approach, const RunSettings& run);
 
   // Runs the search. One that finds the best well ends with one motion, and no criterion decides
-  // between that and the alternatives of people. So the preset flat spends a third of the budget on
+  // between that and the alternatives of people. So the preset flat spends half of the budget on
   // all parameters together, and a twelfth or two on each style (StylePlans). Each is an island;
   // islands run in parallel, one per thread:
   //  the first starts | all parameters to kGuess motions, early styles | the rest, late styles
