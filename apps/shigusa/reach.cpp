@@ -155,7 +155,9 @@ Result<int> reach(const ReachOptions& options) {
   note_other_axes(task);
   task.batch = batch;
   task.layers.store = limb_store();
-  const Result<PreparedTask> prepared = PreparedTask::of(task);
+  const bool works = !task.actions.empty();
+  Result<std::optional<PreparedTask>> prepared = std::nullopt;
+  if (!works) prepared = PreparedTask::of(task);
   if (!prepared) return tl::unexpected(in_task(prepared.error(), options));
   for (const Message& odd : goal_notes(task)) note("goal", odd.text);
   SHG_TRY(prepare_out(options.out));
@@ -165,9 +167,12 @@ Result<int> reach(const ReachOptions& options) {
     progress.deadline = begin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                     std::chrono::duration<double>(*options.seconds));
   }
-  const Result<GenerateResult> generation = generate(*prepared, progress);
+  const Result<GenerateResult> generation =
+      works ? perform(task, progress) : generate(**prepared, progress);
   end_progress_line();
-  if (!generation) return tl::unexpected(generation.error());
+  if (!generation) {
+    return tl::unexpected(works ? in_task(generation.error(), options) : generation.error());
+  }
   return deliver({file, task, *generation, search_info(task, begin)},
                  {.folder = options.out, .settings = settings, .json = options.json});
 }

@@ -98,6 +98,11 @@ void add_task_options(CLI::App& command, TaskOptions& options) {
   add_field_options<Request>(command, options.request);
   add_field_options<Goal>(command, options.goal);
   add_hand_options(command, options);
+  describe(command.add_option("--hold", options.hold)->check(number(0.0, kPauseMax)),
+           {.group = heading(OptionGroup::goal),
+            .brief = "Seconds for which the body stays at its goals",
+            .full = "Seconds for which the body stays at the goals, as the first of the actions.",
+            .form = "SECONDS"});
 }
 
 }  // namespace shigusa::app

@@ -244,6 +244,79 @@ Result<Habit> habit_of(const std::string& text) {
   return habit;
 }
 
+// Parses a thing: NAME=X,Y,Z,SX,SY,SZ,KG.
+Result<Thing> thing_of(const std::string& text, const char* form) {
+  const auto named = parse_named(text, 7);
+  if (!named) return misread("--thing", text, form);
+  const std::vector<double>& n = named->numbers;
+  return Thing{.name = named->name,
+               .size = {n[3], n[4], n[5]},
+               .mass = n[6],
+               .position = {n[0], n[1], n[2]}};
+}
+
+// Adds one part of an action, "right_hand=-0.2,1.1,0.4", "place=box,0,0.9,0.4" or "hold=1"; false
+// if it is none.
+bool add_part(const std::string& part, Action& action) {
+  const auto parts = split(part);
+  const std::string& word = parts ? parts->first : part;
+  if (!parts) {
+    if (word == "stand") action.stand.emplace();
+    if (word == "via") action.via = true;
+    return word == "stand" || word == "via";
+  }
+  const std::string& value = parts->second;
+  const auto number = parse_numbers(value, 1);
+  if (word == "wait" && number) action.wait = (*number)[0];
+  if (word == "hold" && number) action.hold = (*number)[0];
+  if (word == "wait" || word == "hold") return number.has_value();
+  if (word == "grasp") action.grasp = value;
+  if (word == "release") action.release = value;
+  if (word == "with") action.with = split_at_commas(value);
+  if (word == "grasp" || word == "release" || word == "with") return true;
+  if (word == "place") {
+    const std::size_t comma = value.find(',');
+    const std::string rest = comma == value.npos ? "" : value.substr(comma + 1);
+    const auto turned = parse_numbers(rest, 4);
+    const auto at = turned ? turned : parse_numbers(rest, 3);
+    if (!at) return false;
+    action.place = value.substr(0, comma);
+    action.position = Vec3d{(*at)[0], (*at)[1], (*at)[2]};
+    action.turn_deg = turned ? (*at)[3] : 0.0;
+    return true;
+  }
+  const auto at = parse_numbers(value, 3);
+  if (!at) return false;
+  const Vec3d place{(*at)[0], (*at)[1], (*at)[2]};
+  if (word == "look") action.look_at = place;
+  else action.goals.push_back({.effector = word, .position = place});
+  return true;
+}
+
+// Parses an action: parts with semicolons between them.
+Result<Action> action_of(const std::string& text, const char* form) {
+  Action action;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(';', begin), text.size());
+    if (!add_part(text.substr(begin, end - begin), action)) return misread("--then", text, form);
+    begin = end + 1;
+  }
+  return action;
+}
+
+// Makes the goals the first action of a task with actions.
+void goals_first(const TaskOptions& options, Request& request) {
+  if (request.actions.empty() && !options.hold) return;
+  if (!request.goals.empty()) {
+    Action first;
+    first.goals = std::move(request.goals);
+    request.actions.insert(request.actions.begin(), std::move(first));
+    request.goals.clear();
+  }
+  if (options.hold && !request.actions.empty()) request.actions.front().hold = *options.hold;
+}
+
 // Parses an option's text; of a list option, one item.
 template <class Value, class AnyField>
 Result<Value> parse(const AnyField& field, const std::string& text) {
@@ -261,6 +334,10 @@ Result<Value> parse(const AnyField& field, const std::string& text) {
     const auto n = parse_numbers(text, 3);
     if (!n) return misread(field, text, 3);
     return Vec3d{(*n)[0], (*n)[1], (*n)[2]};
+  } else if constexpr (std::same_as<Value, Thing>) {
+    return thing_of(text, field.traits.form);
+  } else if constexpr (std::same_as<Value, Action>) {
+    return action_of(text, field.traits.form);
   } else if constexpr (std::same_as<Value, Support>) {
     const auto parts = split(text);
     if (!parts) return misread(field.traits.option, text, field.traits.form);
@@ -328,7 +405,7 @@ std::string mixture_choices() {
 }
 
 std::string_view option_example(std::string_view option) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kExamples{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kExamples{{
       {"--goal", "right_hand=-0.2,1.1,0.4"},
       {"--load", "right_hand=5"},
       {"--rotation", "right_hand=0,0,0,1"},
@@ -342,6 +419,8 @@ std::string_view option_example(std::string_view option) {
       {"--support", "left_hand=thigh"},
       {"--fix", "squat_deg=60"},
       {"--habit", "knees=2.1,round_deg=8"},
+      {"--thing", "cup=-0.2,0.9,0.4,0.08,0.1,0.08,0.3"},
+      {"--then", "right_hand=-0.2,1.1,0.4"},
   }};
   for (const auto& [name, example] : kExamples) {
     if (name == option) return example;
@@ -362,7 +441,9 @@ Result<void> apply_task_options(const TaskOptions& options, Request& request) {
   for_each_option<Request>(options.request, [&](const auto& field, const auto& typed) {
     if (applied && is_given(typed)) applied = apply_field(field, typed, request);
   });
-  return applied ? apply_goal_fields(options, request) : applied;
+  if (applied) applied = apply_goal_fields(options, request);
+  if (applied) goals_first(options, request);
+  return applied;
 }
 
 }  // namespace shigusa::app

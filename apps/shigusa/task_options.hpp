@@ -88,6 +88,7 @@ struct TaskOptions {
   std::vector<std::string> palms;  // HAND=DIRECTION, and so thumbs and fingers
   std::vector<std::string> thumbs;
   std::vector<std::string> fingers;
+  std::optional<double> hold{};  // s, at the end of the first action
 
   // Whether the request's option of that name is given.
   [[nodiscard]] bool has(std::string_view option) const;

@@ -21,8 +21,8 @@
 
 namespace shigusa {
 
-/// Version of the task format that is written.
-inline constexpr int kTaskVersion = 1;
+/// Newest version of the task format: tasks of actions. Tasks of goals are written as version 1.
+inline constexpr int kTaskVersion = 2;
 /// Size limit of a task file (bytes); a larger file is refused.
 inline constexpr std::size_t kTaskMaxBytes = std::size_t{1} << 20;
 
@@ -238,10 +238,6 @@ struct FileSettings {
   bool only_this_clip = false;
   PictureMaker from_svg{};  ///< converter for PNG and PDF, which fail without it
 };
-
-/// Resamples a candidate's motion to a rate (Hz), as its files hold it: between the motion's
-/// frames, too, planted feet stay and effectors keep to their paths.
-[[nodiscard]] Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate);
 
 /// Transforms of all nodes relative to the parent, (frames × nodes), as node_motion for a body,
 /// with the task's finger play.

@@ -249,6 +249,33 @@ struct ArmCollision {
   bool left = false;   ///< the depth still exceeds kCollisionDepth
 };
 
+/// The pose of a thing at the end of the action that put it there.
+struct PlacedThing {
+  std::string name;         ///< name of the thing
+  Vec3d position{};         ///< m, world: its middle
+  Quatd turn{};             ///< R_WT
+  double error = 0.0;       ///< m, from the place that was asked for
+  double turn_error = 0.0;  ///< rad, from the turn that was asked for
+};
+
+/// One of the actions of a motion.
+struct ActionResult {
+  ActionKind kind = ActionKind::goals;    ///< kind of the action
+  double start = 0.0;                     ///< s
+  double end = 0.0;                       ///< s, when it is done and its hold is over
+  std::vector<GoalResult> goals{};        ///< final states of its effectors
+  std::optional<PlacedThing> placed{};    ///< of place: the thing where it was put
+  Score score{};                          ///< mean over time of its motions
+  Judgement judgement{};                  ///< feasibility
+  std::vector<Parameters> parameters{};   ///< of its motions, in their order
+};
+
+/// The way of a thing, with its poses in the frames of the motion.
+struct ThingMotion {
+  Thing thing;                       ///< the thing, as the task has it
+  std::vector<Transformd> poses{};   ///< (frames) X_WT
+};
+
 /// One generated motion.
 struct Candidate {
   Parameters parameters;          ///< parameters that generate the motion
@@ -263,7 +290,13 @@ struct Candidate {
   Judgement judgement;                          ///< feasibility
   FinalPosture final_posture;                   ///< description of the final posture
   std::optional<ArmCollision> arm_collision{};  ///< only for presets with layers
+  std::vector<ActionResult> actions{};  ///< of a task with actions: each of them, in their order
+  std::vector<ThingMotion> things{};    ///< of a task with things: their ways
 };
+
+/// Resamples a candidate's motion to a rate (Hz), as its files hold it: between the motion's
+/// frames, too, planted feet stay and effectors keep to their paths.
+[[nodiscard]] Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate);
 
 /// Counters of a search: effort, and motions left out by reason.
 struct SearchLog {
@@ -367,6 +400,14 @@ class PreparedTask {
 /// Searches natural motions for a prepared task.
 [[nodiscard]] Result<GenerateResult> generate(const PreparedTask& task,
                                               const Progress& progress = {});
+/// Searches natural motions for a task with actions: each begins in the state in which the one
+/// before ends. The first motion is searched for several candidates, and each of them goes on in
+/// its own way: candidates are whole pieces of work. A piece of one action of goals is the motion
+/// of generate(). Where an action fails, the candidates hold what came before it, the status is
+/// unreachable, and GenerateResult::conflict says why. Fails on things and actions that are wrong
+/// in themselves or in their order, with the place "actions[2]". Of the preset flat.
+[[nodiscard]] Result<GenerateResult> perform(const Task& task, const Progress& progress = {});
+
 /// Generates for many tasks in parallel, on `threads` threads in all (0: one for each core; threads
 /// of Task::batch are ignored). Returns (tasks) results in the order of the tasks, equal to those
 /// of generate() for any number of threads; an invalid task fails alone. Progress covers all tasks

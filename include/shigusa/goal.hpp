@@ -48,6 +48,15 @@ struct GoalAxis {
   friend bool operator==(const GoalAxis&, const GoalAxis&) = default;
 };
 
+/// The way of a thing in the hands: its middle goes straight, and it turns evenly.
+struct Carry {
+  Vec3d from{};       ///< m, world: middle of the thing at the start
+  Quatd from_turn{};  ///< R_WT at the start
+  Vec3d to{};         ///< m, world: middle at the end
+  Quatd to_turn{};    ///< R_WT at the end
+  friend bool operator==(const Carry&, const Carry&) = default;
+};
+
 /// The final state of one effector.
 struct Goal {
   std::string effector = "right_hand";  ///< see BodyModel::find_effector
@@ -61,6 +70,8 @@ struct Goal {
   /// Half the side lengths (m, ≥ 0) of the box about `position`, along the world's axes, in which
   /// any place meets the goal.
   Vec3d tolerance{};
+  /// The thing to which the effector keeps its pose all the way; with a `rotation`.
+  std::optional<Carry> carry{};
   friend bool operator==(const Goal&, const Goal&) = default;
 };
 

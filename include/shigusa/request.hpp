@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <shigusa/action.hpp>
 #include <shigusa/body.hpp>
 #include <shigusa/criteria.hpp>
 #include <shigusa/error.hpp>
@@ -142,6 +143,10 @@ inline constexpr std::array kEnumWords<FingerPlay>{
 struct Request {
   /// Final states of effectors, at most one of each effector and kGoalsMax in all.
   std::vector<Goal> goals{};
+  /// Actions that follow each other, at most kActionsMax, in place of goals; see perform().
+  std::vector<Action> actions{};
+  /// Things that actions grasp and that nothing else passes through, at most kThingsMax.
+  std::vector<Thing> things{};
   /// m, world: the point that the eyes look at; empty: the first goal of a limb, or the middle of
   /// two hands' goals.
   std::optional<Vec3d> look_at{};

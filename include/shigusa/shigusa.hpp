@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <shigusa/action.hpp>
 #include <shigusa/body.hpp>
 #include <shigusa/character.hpp>
 #include <shigusa/criteria.hpp>

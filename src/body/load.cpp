@@ -2,11 +2,58 @@
 #include "load.hpp"
 
 #include <shigusa/goal.hpp>
+#include <utility>
+#include <vector>
 
 #include "core/check.hpp"
 #include "link_mass.hpp"
 
 namespace shigusa {
+namespace {
+
+// Radius of the capsules along a thing's edges, as a share of its shortest side; chosen, so that
+// five of them fill a box but for its ends.
+constexpr double kEdge = 0.25;
+
+// Collision shapes of a thing on a hand's link: one capsule along its longest side, and where it
+// has edges four along these.
+std::vector<Capsule> capsules_of(const HeldLoad& load, const Effector& hand) {
+  if (load.name.empty()) return {};
+  const Mat3d turn = to_matrix(load.turn);
+  int along = 0;
+  for (const int k : {1, 2}) {
+    if (load.size[k] > load.size[along]) along = k;
+  }
+  const int a = (along + 1) % 3;
+  const int b = (along + 2) % 3;
+  std::vector<Capsule> capsules;
+  const auto add = [&](double radius, double at_a, double at_b) {
+    Vec3d half{};
+    half[along] = max(0.5 * load.size[along] - (radius - load.radius), 0.0);
+    Vec3d off{};
+    off[a] = at_a;
+    off[b] = at_b;
+    const Vec3d middle = hand.point + load.middle;
+    capsules.push_back({.name = load.name,
+                        .link = hand.link,
+                        .from = middle + turn * (off - half),
+                        .to = middle + turn * (off + half),
+                        .radius = radius});
+  };
+  const double thin = 0.5 * min(load.size[a], load.size[b]);
+  add(max(thin + load.radius, 1e-3), 0.0, 0.0);
+  if (thin <= 0.0) return capsules;
+  const double edge = max(2.0 * kEdge * thin, 1e-3) + load.radius;
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      add(edge, x * (0.5 * load.size[a] - edge + load.radius),
+          y * (0.5 * load.size[b] - edge + load.radius));
+    }
+  }
+  return capsules;
+}
+
+}  // namespace
 
 BodyModel with_load(const BodyModel& body, const HeldLoad& load) {
   SHG_CHECK(load.mass >= 0.0 && load.mass <= kLoadMax, "a load within its range");
@@ -16,10 +63,13 @@ BodyModel with_load(const BodyModel& body, const HeldLoad& load) {
   BodyDefinition loaded = body.definition();
   MassProperties& link = loaded.masses[static_cast<std::size_t>(hand.link)];
   LinkMass sum = link_mass(link);
-  sum.add(point_mass(load.mass, hand.point));
+  const Mat3d turn = to_matrix(load.turn);
+  const Mat3d axes{turn.cx * load.inertia.x, turn.cy * load.inertia.y, turn.cz * load.inertia.z};
+  sum.add(LinkMass::of(load.mass, hand.point + load.centre, axes * transpose(turn)));
   const Mat3d upright{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   if (sum.mass > 0.0) link = sum.in_frame(upright, {});
   loaded.mass += load.mass;
+  for (Capsule& capsule : capsules_of(load, hand)) loaded.capsules.push_back(std::move(capsule));
   return BodyModel(std::move(loaded));
 }
 

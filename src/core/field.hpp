@@ -17,6 +17,7 @@ namespace shigusa {
 enum class Mirroring {
   same,         // as it is: a length, a choice
   other_side,   // points and rotations are mirrored at x = 0, names become the other side's
+  turn,         // an angle about the vertical changes its sign
   assignments,  // assignments such as "left_elbow.weight=3" become the other side's
 };
 

@@ -11,7 +11,6 @@
 #include "files/file.hpp"
 #include "formats/by_format.hpp"
 #include "formats/json_reader.hpp"
-#include "kinematics/held_resample.hpp"
 
 namespace shigusa {
 namespace {
@@ -104,25 +103,6 @@ Result<void> check_rate(double rate, std::string_view place) {
   if (rate >= kRateMin && rate <= kRateMax) return {};
   return fail(ErrorCode::invalid_argument, say("rate_range", rate, kRateMin, kRateMax),
               std::string(place));
-}
-
-Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate) {
-  Held held;
-  for (const Foot& foot : body.feet()) {
-    const auto stands = [&foot](const ContactResult& contact) {
-      return contact.effector == foot.name;
-    };
-    const auto& contacts = candidate.contacts;
-    // the base is fixed
-    if (foot.link == kBaseLink || std::none_of(contacts.begin(), contacts.end(), stands)) continue;
-    held.feet.push_back(foot);
-  }
-  for (const GoalResult& goal : candidate.goals) {
-    if (const auto effector = body.find_effector(goal.asked.effector)) {
-      held.effectors.push_back(body.effector(*effector));
-    }
-  }
-  return resampled(body, candidate.motion.clip, rate, held);
 }
 
 Result<FileSettings> parse_file_settings(std::string_view text, std::string_view name,

@@ -29,9 +29,9 @@ void add_gltf_node(const CharacterSpec& character, const std::string& body_node,
   json["gltf_node"] = character.rig->file_node[static_cast<std::size_t>(node)];
 }
 
-Json goals_to_json(const CharacterSpec& character, const Candidate& candidate) {
+Json goals_to_json(const CharacterSpec& character, const std::vector<GoalResult>& goals) {
   Json list = Json::array();
-  for (const GoalResult& goal : candidate.goals) {
+  for (const GoalResult& goal : goals) {
     list.push_back({{"effector", goal.asked.effector},
                     {"joint", joint_of(character, goal.node)},
                     {"goal_m", to_json(goal.asked.position)},
@@ -66,6 +66,38 @@ Json contacts_to_json(const CharacterSpec& character, const Candidate& candidate
       list.back()["heel_lift_mm"] = contact.heel->height * kMillimetres;
     }
     add_gltf_node(character, contact.node, list.back());
+  }
+  return list;
+}
+
+// Adds the time for which a foot stands: all of it, as feet do not move.
+void add_times(double duration, Json& contacts) {
+  for (Json& contact : contacts) {
+    contact["from_s"] = 0.0;
+    contact["to_s"] = duration;
+  }
+}
+
+Json actions_to_json(const FinishedRun& run, const Candidate& candidate) {
+  Json list = Json::array();
+  for (const ActionResult& action : candidate.actions) {
+    Json& json = list.emplace_back();
+    json["kind"] = word_of(action.kind);
+    json["start_s"] = action.start;
+    json["end_s"] = action.end;
+    json["reached"] = goals_to_json(run.file.character, action.goals);
+    json["steps"] = 0;
+    json["verdict"] = word_of(action.judgement.verdict);
+    json["reasons"] = reasons_to_json(action.judgement);
+    json["score"] = action.score.total;
+    json["criteria"] = penalties_to_json(action.score);
+    if (const auto& placed = action.placed) {
+      json["placed"] = {{"thing", placed->name},
+                        {"position_m", to_json(placed->position)},
+                        {"rotation_xyzw", to_json(placed->turn)},
+                        {"error_mm", placed->error * kMillimetres},
+                        {"error_deg", degrees(placed->turn_error)}};
+    }
   }
   return list;
 }
@@ -108,14 +140,19 @@ Json candidate_to_json(const FinishedRun& run, std::size_t index, const ResultFi
   if (candidate.judgement.possible_in) json["possible_in_s"] = *candidate.judgement.possible_in;
   json["score"] = candidate.score.total;
   json["criteria"] = penalties_to_json(candidate.score);
-  json["reached"] = goals_to_json(character, candidate);
+  json["reached"] = goals_to_json(character, candidate.goals);
   json["paths"] = paths_to_json(candidate);
   json["path_error_mm"] = candidate.path_error * kMillimetres;
   json["contacts"] = contacts_to_json(character, candidate);
   if (!candidate.resting.empty()) json["resting"] = resting_to_json(character, candidate);
   add_measures(run.task.body, candidate.measures, candidate.final_posture, json);
   json["final_posture"]["elbow_swivel_deg"] = degrees(candidate.final_posture.elbow_swivel);
-  json["duration_s"] = run.generation.duration;
+  const bool works = !candidate.actions.empty();
+  if (works) {
+    json["actions"] = actions_to_json(run, candidate);
+    add_times(candidate.motion.clip.duration(), json["contacts"]);
+  }
+  json["duration_s"] = works ? candidate.motion.clip.duration() : run.generation.duration;
   json["frames"] = candidate.motion.clip.frames;
   if (const std::optional<ArmCollision>& arms = candidate.arm_collision) {
     json["arm_collision"] = {{"depth_mm", max(arms->depth, 0.0) * kMillimetres},

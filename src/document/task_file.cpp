@@ -46,7 +46,8 @@ void read_character(JsonReader& task, CharacterSpec& c) {
 }  // namespace
 
 Json task_to_json(const TaskFile& task) {
-  Json json{{"version", kTaskVersion}, {"character", fields_to_json(task.character)}};
+  Json json{{"version", task.actions.empty() ? 1 : kTaskVersion},
+            {"character", fields_to_json(task.character)}};
   json.update(fields_to_json<Request>(task));
   return json;
 }
@@ -54,10 +55,19 @@ Json task_to_json(const TaskFile& task) {
 Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   JsonReader reader(json, place + ": ");
   TaskFile task;
-  int version = kTaskVersion;
-  reader.integer("version", version, kTaskVersion, kTaskVersion);
+  int version = 1;
+  reader.integer("version", version, 1, kTaskVersion);
   read_character(reader, task.character);
   read_fields<Request>(reader, task);
+  if (version == 1) {
+    for (const char* key : {"actions", "things"}) {
+      if (reader.has(key)) reader.wrong(key, say("of_version_2"));
+    }
+  } else {
+    reader.require("actions");
+    if (task.actions.empty()) reader.wrong("actions", say("no_actions"));
+    if (!task.goals.empty()) reader.wrong("goals", say("goals_in_actions"));
+  }
   if (const auto& error = reader.finish()) return tl::unexpected(*error);
   return task;
 }

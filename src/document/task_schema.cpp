@@ -152,6 +152,17 @@ class Definitions {
     return either(words_schema(words), struct_schema<Habit>());
   }
   template <class Traits>
+  Json of(const Traits&, const std::vector<Thing>&) {
+    return map_schema(struct_schema<Thing>());
+  }
+  template <class Traits>
+  Json of(const Traits&, const Stance&) {
+    Json stance = struct_schema<Stance>();
+    all_["stance"]["properties"]["position_m"] =
+        numbers_schema(number_schema(-kGoalRange, kGoalRange), 2);
+    return stance;
+  }
+  template <class Traits>
   Json of(const Traits&, const BoneRequest&) {
     return map_schema({{"type", "string"}});
   }
@@ -175,7 +186,7 @@ class Definitions {
 std::string task_schema() {
   Definitions definitions;
   Json properties{
-      {"version", {{"const", kTaskVersion}}},
+      {"version", {{"minimum", 1}, {"maximum", kTaskVersion}, {"type", "integer"}}},
       {"character",
        {{"description",
          "human when not given, full_body, half_body, a person's BVH, GLB, glTF, VRM or "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "task_values.hpp"
 
+#include <algorithm>
 #include <shigusa/goal.hpp>
 #include <utility>
 
@@ -12,6 +13,16 @@
 
 namespace shigusa {
 namespace {
+
+// Whether a thing may have the name: it is part of columns' and nodes' names.
+bool is_thing_name(const std::string& name) {
+  constexpr std::size_t kLongest = 64;
+  return !name.empty() && name.size() <= kLongest &&
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                  c == '_' || c == '-';
+         });
+}
 
 // Reads three numbers, or a word that stands for them.
 template <class Named>
@@ -82,6 +93,35 @@ void read_composite(JsonReader& task, const char* key, Habit& habit) {
   task.absorb(reader.finish());
 }
 
+void read_composite(JsonReader& task, const char* key, std::vector<Thing>& things) {
+  const Json& all = task.value(key);
+  if (!all.is_object()) return task.wrong(key, say("must_be_object"));
+  if (all.size() > kThingsMax) return task.wrong(key, say("at_most", all.size(), kThingsMax));
+  for (const auto& [name, thing] : all.items()) {
+    if (!is_thing_name(name)) return task.wrong(key, say("thing_name", name.substr(0, 80)));
+    JsonReader reader(thing, task.place_of(fmt::format("{}.{}", key, name)));
+    read_fields(reader, things.emplace_back());
+    things.back().name = name;
+    task.absorb(reader.finish());
+  }
+}
+
+void read_composite(JsonReader& action, const char* key, Stance& stance) {
+  JsonReader reader = action.object(key);
+  if (reader.has("position_m")) {
+    const Json& place = reader.value("position_m");
+    const auto is_fine = [](const Json& number) {
+      return number.is_number() && abs(number.get<double>()) <= kGoalRange;
+    };
+    if (!place.is_array() || place.size() != 2 || !std::all_of(place.begin(), place.end(), is_fine))
+      return action.wrong(key, say("floor_place", Metres{kGoalRange}));
+    stance.x = place[0].get<double>();
+    stance.z = place[1].get<double>();
+  }
+  read_fields(reader, stance);
+  action.absorb(reader.finish());
+}
+
 void read_composite(JsonReader& character, const char* key, BoneRequest& map) {
   Result<BoneRequest> read = bone_request(character.value(key));
   if (!read) return character.wrong(key, read.error().message);
@@ -114,6 +154,18 @@ Json composite_to_json(ToJson, const Habit& habit) {
     if (named.habit == habit) return named.word;
   }
   return fields_to_json(habit);
+}
+
+Json composite_to_json(ToJson, const std::vector<Thing>& things) {
+  Json json = Json::object();
+  for (const Thing& thing : things) json[thing.name] = fields_to_json(thing);
+  return json;
+}
+
+Json composite_to_json(ToJson, const Stance& stance) {
+  Json json = fields_to_json(stance);
+  json["position_m"] = {stance.x, stance.z};
+  return json;
 }
 
 Json composite_to_json(ToJson, const BoneRequest& map) {

@@ -21,6 +21,10 @@ void read_mixture(JsonReader& holder, const char* key, CriteriaSettings& criteri
 void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteria);
 // Reads a habit by its name, or its numbers; absent ones keep their values.
 void read_composite(JsonReader& task, const char* key, Habit& habit);
+// Reads things by their names.
+void read_composite(JsonReader& task, const char* key, std::vector<Thing>& things);
+// Reads a place on the floor, [x, z], with its facing and height.
+void read_composite(JsonReader& action, const char* key, Stance& stance);
 void read_composite(JsonReader& character, const char* key, BoneRequest& map);
 void read_composite(JsonReader& character, const char* key, std::optional<Landmarks>& person);
 using Places = decltype(CharacterSpec::places);
@@ -28,6 +32,8 @@ void read_composite(JsonReader& character, const char* key, Places& places);
 
 [[nodiscard]] Json composite_to_json(ToJson, const CriteriaSettings& criteria);
 [[nodiscard]] Json composite_to_json(ToJson, const Habit& habit);
+[[nodiscard]] Json composite_to_json(ToJson, const std::vector<Thing>& things);
+[[nodiscard]] Json composite_to_json(ToJson, const Stance& stance);
 [[nodiscard]] Json composite_to_json(ToJson, const BoneRequest& map);
 [[nodiscard]] Json composite_to_json(ToJson, const Landmarks& person);
 [[nodiscard]] Json composite_to_json(ToJson, const Places& places);

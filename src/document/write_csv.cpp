@@ -122,6 +122,24 @@ void add_point_columns(const std::string& name, const std::vector<Vec3d>& points
   }
 }
 
+// "thing.NAME.x [m]" to z, then "thing.NAME.qx" to qw: pose in the world.
+void add_thing_columns(const ThingMotion& thing, std::vector<CsvColumn>& columns) {
+  const std::string name = "thing." + thing.thing.name;
+  std::vector<Vec3d> points;
+  std::array<CsvColumn, 4> turn;
+  for (std::size_t k = 0; k < turn.size(); ++k) turn[k].name = name + ".q" + "xyzw"[k];
+  for (const Transformd& pose : thing.poses) {
+    points.push_back(pose.translation);
+    const Quatd q = to_quat(pose.rotation);
+    turn[0].values.push_back(q.x);
+    turn[1].values.push_back(q.y);
+    turn[2].values.push_back(q.z);
+    turn[3].values.push_back(q.w);
+  }
+  add_point_columns(name, points, columns);
+  columns.insert(columns.end(), turn.begin(), turn.end());
+}
+
 Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
   const Motion& motion = candidate.motion;
   const bool robot = task.robot.has_value();
@@ -138,6 +156,7 @@ Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
   for (std::size_t g = 0; g < candidate.goals.size(); ++g) {
     add_points(candidate.goals[g].asked.effector, motion.effectors[g]);
   }
+  for (const ThingMotion& thing : candidate.things) add_thing_columns(thing, columns);
   return format_csv(columns);
 }
 

@@ -27,6 +27,7 @@ struct Constraint {
   // Shares of the duration between which the point is to be at its place; it is led there before.
   double from = 0.0;
   double to = 1.0;
+  double turn_counts = 1.0;  // share of a goal's turn error that counts before the end
   S lag{};  // m, the goal's previous error: raises its damping
   // Known shortfall of a step, as joints move on arcs: added to the remaining error.
   Vec3<S> lead{};       // m
@@ -52,7 +53,8 @@ template <class S>
           .axis = to_scalar<Element<S>>(constraint.axis),
           .direction = to_scalar<S>(constraint.direction),
           .from = constraint.from,
-          .to = constraint.to};
+          .to = constraint.to,
+          .turn_counts = constraint.turn_counts};
 }
 
 // Position of a constraint's place (m, world).

@@ -65,7 +65,7 @@ void NlpRollout::place_goals(int frame, const MotionInput<double>& input) {
   const double tau = problem_->tau(frame);
   for (std::size_t g = 0; g < contacts_from_; ++g) {
     const ReachGoal& goal = problem_->goals[g];
-    targets_[g].place = goal.path.at(tau);
+    targets_[g].place = goal.place_at(tau);
     const double done = goal.path.done(tau);
     if (!input.posture.empty()) {
       targets_[g].place += goal.bow * (path_bow(done, input.timing.skew) * input.timing.bow) +

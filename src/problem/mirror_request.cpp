@@ -31,11 +31,18 @@ std::string mirrored_assignment(const std::string& assignment) {
 template <class Holder>
 void mirror_fields(Holder& holder);
 
-// Numbers and choices have no side.
+// Choices have no side.
 template <class Value>
 void mirror_value(Value&, Mirroring) {}
+void mirror_value(double& angle, Mirroring how) {
+  if (how == Mirroring::turn) angle = 0.0 - angle;
+}
 void mirror_value(Vec3d& point, Mirroring) { point = across(point); }
 void mirror_value(Quatd& rotation, Mirroring) { rotation = across(rotation); }
+void mirror_value(Stance& stance, Mirroring) {
+  stance.x = -stance.x;
+  mirror_fields(stance);
+}
 void mirror_value(std::string& text, Mirroring how) {
   text = how == Mirroring::assignments ? mirrored_assignment(text) : with_other_side(text);
 }

@@ -8,6 +8,11 @@
 
 namespace shigusa {
 
+// Bounds of a thing's sides (m), and of turns (degrees).
+inline constexpr double kThingLeast = 0.005;
+inline constexpr double kThingMost = 5.0;
+inline constexpr double kTurnMost = 360.0;
+
 // The fields of an obstacle.
 template <>
 inline constexpr FieldTable kFields<Obstacle>{
@@ -130,6 +135,108 @@ inline constexpr FieldTable kFields<Goal>{
                .brief = "Half the sides of a box about the goal where any place will do"}},
     }};
 
+// The fields of a thing; its name is its key.
+template <>
+inline constexpr FieldTable kFields<Thing>{
+    "thing", "A rigid body that hands can grasp, carry and put down.",
+    std::tuple{
+        Field{"shape",
+              &Thing::shape,
+              "box when not given, cylinder (upright) or sphere.",
+              {.written = always}},
+        Field{"size_m",
+              &Thing::size,
+              "Its sides along its own axes; of a cylinder diameter, height, diameter; of a sphere "
+              "three times its diameter.",
+              {.low = kThingLeast, .high = kThingMost, .required = true, .written = always}},
+        Field{"mass_kg", &Thing::mass, "Of even density.", {.high = kLoadMax, .written = always}},
+        Field{"position_m",
+              &Thing::position,
+              "Its middle at the start. In the air it stays where it is until it is grasped.",
+              {.low = -kGoalRange,
+               .high = kGoalRange,
+               .required = true,
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+        Field{"turn_deg",
+              &Thing::turn_deg,
+              "Its turn about +Y at the start, degrees to the left; 0, when not given, has its "
+              "sides along the world's axes.",
+              {.low = -kTurnMost, .high = kTurnMost, .mirroring = Mirroring::turn}},
+        Field{"centre_of_mass_m",
+              &Thing::centre,
+              "From its middle, along its own axes; the middle when not given.",
+              {.low = -kThingMost, .high = kThingMost, .mirroring = Mirroring::other_side}},
+        Field{"upright", &Thing::upright, "true: it stays upright in the hand, such as a cup."},
+    }};
+
+// The fields of a stance.
+template <>
+inline constexpr FieldTable kFields<Stance>{
+    "stance", "A place on the floor and a direction there.",
+    std::tuple{
+        Field{"facing_deg",
+              &Stance::facing_deg,
+              "Degrees from +Z, growing to the left; 0 when not given.",
+              {.low = -kTurnMost, .high = kTurnMost, .mirroring = Mirroring::turn}},
+        Field{"height_m",
+              &Stance::height,
+              "Of a seat above the floor; 0.45 when not given.",
+              {.low = 0.1, .high = 2.0}},
+    }};
+
+// The fields of an action.
+template <>
+inline constexpr FieldTable kFields<Action>{
+    "action",
+    "One of goals (or look_at_m alone), wait_s, grasp, place, release, stand and sit, with what "
+    "belongs to it.",
+    std::tuple{
+        Field{"goals",
+              &Action::goals,
+              "The final places of effectors, as in a task of version 1.",
+              {.high = kGoalsMax, .mirroring = Mirroring::other_side}},
+        Field{"look_at_m",
+              &Action::look_at,
+              "The point that the eyes are on.",
+              {.low = -kGoalRange, .high = kGoalRange, .mirroring = Mirroring::other_side}},
+        Field{"grasp", &Action::grasp, "The thing that the hands take, and lift by 5 cm."},
+        Field{"with",
+              &Action::with,
+              "The hands that take it; when not given two for a box wider than a hand or a thing "
+              "heavier than 3 kg, else one.",
+              {.mirroring = Mirroring::other_side}},
+        Field{"place", &Action::place, "The thing in the hands that is put to position_m."},
+        Field{"position_m",
+              &Action::position,
+              "Of place: where the middle of the thing is to be.",
+              {.low = -kGoalRange, .high = kGoalRange, .mirroring = Mirroring::other_side}},
+        Field{"turn_deg",
+              &Action::turn_deg,
+              "Of place: the thing's turn about +Y there, degrees to the left of the world's axes; "
+              "0 when not given.",
+              {.low = -kTurnMost, .high = kTurnMost, .mirroring = Mirroring::turn}},
+        Field{"release", &Action::release, "The thing in the hands that is let go where it is."},
+        Field{"stand",
+              &Action::stand,
+              "Where to stand up straight: so far where the feet are.",
+              {.mirroring = Mirroring::other_side}},
+        Field{"sit", &Action::sit, "Where to sit down: needs steps, which are not there yet."},
+        Field{"wait_s",
+              &Action::wait,
+              "Seconds for which the body stays as it is.",
+              {.high = kPauseMax}},
+        Field{"hold_s",
+              &Action::hold,
+              "Seconds for which it stays at the action's end; 0 when not given.",
+              {.high = kPauseMax}},
+        Field{"via", &Action::via, "true: goals are passed without a stop."},
+        Field{"duration_s",
+              &Action::duration,
+              "Seconds of the action's main motion; from the distance when not given.",
+              {.low = kTaskDurationMin, .high = kTaskDurationMax}},
+    }};
+
 // The fields of a habit.
 template <>
 inline constexpr FieldTable kFields<Habit>{
@@ -176,6 +283,27 @@ inline constexpr FieldTable kFields<Request>{
                .brief = "Final place of a hand, foot, head or other joint, in metres",
                .mirroring = Mirroring::other_side,
                .written = always}},
+        Field{"things",
+              &Request::things,
+              "Of version 2: things by their names, which actions grasp; the command line knows "
+              "boxes, by their middle, size and mass.",
+              {.high = kThingsMax,
+               .option = "--thing",
+               .form = "NAME=X,Y,Z,SX,SY,SZ,KG",
+               .group = OptionGroup::around,
+               .brief = "Box to grasp: its middle, its size in metres, and kilograms",
+               .mirroring = Mirroring::other_side}},
+        Field{"actions",
+              &Request::actions,
+              "Of version 2, in place of goals: actions that follow each other. On the command "
+              "line goals, or stand, wait=S, grasp=THING, place=THING,X,Y,Z or release=THING, with "
+              "hold=S, look=X,Y,Z or via, and semicolons between them.",
+              {.high = kActionsMax,
+               .option = "--then",
+               .form = "EFFECTOR=X,Y,Z|stand|…",
+               .group = OptionGroup::goal,
+               .brief = "What follows: goals, stand, wait=S, grasp=, place=, release=",
+               .mirroring = Mirroring::other_side}},
         Field{"look_at_m",
               &Request::look_at,
               "The point that the eyes are on; when not given, the first goal of a limb, or "

@@ -260,9 +260,14 @@ Result<ReachProblem> make_problem(const Task& task) {
     SHG_TRY_ASSIGN(ReachGoal reach, make_reach_goal(body, kinematics, goal));
     const bool hand = body.effector(reach.effector).part.limb == LimbKind::arm;
     if (hand && natural && task.start.velocities.empty()) {
-      reach.path.begin = natural_begin(reach.path);
-      reach.path.haste = natural_haste(reach.path);
-      go_around_obstacles(problem.context, body.effector(reach.effector), reach.path);
+      // a thing leaves at once, with all hands on it
+      const EffectorPath way = reach.carry ? EffectorPath{reach.carry->start, reach.carry->goal}
+                                           : reach.path;
+      reach.path.begin = reach.carry ? 0.0 : natural_begin(way);
+      reach.path.haste = natural_haste(way);
+      if (!reach.carry) {
+        go_around_obstacles(problem.context, body.effector(reach.effector), reach.path);
+      }
     }
     for (const ReachGoal& earlier : problem.goals) {
       if (earlier.effector != reach.effector) continue;

@@ -96,6 +96,29 @@ Vec3d sway_of(const Vec3d& offset, const Vec3d& bow, const Effector& effector) {
   return dot(sway, out) < 0.0 ? -sway : sway;
 }
 
+// The goal of an effector that keeps to a thing: all hands on it make the same bow and sway.
+ReachGoal carried(ReachGoal reach, const Effector& effector, const Carry& carry,
+                  const Kinematics<double>& start) {
+  const Mat3d from = to_matrix(carry.from_turn);
+  const Mat3d to = to_matrix(carry.to_turn);
+  const Vec3d at = start.point(effector.link, effector.point);
+  CarriedWay& way = reach.carry.emplace();
+  way.start = carry.from;
+  way.goal = carry.to;
+  way.from = from;
+  way.turn = rotation_vector(to * transpose(from));
+  way.grip = transpose_times(from, at - way.start);
+  way.hand = transpose(from) * start.link_rotation(effector.link);
+  const Vec3d offset = way.goal - way.start;
+  reach.path.goal = reach.place_at(1.0);
+  reach.turn.kind = Turning::whole;
+  reach.turn.goal = reach.turn_at(1.0);
+  reach.bow = bow_of(offset);
+  const Vec3d sway = cross(normalized(offset), reach.bow);
+  reach.sway = sway.x < 0.0 ? -sway : sway;
+  return reach;
+}
+
 // Whether an effector's link carries the sole of a leg that hangs from the pelvis: the link of its
 // ankle, or of its toes if heels lift.
 bool is_foot(const BodyModel& body, int effector) {
@@ -271,6 +294,7 @@ Result<ReachGoal> make_reach_goal(const BodyModel& body, const Kinematics<double
     }
     return reach;
   }
+  if (goal.carry) return carried(std::move(reach), effector, *goal.carry, start);
   reach.bow = bow_of(offset);
   reach.sway = sway_of(offset, reach.bow, effector);
   return reach;

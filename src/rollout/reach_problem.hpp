@@ -31,6 +31,19 @@ struct ReachTolerance {
   double path = kReachTolerance;  // m, of effectors at each frame
 };
 
+// The way of a thing to which an effector keeps its pose; its timing is the path's.
+struct CarriedWay {
+  Vec3d start{};  // m, world: middle of the thing at the start
+  Vec3d goal{};   // m, world: at the end
+  Mat3d from{};   // R_WT at the start
+  Vec3d turn{};   // rad, rotation vector, world: from there to the end
+  Vec3d grip{};   // m, the effector's point in the thing's frame
+  Mat3d hand{};   // R_TL of the effector's link
+
+  // Orientation R_WT of the thing after a share of its way.
+  [[nodiscard]] Mat3d turned(double share) const;
+};
+
 // One effector with its path to the goal.
 struct ReachGoal {
   int effector = 0;  // see BodyModel::effector
@@ -43,7 +56,11 @@ struct ReachGoal {
   // m, world axes: half the sides of the box around the path's goal in which it is met
   Vec3d tolerance{};
 
-  // The target orientation at tau = time / duration, see EffectorTurn::at.
+  std::optional<CarriedWay> carry{};  // in place of the path's line and the turn
+
+  // The place at tau = time / duration.
+  [[nodiscard]] Vec3d place_at(double tau) const;
+  // The target orientation at tau, see EffectorTurn::at.
   [[nodiscard]] Mat3d turn_at(double tau) const;
   // The point of the box nearest to `at` (m, world), its sides moved inwards by `inset`.
   [[nodiscard]] Vec3d nearest(const Vec3d& at, double inset = 0.0) const;

@@ -18,7 +18,17 @@ double HandSupport::lift(double tau) const { return kSupportLift * path_bow(done
 
 double HandSupport::bears(double tau) const { return minimum_snap((tau - arrives) / kPressRises); }
 
+Mat3d CarriedWay::turned(double share) const { return rotation_by(turn * share) * from; }
+
+Vec3d ReachGoal::place_at(double tau) const {
+  if (!carry) return path.at(tau);
+  const double done = path.done(tau);
+  return carry->start + (carry->goal - carry->start) * done + carry->turned(done) * carry->grip +
+         path.detour * minimum_jerk_detour(path.own_time(tau), path.detour_peak);
+}
+
 Mat3d ReachGoal::turn_at(double tau) const {
+  if (carry) return carry->turned(path.done(tau)) * carry->hand;
   const Mat3d turned = turn.at(path.own_time(tau));
   return spin == Vec3d{} ? turned : rotation_by(spin * carried_on(tau)) * turned;
 }
@@ -91,7 +101,8 @@ std::vector<Constraint<double>> constraints(const ReachProblem& problem) {
                    .turning = goal.turn.kind,
                    .orientation = goal.turn.goal,
                    .axis = goal.turn.axis,
-                   .direction = goal.turn.direction});
+                   .direction = goal.turn.direction,
+                   .turn_counts = goal.carry ? 1.0 : kTurnOnWay});
   }
   for (const Foot& foot : body.feet()) {
     if (foot.link == kBaseLink) continue;

@@ -63,7 +63,7 @@ class Rollout {
     for (int frame = 0; frame <= problem.steps; ++frame) {
       const double tau = problem.tau(frame);
       for (const ReachGoal& goal : problem.goals) {
-        paths_.push_back(to_scalar<Element<S>>(goal.path.at(tau)));
+        paths_.push_back(to_scalar<Element<S>>(goal.place_at(tau)));
         if (turning_) {
           turns_.push_back(to_scalar<Element<S>>(goal.turn_at(tau)));
         }
@@ -160,8 +160,7 @@ class Rollout {
     const std::span<Constraint<S>> held = held_by(problem_->follow_path || last);
     draw_null_space(frame, input);
     step(held, input.inverse_weights);
-    const double turn_share = last ? 1.0 : kTurnOnWay;
-    BasicReachOutcome<S> missed = measure(frame, held, turn_share, true);
+    BasicReachOutcome<S> missed = measure(frame, held, last, true);
     const int corrections = last ? problem_->goal_corrections : problem_->corrections;
     const S slack(last ? problem_->goal_tolerance : problem_->path_slack);
     for (int k = 0; k < corrections; ++k) {
@@ -169,7 +168,7 @@ class Rollout {
       const auto off = (worst > slack) & (worst < S(problem_->rescue_limit)) & wanted(outcome);
       if (!any(off)) break;
       correct(held, input.inverse_weights, off);
-      missed = measure(frame, held, turn_share, false);
+      missed = measure(frame, held, last, false);
     }
     // a goal out of reach, or very unequal weights, must not drag a planted foot along
     for (int k = 0; k < problem_->contact_corrections; ++k) {
@@ -178,7 +177,7 @@ class Rollout {
       const auto off = (worst > S(problem_->contact_slack)) & wanted(outcome);
       if (!any(off)) break;
       correct(contacts(), unlocked_, off);
-      missed = measure(frame, held, turn_share, false);
+      missed = measure(frame, held, last, false);
     }
     add(missed, last, outcome);
   }
@@ -193,15 +192,14 @@ class Rollout {
     const bool follows = problem_->follow_path && is_finite(problem_->tolerance.path);
     const std::span<Constraint<S>> held = held_by(follows || last);
     for (Constraint<S>& constraint : constraints_) constraint.lead = constraint.tilt_lead = {};
-    const double turn_share = last ? 1.0 : kTurnOnWay;
-    BasicReachOutcome<S> missed = measure(frame, held, turn_share, false);
+    BasicReachOutcome<S> missed = measure(frame, held, last, false);
     for (int k = 0; k < problem_->goal_corrections; ++k) {
       const auto off = max(missed.path_error, contact_error(missed)) > S(problem_->goal_tolerance);
       if (!any(off)) break;
       // the remaining error is small, so it does not raise the damping
       for (Constraint<S>& constraint : constraints_) constraint.lag = S(0);
       correct(held, input.inverse_weights, off);
-      missed = measure(frame, held, turn_share, false);
+      missed = measure(frame, held, last, false);
     }
     add(missed, last, outcome);
   }
@@ -363,10 +361,9 @@ class Rollout {
     return share_of_rest(done(frame - 1), done(frame));
   }
 
-  // Errors of the constraints, with goals' turns weighted by `turn_share`; `learn`: adds the errors
-  // to the leads.
-  BasicReachOutcome<S> measure(int frame, std::span<Constraint<S>> held, double turn_share,
-                               bool learn) {
+  // Errors of the constraints; `last`: goals' turns count fully; `learn`: adds the errors to the
+  // leads.
+  BasicReachOutcome<S> measure(int frame, std::span<Constraint<S>> held, bool last, bool learn) {
     BasicReachOutcome<S> missed;
     const S limit(problem_->lead_limit);
     const double time = static_cast<double>(frame) / problem_->steps;
@@ -379,7 +376,8 @@ class Rollout {
       if (learn) constraint.lead = select(follows, constraint.lead + error, Vec3<S>{});
       if (!constraint.counts) continue;
       if (!constraint.exact) {
-        const S off = constraint.turns() ? turn_miss(constraint, miss, turn_share, learn) : miss;
+        const S off = constraint.turns() ? turn_miss(constraint, miss, last ? 1.0 : constraint.turn_counts, learn)
+                                           : miss;
         missed.path_error = worse(missed.path_error, off);
         continue;
       }

@@ -9,6 +9,36 @@ namespace shigusa::messages {
 
 // Sentences of tasks and their searches.
 inline constexpr std::array kTasks{
+    MessageText{"thing_name",
+                "the name {} of a thing; allowed are up to 64 letters, digits, - and _"},
+    MessageText{"floor_place", "must be [x, z] with finite numbers up to {:g} m"},
+    MessageText{"of_version_2", "is of tasks with \"version\": 2"},
+    MessageText{"no_actions", "is empty; a task of version 2 has 1 to 64 actions"},
+    MessageText{"goals_in_actions", "of a task of version 2 are in its actions"},
+    MessageText{"actions_most", "{} actions; allowed are {}"},
+    MessageText{"action_kind",
+                "an action is one of goals (or look_at_m alone), wait_s, grasp, place, release, "
+                "stand and sit"},
+    MessageText{"no_such_part", "{} is not of this kind of action"},
+    MessageText{"unknown_thing", "no thing {}"},
+    MessageText{"thing_twice", "two things are named {}"},
+    MessageText{"held_already", "{} is in the hands already"},
+    MessageText{"not_held", "{} is not in a hand: grasp it first"},
+    MessageText{"hand_full", "the {} holds {} already"},
+    MessageText{"not_a_hand", "{} is not a hand of this body; its hands are {}"},
+    MessageText{"hand_holds", "the {} holds {} with the other hand: place or release it first"},
+    MessageText{"place_where", "place needs position_m, where the middle of the thing is to be"},
+    MessageText{"needs_steps", "needs steps, which are not there yet"},
+    MessageText{"thing_in", "{} is {:.0f} mm in {}"},
+    MessageText{"too_heavy_thing", "{} of {:g} kg is beyond any strength: allowed are {:g} kg"},
+    MessageText{"thing_size", "side along {} is {}; allowed are {} to {:g} m"},
+    MessageText{"actions_by_flat", "are of the preset flat, without pareto"},
+    MessageText{"via_where", "via is of goals that other actions follow"},
+    MessageText{"in_mid_air", "{} is put in mid-air, where it stays"},
+    MessageText{"action_fails",
+                "action {} ({}) is out of reach: {:.0f} mm and {:.0f}° remain, and what comes "
+                "before it is kept"},
+    MessageText{"of_action", "action {}: {}"},
     MessageText{"turn_twice", "has a rotation and an axis; allowed is one of both"},
     MessageText{
         "no_unit_quaternion",

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "work/hold.hpp"
+
+#include <algorithm>
+
+#include "core/index.hpp"
+#include "kinematics/penetration.hpp"
+
+namespace shigusa {
+namespace {
+
+// Directions (deg) from ahead out to a hand's own side from which one hand takes an upright thing.
+constexpr double kSideWays[] = {60.0, 90.0, 30.0};
+// Distance (m) of a hand's point from the edge of a thing: half a palm's length, chosen.
+constexpr double kNearEdge = 0.05;
+// Depth (m) of a hand's point in an obstacle by which a way is left out.
+constexpr double kHandClear = 0.005;
+// Axes in a hand's frame, for the right hand; the palm of the left one is opposite.
+constexpr Vec3d kPalm{1, 0, 0};
+constexpr Vec3d kThumb{0, 0, 1};
+
+// A body's directions on the floor.
+struct Facing {
+  Vec3d ahead{0, 0, 1};
+  Vec3d left{1, 0, 0};
+};
+
+Facing facing_of(const BodyModel& body, const Kinematics<double>& placed) {
+  Vec3d sum{};
+  for (const Foot& foot : body.feet()) sum += placed.link_rotation(foot.link).cz;
+  Facing facing;
+  facing.ahead = normalized(Vec3d{sum.x, 0.0, sum.z}, {0, 0, 1});
+  facing.left = cross(Vec3d{0, 1, 0}, facing.ahead);
+  return facing;
+}
+
+// Distance (m) of a hand's point from what its palm lies on: half its thickness.
+double palm_of(const BodyModel& body, int hand) {
+  constexpr double kUsual = 0.02;
+  const int link = body.effector(hand).link;
+  for (const Capsule& capsule : body.capsules()) {
+    if (capsule.link == link) return capsule.radius;
+  }
+  return kUsual;
+}
+
+// Distance (m) from the middle of a thing to its surface along a direction (unit vector, world).
+double extent(const Thing& thing, const Transformd& pose, const Vec3d& direction) {
+  const Vec3d own = transpose_times(pose.rotation, direction);
+  if (thing.shape == ThingShape::sphere) return 0.5 * thing.size.x;
+  if (thing.shape == ThingShape::cylinder) {
+    return abs(own.y) > 0.7 ? 0.5 * thing.size.y : 0.5 * thing.size.x;
+  }
+  // through the face that the direction meets first
+  double least = 1e9;
+  for (int k = 0; k < 3; ++k) {
+    if (abs(own[k]) > 1e-9) least = min(least, 0.5 * thing.size[k] / abs(own[k]));
+  }
+  return least;
+}
+
+class HoldFinder {
+ public:
+  HoldFinder(const BodyModel& body, const Kinematics<double>& placed, const Thing& thing,
+             const Transformd& pose, std::span<const Obstacle> obstacles)
+      : body_(body),
+        thing_(thing),
+        pose_(pose),
+        boxes_(placed_boxes({obstacles.begin(), obstacles.end()})),
+        facing_(facing_of(body, placed)) {}
+
+  void add_two(const std::string& right, const std::string& left) {
+    // the sides of a box face most nearly left and right
+    const Mat3d& own = pose_.rotation;
+    std::vector<Vec3d> lines{own.cx, own.cz};
+    if (thing_.shape != ThingShape::box) lines = {facing_.left, facing_.ahead};
+    std::stable_sort(lines.begin(), lines.end(), [this](const Vec3d& a, const Vec3d& b) {
+      return abs(dot(a, facing_.left)) > abs(dot(b, facing_.left));
+    });
+    for (const Vec3d& line : lines) {
+      const Vec3d to_left = dot(line, facing_.left) < 0.0 ? -line : line;
+      add({on_palm(right, -to_left), on_palm(left, to_left)});
+    }
+  }
+
+  void add_one(const std::string& hand) {
+    const bool flat = thing_.shape == ThingShape::box && thing_.size.y < thing_.size.x &&
+                      thing_.size.y < thing_.size.z;
+    if (!flat) add_sides(hand);
+    add({on_palm(hand, {0, 1, 0})});
+    if (flat) add_sides(hand);
+  }
+
+  [[nodiscard]] Holds take() { return std::move(holds_); }
+
+ private:
+  // The goal of a hand whose palm lies on the thing from a side (unit vector out of the thing): on
+  // the near part of a deep one, so that the forearm does not pass along it.
+  [[nodiscard]] Goal on_palm(const std::string& name, const Vec3d& side) const {
+    Goal goal = at(name, side);
+    const Vec3d back = -facing_.ahead;
+    if (thing_.shape == ThingShape::box && abs(dot(side, back)) < 0.5) {
+      const Vec3d along = normalized(back - side * dot(side, back));
+      goal.position += along * max(extent(thing_, pose_, along) - kNearEdge, 0.0);
+    }
+    goal.axis = GoalAxis{palm_axis(name), -side};
+    return goal;
+  }
+
+  void add_sides(const std::string& hand) {
+    const Vec3d out = is_left(hand) ? facing_.left : -facing_.left;
+    for (const double degrees : kSideWays) {
+      const SinCos<double> turn = sin_cos(radians(degrees));
+      // the hand comes from the body's side of the thing
+      const Vec3d side = out * turn.sin - facing_.ahead * turn.cos;
+      Goal goal = at(hand, side);
+      const auto rotation = rotation_pointing(kThumb, {0, 1, 0}, palm_axis(hand), -side);
+      if (!rotation) continue;
+      goal.rotation = *rotation;
+      add({goal});
+    }
+  }
+
+  [[nodiscard]] Goal at(const std::string& name, const Vec3d& side) const {
+    const int hand = body_.find_effector(name).value();
+    const double off = extent(thing_, pose_, side) + palm_of(body_, hand) + kTouch;
+    return {.effector = name, .position = pose_.translation + side * off};
+  }
+
+  [[nodiscard]] bool is_left(const std::string& name) const {
+    return body_.effector(body_.find_effector(name).value()).part.side == Side::left;
+  }
+  [[nodiscard]] Vec3d palm_axis(const std::string& name) const {
+    return is_left(name) ? -kPalm : kPalm;
+  }
+
+  void add(std::vector<Goal> goals) {
+    for (const Goal& goal : goals) {
+      const double palm = palm_of(body_, body_.find_effector(goal.effector).value());
+      for (const PlacedBox& box : boxes_) {
+        if (palm - box_distance(box, goal.position) > kHandClear) return;
+      }
+    }
+    holds_.push_back(std::move(goals));
+  }
+
+  const BodyModel& body_;
+  const Thing& thing_;
+  Transformd pose_;
+  std::vector<PlacedBox> boxes_;
+  Facing facing_;
+  Holds holds_;
+};
+
+}  // namespace
+
+bool takes_two(const Thing& thing) {
+  return min(thing.size.x, thing.size.z) > kOneHandWidth || thing.mass > kOneHandMass;
+}
+
+std::string hand_name(const BodyModel& body, Side side) {
+  const auto hand = body.find_effector(JointKind::hand, side);
+  return hand ? body.effector(*hand).name : std::string();
+}
+
+Holds holds_of(const BodyModel& body, const Kinematics<double>& placed, const Thing& thing,
+               const Transformd& pose, std::span<const std::string> hands,
+               std::span<const Obstacle> obstacles) {
+  HoldFinder finder(body, placed, thing, pose, obstacles);
+  const std::string right = hand_name(body, Side::right);
+  const std::string left = hand_name(body, Side::left);
+  const bool two = hands.empty() ? takes_two(thing) : hands.size() > 1;
+  if (two && !right.empty() && !left.empty()) {
+    finder.add_two(right, left);
+  } else if (!hands.empty()) {
+    finder.add_one(hands.front());
+  } else {
+    Vec3d middle{};
+    for (const Foot& foot : body.feet()) {
+      middle += placed.point(foot.link, foot.centre) *
+                (1.0 / static_cast<double>(body.feet().size()));
+    }
+    const bool by_left =
+        dot(pose.translation - middle, facing_of(body, placed).left) > 0.0;
+    for (const std::string& hand : {by_left ? left : right, by_left ? right : left}) {
+      if (!hand.empty()) finder.add_one(hand);
+    }
+  }
+  return finder.take();
+}
+
+}  // namespace shigusa

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+#include "work/line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "body/load.hpp"
+#include "core/check.hpp"
+#include "core/index.hpp"
+#include "work/check_work.hpp"
+
+namespace shigusa {
+namespace {
+
+// Pauses of the hands on a thing before it moves and after it stands (s; people rest 0.09 and 0.13,
+// within these).
+constexpr double kGraspPause = 0.1;
+constexpr double kReleasePause = 0.1;
+// Height (m) by which a grasped thing is lifted clear.
+constexpr double kLift = 0.05;
+// Place of a carried thing: its near side ahead of the hips (m), and its middle above them.
+constexpr double kBellyAhead = 0.16;
+constexpr double kBellyAbove = 0.08;
+// Tolerance (m) of hips and head in standing, and distance (m) at which the eyes look.
+constexpr Vec3d kUpright{0.02, 0.015, 0.02};
+constexpr double kLooksAhead = 3.0;
+// Lean (rad) from which the first low posture tells the habit of the knees.
+constexpr double kTellsHabit = radians(30.0);
+
+// Makes an obstacle smaller by kTouch on all sides.
+void give_way(Obstacle& obstacle) {
+  const double off = min(obstacle.radius, kTouch);
+  obstacle.radius -= off;
+  for (const int k : {0, 1, 2}) {
+    obstacle.size[k] = max(obstacle.size[k] - 2.0 * (kTouch - off), 0.0);
+  }
+}
+
+std::uint64_t seed_of(const Task& task, std::size_t piece) {
+  return task.seed ^ (piece * 0x9e3779b97f4a7c15U);
+}
+
+}  // namespace
+
+std::vector<Step> steps_of(const Action& action) {
+  std::vector<Step> steps;
+  switch (*kind_of(action)) {
+    case ActionKind::goals:
+      steps = {{StepKind::go}};
+      break;
+    case ActionKind::wait:
+      steps = {{StepKind::pause, *action.wait}};
+      break;
+    case ActionKind::grasp:
+      steps = {{StepKind::reach},
+               {StepKind::pause, kGraspPause},
+               {StepKind::take},
+               {StepKind::lift}};
+      break;
+    case ActionKind::place:
+      steps = {{StepKind::carry}, {StepKind::pause, kReleasePause}, {StepKind::let_go}};
+      break;
+    case ActionKind::release:
+      steps = {{StepKind::pause, kReleasePause}, {StepKind::let_go}};
+      break;
+    case ActionKind::stand:
+    case ActionKind::sit:
+      steps = {{StepKind::rise}};
+      break;
+  }
+  if (action.hold > 0.0) steps.push_back({StepKind::pause, action.hold});
+  return steps;
+}
+
+Line::Line(const Task& task) : task_(&task) {
+  now_.angles = task.start.angles;
+  for (const Thing& thing : task.things) now_.things.push_back(start_pose(thing));
+}
+
+std::size_t Line::thing_of(const Action& action) const {
+  const std::string& name = !action.grasp.empty()   ? action.grasp
+                            : !action.place.empty() ? action.place
+                                                    : action.release;
+  return thing_named(*task_, name);
+}
+
+void Line::make(std::size_t action, const Step& step) {
+  const Action& asked = task_->actions[action];
+  switch (step.kind) {
+    case StepKind::take: {
+      // the hands of the reach before hold it
+      const std::size_t thing = thing_of(asked);
+      const Kinematics<double> placed_now =
+          placed(task_->body, {.angles = now_.angles, .velocities = {}, .held = {}});
+      for (const GoalResult& goal : pieces_[pieces_.size() - 2].candidate->goals) {
+        const int hand = task_->body.find_effector(goal.asked.effector).value();
+        const int link = task_->body.effector(hand).link;
+        const Transformd place{placed_now.link_rotation(link), placed_now.link_origin(link)};
+        now_.grips.push_back({hand, link, thing, inverse(place) * now_.things[thing]});
+      }
+      return;
+    }
+    case StepKind::let_go: {
+      const std::size_t thing = thing_of(asked);
+      std::erase_if(now_.grips, [thing](const Grip& grip) { return grip.thing == thing; });
+      return;
+    }
+    default: {
+      const int frames = static_cast<int>(std::lround(step.seconds * kWorkRate)) + 1;
+      Piece piece{.action = action, .body = task_->body};
+      piece.clip = {.dofs = task_->body.dof_count(),
+                    .frames = frames,
+                    .frame_time = 1.0 / kWorkRate,
+                    .angles = {}};
+      for (int f = 0; f < frames; ++f) {
+        piece.clip.angles.insert(piece.clip.angles.end(), now_.angles.begin(), now_.angles.end());
+      }
+      for (const HeldLoad& load : state_of(task_->body, task_->things, now_).held) {
+        piece.body = with_load(piece.body, load);
+      }
+      keep(piece);
+      return;
+    }
+  }
+}
+
+Task Line::plain() const {
+  Task task = *task_;
+  task.actions.clear();
+  task.things.clear();
+  task.start = state_of(task_->body, task_->things, now_);
+  if (is_new()) task.start.velocities = task_->start.velocities;
+  task.duration.reset();
+  for (std::size_t t = 0; t < task_->things.size(); ++t) {
+    if (now_.on(t).empty()) task.obstacles.push_back(obstacle_of(task_->things[t], now_.things[t]));
+  }
+  task.seed = seed_of(*task_, pieces_.size());
+  if (knees_ && task.habit == Habit{}) {
+    Habit habit;
+    habit.knees = *knees_;
+    adopt_habit(task, habit);
+  }
+  return task;
+}
+
+std::vector<Goal> Line::carried(std::size_t thing, const Transformd& to, bool rigid) const {
+  const Kinematics<double> at = placed(task_->body, {.angles = now_.angles});
+  const Transformd& from = now_.things[thing];
+  std::vector<Goal> goals;
+  for (const Grip& grip : now_.on(thing)) {
+    const Effector& hand = task_->body.effector(grip.hand);
+    const Transformd link = to * inverse(grip.in_hand);
+    Goal& goal = goals.emplace_back();
+    goal.effector = hand.name;
+    goal.position = link * hand.point;
+    goal.rotation = to_quat(link.rotation);
+    if (!rigid) continue;
+    goal.carry = Carry{from.translation, to_quat(from.rotation), to.translation,
+                       to_quat(to.rotation)};
+  }
+  return goals;
+}
+
+Task Line::carries(std::size_t thing, const Transformd& to, bool rigid) const {
+  Task task = plain();
+  const bool two = now_.on(thing).size() > 1;
+  task.goals = carried(thing, to, rigid || two || task_->things[thing].upright);
+  if (!task.look_at) task.look_at = to.translation;
+  return task;
+}
+
+Task Line::goes(const Action& action) const {
+  Task task = plain();
+  task.goals = action.goals;
+  if (action.look_at) task.look_at = action.look_at;
+  task.duration = action.duration;
+  const auto moves = [&](const Grip& grip) {
+    const std::string& name = task_->body.effector(grip.hand).name;
+    return std::any_of(task.goals.begin(), task.goals.end(),
+                       [&](const Goal& goal) { return goal.effector == name; });
+  };
+  // what is in two hands, or is to stay upright, stays where it is
+  for (std::size_t t = 0; t < task_->things.size(); ++t) {
+    const std::vector<Grip> grips = now_.on(t);
+    const bool keeps = grips.size() > 1 || (grips.size() == 1 && task_->things[t].upright);
+    if (!keeps || std::any_of(grips.begin(), grips.end(), moves)) continue;
+    for (Goal& goal : carried(t, now_.things[t], true)) task.goals.push_back(std::move(goal));
+  }
+  if (!task.goals.empty()) return task;
+  // to look alone, the hands stay
+  const Kinematics<double> at = placed(task_->body, {.angles = now_.angles});
+  for (const Effector& hand : task_->body.effectors()) {
+    task.goals.push_back({.effector = hand.name, .position = at.point(hand.link, hand.point)});
+  }
+  return task;
+}
+
+std::vector<Task> Line::reaches(const Action& action) const {
+  const std::size_t thing = thing_of(action);
+  const Kinematics<double> at = placed(task_->body, {.angles = now_.angles});
+  const Task task = plain();
+  std::vector<Obstacle> others = task.obstacles;
+  const std::string& name = task_->things[thing].name;
+  std::erase_if(others, [&](const Obstacle& other) { return other.name == name; });
+  std::vector<Task> tasks;
+  for (std::vector<Goal>& goals : holds_of(task_->body, at, task_->things[thing],
+                                           now_.things[thing], action.with, others)) {
+    const bool full = std::any_of(goals.begin(), goals.end(), [&](const Goal& goal) {
+      return now_.in(task_->body.find_effector(goal.effector).value()).has_value();
+    });
+    if (full) continue;
+    Task& one = tasks.emplace_back(task);
+    one.goals = std::move(goals);
+    for (Obstacle& obstacle : one.obstacles) {
+      if (obstacle.name == name) give_way(obstacle);
+    }
+    one.duration = action.duration;
+    if (!one.look_at) one.look_at = now_.things[thing].translation;
+  }
+  return tasks;
+}
+
+Vec3d Line::before_belly(const Thing& thing) const {
+  const Kinematics<double> home = placed(task_->body, task_->home);
+  const BodyNode* hips = task_->body.find_node(humanoid_bone_name(HumanoidBone::hips));
+  const Vec3d at = hips == nullptr ? Vec3d{0, 1, 0} : home.point(hips->link, hips->point);
+  return {at.x, at.y + kBellyAbove, at.z + kBellyAhead + 0.5 * thing.size.z};
+}
+
+Task Line::rises() const {
+  Task task = plain();
+  const Kinematics<double> home = placed(task_->body, task_->home);
+  for (std::size_t t = 0; t < task_->things.size(); ++t) {
+    const std::vector<Grip> grips = now_.on(t);
+    if (grips.empty()) continue;
+    const Thing& thing = task_->things[t];
+    Vec3d place = before_belly(thing);
+    if (grips.size() == 1) {
+      place.x = home.point(grips[0].link, task_->body.effector(grips[0].hand).point).x;
+    }
+    Transformd to = now_.things[t];
+    to.translation = place;
+    for (Goal& goal : carried(t, to, grips.size() > 1 || thing.upright)) {
+      if (grips.size() == 1 && !thing.upright) goal.rotation.reset();
+      task.goals.push_back(std::move(goal));
+    }
+  }
+  for (const Effector& hand : task_->body.effectors()) {
+    if (now_.in(task_->body.find_effector(hand.name).value())) continue;
+    task.goals.push_back({.effector = hand.name, .position = home.point(hand.link, hand.point)});
+  }
+  // upright again: hips and head where they were
+  for (const HumanoidBone bone : {HumanoidBone::hips, HumanoidBone::head}) {
+    const BodyNode* node = task_->body.find_node(humanoid_bone_name(bone));
+    if (node == nullptr || !task_->body.find_effector(node->name)) continue;
+    const Vec3d at = home.point(node->link, node->point);
+    task.goals.push_back({.effector = node->name, .position = at, .tolerance = kUpright});
+    if (bone == HumanoidBone::head) task.look_at = at + Vec3d{0, 0, kLooksAhead};
+  }
+  return task;
+}
+
+std::vector<Task> Line::tasks_of(std::size_t action, const Step& step) const {
+  const Action& asked = task_->actions[action];
+  switch (step.kind) {
+    case StepKind::go:
+      return {goes(asked)};
+    case StepKind::reach:
+      return reaches(asked);
+    case StepKind::lift: {
+      Transformd up = now_.things[thing_of(asked)];
+      up.translation.y += kLift;
+      return {carries(thing_of(asked), up, true)};
+    }
+    case StepKind::carry: {
+      Task task = carries(thing_of(asked), upright_pose(*asked.position, asked.turn_deg), false);
+      task.duration = asked.duration;
+      return {std::move(task)};
+    }
+    case StepKind::rise:
+      return {rises()};
+    default:
+      return {};
+  }
+}
+
+void Line::add(std::size_t action, const BodyModel& body, Candidate candidate) {
+  Piece piece{.action = action, .body = body};
+  const FinalPosture& posture = candidate.final_posture;
+  if (!knees_ && posture.trunk_lean > kTellsHabit) {
+    knees_ = clamp(posture.knee_flexion / posture.trunk_lean, 0.0, kHabitKneesMost);
+  }
+  piece.clip = motion_at(body, candidate, kWorkRate);
+  piece.candidate = std::move(candidate);
+  keep(piece);
+}
+
+void Line::keep(const Piece& piece) {
+  Piece& kept = pieces_.emplace_back(piece);
+  kept.grips = now_.grips;
+  kept.things = now_.things;
+  const auto last = kept.clip.frame(kept.clip.frames - 1);
+  now_.angles.assign(last.begin(), last.end());
+  const Kinematics<double> at = placed(task_->body, {.angles = now_.angles});
+  for (std::size_t t = 0; t < now_.things.size(); ++t) {
+    if (const std::vector<Grip> grips = now_.on(t); !grips.empty()) {
+      now_.things[t] = held_pose(at, grips);
+    }
+  }
+}
+
+}  // namespace shigusa

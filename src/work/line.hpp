@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <shigusa/generate.hpp>
+#include <string>
+#include <vector>
+
+#include "work/hold.hpp"
+#include "work/moment.hpp"
+
+namespace shigusa {
+
+// Frames a second of a piece of work.
+inline constexpr double kWorkRate = kUsualRate;
+
+// A motion or a pause of a piece of work.
+struct Piece {
+  std::size_t action = 0;
+  BodyModel body;                        // with the things in its hands
+  Clip clip{};                           // at kWorkRate
+  std::vector<Grip> grips{};             // of all hands meanwhile
+  std::vector<Transformd> things{};      // (things) X_WT at its start
+  std::optional<Candidate> candidate{};  // of a motion, without its clip's frames
+};
+
+// What an action asks for, one step after the other.
+enum class StepKind {
+  go,      // effectors go to the goals of the action
+  reach,   // hands go to a thing
+  pause,   // the body stays as it is
+  take,    // the hands hold the thing from here on
+  lift,    // the thing is lifted clear
+  carry,   // the thing is carried to its place
+  let_go,  // the hands let the thing go
+  rise,    // the body stands up straight
+};
+struct Step {
+  StepKind kind = StepKind::go;
+  double seconds = 0.0;  // of a pause
+};
+[[nodiscard]] std::vector<Step> steps_of(const Action& action);
+
+// A way to do a piece of work, as far as it has come.
+class Line {
+ public:
+  explicit Line(const Task& task);
+
+  // Makes a step that needs no search.
+  void make(std::size_t action, const Step& step);
+
+  // The tasks of which the first one that succeeds is the step's motion; empty: nothing moves.
+  [[nodiscard]] std::vector<Task> tasks_of(std::size_t action, const Step& step) const;
+  // Adds a motion of one of those, of the body that it was prepared with.
+  void add(std::size_t action, const BodyModel& body, Candidate candidate);
+
+  // The motions made so far as one candidate.
+  [[nodiscard]] Candidate joined() const;
+  // Whether nothing has moved yet.
+  [[nodiscard]] bool is_new() const { return pieces_.empty(); }
+
+ private:
+  [[nodiscard]] std::size_t thing_of(const Action& action) const;
+  [[nodiscard]] Task plain() const;
+  [[nodiscard]] std::vector<Task> reaches(const Action& action) const;
+  [[nodiscard]] Task goes(const Action& action) const;
+  [[nodiscard]] Task carries(std::size_t thing, const Transformd& to, bool rigid) const;
+  [[nodiscard]] Task rises() const;
+  // Goals of hands that carry a thing along a way.
+  [[nodiscard]] std::vector<Goal> carried(std::size_t thing, const Transformd& to,
+                                          bool rigid) const;
+  [[nodiscard]] Vec3d before_belly(const Thing& thing) const;
+  void keep(const Piece& piece);
+
+  const Task* task_;
+  Moment now_;
+  std::vector<Piece> pieces_{};
+  std::optional<double> knees_{};  // habit of the first low posture
+};
+
+}  // namespace shigusa
