@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <memory>
 #include <shigusa/edit.hpp>
@@ -25,6 +26,10 @@ struct EditOptions {
   int candidate = 1;
   std::vector<std::string> assignments;
   bool mirror = false;                   // left for right
+  int action = 1;                        // of a piece of work
+  std::string again;                     // actions that are searched anew
+  std::string keep;                      // those that stay as they are
+  std::optional<std::uint64_t> seed;     // of the search anew
   std::optional<std::string> character;  // the file of the result's person
   std::string out;                       // empty: a new folder beside the result
   FileOptions files;
@@ -100,6 +105,44 @@ ExportSettings usual_settings(const StoredResult& stored, int candidate, const f
   return usual;
 }
 
+// Numbers of actions, "1,2".
+Result<std::vector<int>> actions_of(const char* option, const std::string& text, int most) {
+  std::vector<int> actions;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    int action = 0;
+    const char* const last = text.data() + end;
+    const auto [at, error] = std::from_chars(text.data() + begin, last, action);
+    if (error != std::errc{} || at != last || action < 1 || action > most) {
+      return fail(ErrorCode::invalid_argument,
+                  fmt::format("'{}' is no list of the actions 1 to {}, such as 1,2",
+                              text.substr(0, 80), most),
+                  option);
+    }
+    actions.push_back(action);
+    begin = end + 1;
+  }
+  return actions;
+}
+
+// The edit of a piece of work: with --keep and without --again all others are searched anew.
+Result<WorkEdit> work_edit(const EditOptions& options, const Task& task) {
+  WorkEdit edit{.action = options.action, .assignments = options.assignments, .again = {}};
+  const int most = static_cast<int>(task.actions.size());
+  const bool given = !options.again.empty() || !options.keep.empty() || options.action != 1;
+  if (most == 0 && given) {
+    return fail(ErrorCode::invalid_argument, "the result's task has no actions",
+                "--action, --again, --keep");
+  }
+  SHG_TRY_ASSIGN(edit.again, actions_of("--again", options.again, most));
+  SHG_TRY_ASSIGN(const std::vector<int> kept, actions_of("--keep", options.keep, most));
+  for (int action = 1; edit.again.empty() && !kept.empty() && action <= most; ++action) {
+    const bool keeps = std::find(kept.begin(), kept.end(), action) != kept.end();
+    if (!keeps) edit.again.push_back(action);
+  }
+  return edit;
+}
+
 Result<int> edit(const EditOptions& options) {
   SHG_TRY(placed("--formats", parse_formats(options.files.formats.value_or(""))));
   SHG_TRY(check_folder(options));
@@ -110,13 +153,16 @@ Result<int> edit(const EditOptions& options) {
   if (options.mirror) {
     SHG_TRY(mirror_result(stored));
   }
+  if (options.seed) stored.task.seed = *options.seed;
   SHG_TRY_ASSIGN(const Task task, make_task(stored.task, {}));
+  SHG_TRY_ASSIGN(const WorkEdit work, work_edit(options, task));
   SHG_TRY_ASSIGN(const fs::path file, attach_character(options, stored));
   SHG_TRY_ASSIGN(const ExportSettings settings,
                  export_settings(options.files, stored.task.character,
                                  usual_settings(stored, options.candidate, file)));
   const auto begin = std::chrono::steady_clock::now();
   const Result<GenerateResult> generation = [&]() -> Result<GenerateResult> {
+    if (!task.actions.empty()) return replay_work(task, stored, options.candidate, work);
     SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(task));
     return replay(player, stored, options.candidate, options.assignments);
   }();
@@ -128,7 +174,7 @@ Result<int> edit(const EditOptions& options) {
     const std::string hint = by_call ? comma_hint(place.substr(place.find('=') + 1)) : "";
     return fail(error.code, error.message.text + hint, (by_call ? "--set " : "") + place);
   }
-  if (!options.mirror && options.assignments.empty() && options.files == FileOptions{}) {
+  if (!options.mirror && options.assignments.empty() && work.again.empty() && options.files == FileOptions{}) {
     note("edit",
          "nothing was changed: --set NAME=VALUE changes a parameter, such as squat_deg=60; the "
          "result's " +
@@ -166,6 +212,30 @@ void add_result_options(CLI::App* c, EditOptions& o) {
            {.group = output, .brief = "Print summary.json instead of the table"});
 }
 
+// Options for results of tasks with actions.
+void add_work_options(CLI::App* c, EditOptions& o) {
+  describe(c->add_option("--action", o.action)->check(whole_number(1, kActionsMax)),
+           {.group = kOfResult,
+            .brief = "Of several actions the one that --set changes (default 1)",
+            .full = "Of a task with actions the one whose motion --set changes; those behind it "
+                    "go on from where it then ends. The first when not given.",
+            .form = "N"});
+  describe(c->add_option("--again", o.again),
+           {.group = kOfResult,
+            .brief = "Actions that are searched anew, such as 3",
+            .full = "Actions that are searched anew, such as 3 or 2,3, for several candidates; "
+                    "with another --seed they differ from the result's.",
+            .form = "N,…"});
+  describe(c->add_option("--keep", o.keep),
+           {.group = kOfResult,
+            .brief = "Actions that stay; all others are searched anew",
+            .full = "Actions that stay as they are, such as 1,2; without --again all others are "
+                    "searched anew.",
+            .form = "N,…"});
+  describe(c->add_option("--seed", o.seed),
+           {.group = kOfResult, .brief = "Seed of the search anew", .form = "N", .rare = true});
+}
+
 }  // namespace
 
 void add_edit(CLI::App& app, int& exit_code) {
@@ -185,6 +255,7 @@ void add_edit(CLI::App& app, int& exit_code) {
                     "of human right_arm.swivel_deg=NUMBER and left_elbow.final_deg=NUMBER. "
                     "Repeatable.",
             .form = "NAME=VALUE"});
+  add_work_options(c, *options);
   add_result_options(c, *options);
   c->callback([options, &exit_code] { exit_code = exit_code_of(edit(*options)); });
 }

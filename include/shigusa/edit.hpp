@@ -77,6 +77,19 @@ struct EditableParameter {
 [[nodiscard]] Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,
                                                 const Progress& progress = {});
 
+/// A change of one candidate of a result whose task has actions.
+struct WorkEdit {
+  int action = 1;                          ///< the action whose motion is edited, from 1
+  std::vector<std::string> assignments{};  ///< see Request::fixed_assignments
+  std::vector<int> again{};                ///< actions that are searched anew, from 1
+};
+/// Generates a candidate's actions again after the edit: the actions behind it go on from where it
+/// now ends, by the motions that they had. Where an action is searched anew, several candidates
+/// are found for it. `task` is that of the result (make_task), whose seed may be another.
+[[nodiscard]] Result<GenerateResult> replay_work(const Task& task, StoredResult& stored,
+                                                 int candidate, const WorkEdit& edit = {},
+                                                 const Progress& progress = {});
+
 /// Mirrors the task and parameters of a result (see mirrored). Its facts about files are unchanged
 /// and still describe the original motions.
 [[nodiscard]] Result<void> mirror_result(StoredResult& stored);

@@ -139,6 +139,8 @@ struct ResultFiles {
 struct StoredResult {
   TaskFile task;                        ///< the task, with its measured character
   std::vector<Parameters> candidates;   ///< parameters of the candidates, in rank order
+  /// Motions of the candidates' actions, for a task with actions.
+  std::vector<std::vector<WorkMotion>> motions{};
   std::vector<CandidateFiles> files{};  ///< files of each candidate, without ReadBack
   std::string character{};              ///< see ResultFiles::character
   double rate = kUsualRate;             ///< Hz, see ResultFiles::rate

@@ -267,7 +267,14 @@ struct ActionResult {
   std::optional<PlacedThing> placed{};    ///< of place: the thing where it was put
   Score score{};                          ///< mean over time of its motions
   Judgement judgement{};                  ///< feasibility
-  std::vector<Parameters> parameters{};   ///< of its motions, in their order
+};
+
+/// One of the motions of a piece of work, by which it is made again.
+struct WorkMotion {
+  std::size_t action = 0;  ///< index of the action
+  int way = 0;             ///< which of the ways to take a thing
+  double duration = 0.0;   ///< s
+  Parameters values;       ///< parameters that generate it
 };
 
 /// The way of a thing, with its poses in the frames of the motion.
@@ -291,6 +298,7 @@ struct Candidate {
   FinalPosture final_posture;                   ///< description of the final posture
   std::optional<ArmCollision> arm_collision{};  ///< only for presets with layers
   std::vector<ActionResult> actions{};  ///< of a task with actions: each of them, in their order
+  std::vector<WorkMotion> motions{};    ///< of a task with actions: motions, in their order
   std::vector<ThingMotion> things{};    ///< of a task with things: their ways
 };
 
@@ -407,6 +415,11 @@ class PreparedTask {
 /// unreachable, and GenerateResult::conflict says why. Fails on things and actions that are wrong
 /// in themselves or in their order, with the place "actions[2]". Of the preset flat.
 [[nodiscard]] Result<GenerateResult> perform(const Task& task, const Progress& progress = {});
+/// Makes a piece of work again from its motions (Candidate::motions), after some of them have been
+/// changed: each begins where the one before now ends. Actions without motions are searched.
+[[nodiscard]] Result<GenerateResult> perform_again(const Task& task,
+                                                   std::span<const WorkMotion> motions,
+                                                   const Progress& progress = {});
 
 /// Generates for many tasks in parallel, on `threads` threads in all (0: one for each core; threads
 /// of Task::batch are ignored). Returns (tasks) results in the order of the tasks, equal to those

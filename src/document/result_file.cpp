@@ -102,6 +102,17 @@ Json actions_to_json(const FinishedRun& run, const Candidate& candidate) {
   return list;
 }
 
+Json motions_to_json(const ParameterList& list, const Candidate& candidate) {
+  Json json = Json::array();
+  for (const WorkMotion& motion : candidate.motions) {
+    json.push_back({{"action", motion.action + 1},
+                    {"way", motion.way},
+                    {"duration_s", motion.duration},
+                    {"parameters", parameters_to_json(list, motion.values)}});
+  }
+  return json;
+}
+
 Json resting_to_json(const CharacterSpec& character, const Candidate& candidate) {
   Json list = Json::array();
   for (const RestResult& rest : candidate.resting) {
@@ -150,6 +161,7 @@ Json candidate_to_json(const FinishedRun& run, std::size_t index, const ResultFi
   const bool works = !candidate.actions.empty();
   if (works) {
     json["actions"] = actions_to_json(run, candidate);
+    json["motions"] = motions_to_json(*run.generation.parameters, candidate);
     add_times(candidate.motion.clip.duration(), json["contacts"]);
   }
   json["duration_s"] = works ? candidate.motion.clip.duration() : run.generation.duration;
@@ -236,6 +248,36 @@ Result<void> read_rate(const Json& candidate, const std::string& place, double& 
   if (!fps.is_number()) return fail(ErrorCode::parse, say("must_be_a_number"), place);
   rate = fps.get<double>();
   return check_rate(rate, place);
+}
+
+// Motions of a candidate's actions, in their order.
+Result<std::vector<WorkMotion>> read_motions(const ParameterList& list, const Json& candidate,
+                                             std::size_t actions, const std::string& place) {
+  constexpr std::size_t kMost = 4 * kActionsMax;
+  constexpr std::uint64_t kMostWays = 100;
+  std::vector<WorkMotion> motions;
+  const auto all = candidate.find("motions");
+  if (all == candidate.end() || !all->is_array() || all->size() > kMost) {
+    return fail(ErrorCode::parse, say("must_be_list_of", "motions"), place + ".motions");
+  }
+  for (std::size_t k = 0; k < all->size(); ++k) {
+    const std::string at = fmt::format("{}.motions[{}]", place, k);
+    WorkMotion& motion = motions.emplace_back();
+    std::size_t action = 0;
+    JsonReader reader((*all)[k], at);
+    reader.integer("action", action, 1, actions);
+    reader.integer("way", motion.way, 0, kMostWays);
+    reader.number("duration_s", motion.duration, kTaskDurationMin, 2.0 * kTaskDurationMax);
+    for (const char* key : {"action", "duration_s"}) reader.require(key);
+    if (!reader.has("parameters")) reader.wrong("parameters", say("is_missing"));
+    if (const auto& error = reader.finish()) return tl::unexpected(*error);
+    motion.action = action - 1;
+    SHG_TRY_ASSIGN(motion.values, read_parameters(list, (*all)[k], at));
+    if (k > 0 && motions[k - 1].action > motion.action) {
+      return fail(ErrorCode::parse, say("must_be", "in the order of actions"), at);
+    }
+  }
+  return motions;
 }
 
 Result<void> check_version(const Json& json, const std::string& place) {
@@ -353,6 +395,9 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
     SHG_TRY_ASSIGN(result.files.emplace_back(), read_files(candidates[i], at));
     SHG_TRY(read_rate(candidates[i], at + ".fps", result.rate));
     SHG_TRY_ASSIGN(result.candidates.emplace_back(), read_parameters(*list, candidates[i], at));
+    if (result.task.actions.empty()) continue;
+    SHG_TRY_ASSIGN(result.motions.emplace_back(),
+                   read_motions(*list, candidates[i], result.task.actions.size(), at));
   }
   return result;
 }

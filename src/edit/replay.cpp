@@ -39,6 +39,40 @@ Result<GenerateResult> replay(MotionPlayer& player, StoredResult& stored, int ca
   return player.play(parameters);
 }
 
+Result<GenerateResult> replay_work(const Task& task, StoredResult& stored, int candidate,
+                                   const WorkEdit& edit, const Progress& progress) {
+  if (candidate < 1 || candidate > count_of(stored)) {
+    return fail(ErrorCode::invalid_argument, say("no_candidate", candidate, count_of(stored)));
+  }
+  const int actions = static_cast<int>(task.actions.size());
+  const auto check = [actions](int action) -> Result<void> {
+    if (action >= 1 && action <= actions) return {};
+    return fail(ErrorCode::invalid_argument, say("no_action", action, actions));
+  };
+  SHG_TRY(check(edit.action));
+  for (const int action : edit.again) SHG_TRY(check(action));
+  std::vector<WorkMotion>& motions = stored.motions[static_cast<std::size_t>(candidate - 1)];
+  const auto of = [](int action) {
+    return [action](const WorkMotion& motion) {
+      return motion.action + 1 == static_cast<std::size_t>(action);
+    };
+  };
+  for (const int action : edit.again) std::erase_if(motions, of(action));
+  if (!edit.assignments.empty()) {
+    const auto own = std::find_if(motions.begin(), motions.end(), of(edit.action));
+    if (own == motions.end()) {
+      return fail(ErrorCode::invalid_argument, say("action_at_rest", edit.action));
+    }
+    SHG_TRY_ASSIGN(const ParameterList list, parameter_list(task.body, task.start, task));
+    for (const std::string& assignment : edit.assignments) {
+      if (const auto ok = assign_parameter(list, assignment, own->values); !ok) {
+        return fail(ok.error().code, ok.error().message, assignment);
+      }
+    }
+  }
+  return perform_again(task, motions, progress);
+}
+
 Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,
                                   const Progress& progress) {
   Result<GenerateResult> all = replay(player, stored, 1);
@@ -68,10 +102,14 @@ Result<void> mirror_result(StoredResult& stored) {
   SHG_TRY_ASSIGN(const ParameterList own, parameter_list(body, body.home, stored.task));
   SHG_TRY_ASSIGN(const ParameterList other, parameter_list(task.body, task.start, task));
   stored.task = std::move(image);
-  for (Parameters& values : stored.candidates) {
+  const auto reflect = [&](Parameters& values) {
     const bool reflected = !values.reflected;
     values = mirrored(own, other, values);
     values.reflected = reflected;
+  };
+  for (Parameters& values : stored.candidates) reflect(values);
+  for (std::vector<WorkMotion>& motions : stored.motions) {
+    for (WorkMotion& motion : motions) reflect(motion.values);
   }
   return {};
 }
@@ -80,6 +118,7 @@ StoredResult stored_result(const TaskFile& file, const GenerateResult& generatio
   StoredResult stored{.task = played_task(file, generation), .candidates = {}};
   for (const Candidate& candidate : generation.candidates) {
     stored.candidates.push_back(candidate.parameters);
+    if (!stored.task.actions.empty()) stored.motions.push_back(candidate.motions);
   }
   return stored;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "approaches.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <shigusa/generate.hpp>
 #include <utility>
@@ -35,6 +36,11 @@ bool arrives(const ReachProblem& approach, const RolledOut& rolled) {
   return !jolts(rolled.motion.clip) && ends_at_rest(rolled.motion);
 }
 
+bool carries(const ReachProblem& problem) {
+  return std::any_of(problem.goals.begin(), problem.goals.end(),
+                     [](const ReachGoal& goal) { return goal.carry.has_value(); });
+}
+
 }  // namespace
 
 std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const ClosestReach& reach,
@@ -51,6 +57,8 @@ std::vector<ReachProblem> approaches_to_goal(ReachProblem problem, const Closest
   // weights alone can lift the heels without regard to balance
   const bool tiptoe = reach.reached() && Tiptoe(problem, reach.angles).lifted();
   if (tiptoe) return {guided, posture};
+  // hands on a thing keep to its way
+  if (reach.reached() && carries(problem)) return {problem, guided};
   if (reach.reached()) return {problem, guided, posture};
   // Edge of reach: the path ends at the closest point, and a hand on a stretched limb may lag
   // behind its path.

@@ -58,6 +58,12 @@ void add_detours(ReachProblem& problem) {
     path.detour = moment.deepest.outward * (moment.deepest.depth + kDetourClearance);
     const double tau = problem.tau(moment.frame);
     path.detour_peak = clamp(path.own_time(tau), kDetourMargin, 1.0 - kDetourMargin);
+    // a thing goes around with all hands on it
+    for (ReachGoal& other : around.goals) {
+      if (!around.goals[g].carry || !other.carry) continue;
+      other.path.detour = path.detour;
+      other.path.detour_peak = path.detour_peak;
+    }
     const DeepestMoment detoured = find_deepest(around, g);
     const bool leads_there = detoured.arrives || !moment.arrives;
     if (leads_there && detoured.deepest.depth < moment.deepest.depth) problem = around;

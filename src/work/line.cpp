@@ -285,8 +285,8 @@ std::vector<Task> Line::tasks_of(std::size_t action, const Step& step) const {
   }
 }
 
-void Line::add(std::size_t action, const BodyModel& body, Candidate candidate) {
-  Piece piece{.action = action, .body = body};
+void Line::add(std::size_t action, const BodyModel& body, Candidate candidate, int way) {
+  Piece piece{.action = action, .body = body, .way = way};
   const FinalPosture& posture = candidate.final_posture;
   if (!knees_ && posture.trunk_lean > kTellsHabit) {
     knees_ = clamp(posture.knee_flexion / posture.trunk_lean, 0.0, kHabitKneesMost);

@@ -21,7 +21,8 @@ struct Piece {
   Clip clip{};                           // at kWorkRate
   std::vector<Grip> grips{};             // of all hands meanwhile
   std::vector<Transformd> things{};      // (things) X_WT at its start
-  std::optional<Candidate> candidate{};  // of a motion, without its clip's frames
+  std::optional<Candidate> candidate{};  // of a motion
+  int way = 0;                           // which of the step's tasks it is for
 };
 
 // What an action asks for, one step after the other.
@@ -52,7 +53,7 @@ class Line {
   // The tasks of which the first one that succeeds is the step's motion; empty: nothing moves.
   [[nodiscard]] std::vector<Task> tasks_of(std::size_t action, const Step& step) const;
   // Adds a motion of one of those, of the body that it was prepared with.
-  void add(std::size_t action, const BodyModel& body, Candidate candidate);
+  void add(std::size_t action, const BodyModel& body, Candidate candidate, int way = 0);
 
   // The motions made so far as one candidate.
   [[nodiscard]] Candidate joined() const;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <shigusa/generate.hpp>
 #include <shigusa/run.hpp>
+#include <span>
 #include <utility>
 
 #include "core/index.hpp"
@@ -16,26 +17,44 @@ namespace {
 // Least motions of a search after the first one, and those of a lift.
 constexpr int kLeastMotions = 192;
 constexpr int kLiftMotions = 64;
+// Factor on them where none of the motions can be made.
+constexpr int kMoreTimes = 4;
 
 // What a step of one line has found.
 struct Found {
   std::optional<GenerateResult> result{};
   std::optional<BodyModel> body{};  // that its candidates were made with
+  int way = 0;                      // index of the task
   std::optional<Error> error{};
 
   [[nodiscard]] bool succeeds() const { return result && result->meets_goals(); }
 };
 
+// A search that has found no motion that can be made is repeated with more motions.
+Result<GenerateResult> searched(const PreparedTask& prepared, const Progress& progress) {
+  Result<GenerateResult> found = generate(prepared, progress);
+  const Task& task = prepared.task();
+  if (!found || found->status != ReachStatus::unsteady || !task.evaluations) return found;
+  Task more = task;
+  more.evaluations = kMoreTimes * *task.evaluations;
+  SHG_TRY_ASSIGN(GenerateResult other, generate(more, progress));
+  const int spent = found->log.evaluations + other.log.evaluations;
+  if (other.status == ReachStatus::reached) found = std::move(other);
+  found->log.evaluations = spent;
+  return found;
+}
+
 // The first way of a step that succeeds and is possible, else the best of those that do not.
-Found first_of(std::vector<Task> tasks, const Progress& progress) {
+Found first_of(std::span<const Task> tasks, const Progress& progress) {
   Found best;
-  for (Task& task : tasks) {
+  for (std::size_t way = 0; way < tasks.size(); ++way) {
+    const Task& task = tasks[way];
     const auto prepared = PreparedTask::of(task);
     if (!prepared) {
       if (!best.result && !best.error) best.error = prepared.error();
       continue;
     }
-    auto result = generate(*prepared, progress);
+    auto result = searched(*prepared, progress);
     if (!result) {
       if (!best.result && !best.error) best.error = result.error();
       continue;
@@ -48,15 +67,41 @@ Found first_of(std::vector<Task> tasks, const Progress& progress) {
       best.result = std::move(*result);
       best.result->log.evaluations += spent;
       best.body = prepared->task().body;
+      best.way = static_cast<int>(way);
     }
     if (best.result->status == ReachStatus::reached) break;
   }
   return best;
 }
 
+// The motion of a step as it was made before.
+Found played(std::vector<Task> tasks, const WorkMotion& motion) {
+  Found found;
+  const auto way = static_cast<std::size_t>(motion.way);
+  if (way >= tasks.size()) {
+    found.error = fail(ErrorCode::invalid_argument, say("no_such_way", motion.way, tasks.size())).value();
+    return found;
+  }
+  Task& task = tasks[way];
+  task.duration = motion.duration;
+  const auto play = [&]() -> Result<GenerateResult> {
+    SHG_TRY_ASSIGN(const PreparedTask prepared, PreparedTask::of(task));
+    found.body = prepared.task().body;
+    SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(task));
+    return player.play(motion.values);
+  };
+  Result<GenerateResult> result = play();
+  if (result) found.result = std::move(*result);
+  else found.error = result.error();
+  found.way = motion.way;
+  return found;
+}
+
 class Performance {
  public:
-  Performance(const Task& task, const Progress& progress) : task_(task), progress_(progress) {
+  // `known`: motions of actions that are made as before.
+  Performance(const Task& task, std::span<const WorkMotion> known, const Progress& progress)
+      : task_(task), progress_(progress), known_(known) {
     lines_.emplace_back(task_);
   }
 
@@ -82,25 +127,29 @@ class Performance {
 
   // Searches the first motion, each of whose candidates is a line.
   Result<void> branch(std::size_t action, const Step& step) {
-    Found found = first_of(lines_.front().tasks_of(action, step), progress_);
+    const std::vector<Task> tasks = lines_.front().tasks_of(action, step);
+    const WorkMotion* known = take_known(action);
+    Found found = known != nullptr ? played(tasks, *known) : first_of(tasks, progress_);
     if (!found.result) return error_of(action, found);
     result_.log.spend(found.result->log);
     result_.parameters = found.result->parameters;
     if (!found.succeeds()) return fail_at(action, found);
-    branched_ = true;
+    branched_ = known == nullptr;
     const Line before = lines_.front();
     lines_.clear();
     for (const Candidate& candidate : found.result->candidates) {
-      lines_.emplace_back(before).add(action, *found.body, candidate);
+      lines_.emplace_back(before).add(action, *found.body, candidate, found.way);
     }
-    single_ = std::move(found.result);
+    single_ = motions_made_++ == 0 ? std::move(found.result) : std::nullopt;
     return {};
   }
 
   // Searches the next motion of each line.
   Result<void> go_on(std::size_t action, const Step& step) {
     single_.reset();
+    ++motions_made_;
     std::vector<Found> found(lines_.size());
+    const WorkMotion* known = take_known(action);
     const int all = task_.evaluations.value_or(usual_evaluations(task_));
     const int each = std::max(all / static_cast<int>(lines_.size()), kLeastMotions);
     parallel_for(static_cast<int>(lines_.size()), task_.batch.threads, [&](int k, int) {
@@ -111,14 +160,15 @@ class Performance {
         if (task_.candidates > 1) task.evaluations = each;
         if (step.kind == StepKind::lift) task.evaluations = kLiftMotions;
       }
-      found[index(k)] = first_of(std::move(tasks), {});
+      found[index(k)] = known != nullptr ? played(tasks, *known) : first_of(tasks, {});
     });
     std::vector<Line> kept;
     for (std::size_t k = 0; k < lines_.size(); ++k) {
       if (found[k].result) result_.log.spend(found[k].result->log);
       if (!found[k].succeeds()) continue;
       kept.push_back(std::move(lines_[k]));
-      kept.back().add(action, *found[k].body, std::move(found[k].result->candidates.front()));
+      kept.back().add(action, *found[k].body, std::move(found[k].result->candidates.front()),
+                      found[k].way);
     }
     if (kept.empty()) {
       const auto some = std::find_if(found.begin(), found.end(),
@@ -128,6 +178,13 @@ class Performance {
     }
     lines_ = std::move(kept);
     return {};
+  }
+
+  // The next motion that the action had before, if it had one.
+  const WorkMotion* take_known(std::size_t action) {
+    while (next_known_ < known_.size() && known_[next_known_].action < action) ++next_known_;
+    const bool own = next_known_ < known_.size() && known_[next_known_].action == action;
+    return own ? &known_[next_known_++] : nullptr;
   }
 
   Result<void> error_of(std::size_t action, const Found& found) const {
@@ -167,6 +224,7 @@ class Performance {
     for (std::size_t k = 0; k < lines_.size(); ++k) {
       Candidate whole = lines_[k].joined();
       Candidate& own = one.candidates[k];
+      own.motions = whole.motions;
       own.actions = std::move(whole.actions);
       if (task_.actions.front().hold > 0.0 || !task_.things.empty()) {
         whole.actions = std::move(own.actions);
@@ -179,8 +237,11 @@ class Performance {
 
   const Task& task_;
   const Progress& progress_;
+  std::span<const WorkMotion> known_;
+  std::size_t next_known_ = 0;
   std::vector<Line> lines_{};
   bool branched_ = false;
+  int motions_made_ = 0;
   bool failed_ = false;
   std::optional<GenerateResult> single_{};  // of the only motion so far
   GenerateResult result_{};
@@ -190,7 +251,13 @@ class Performance {
 
 Result<GenerateResult> perform(const Task& task, const Progress& progress) {
   SHG_TRY(check_work(task));
-  return Performance(task, progress).run();
+  return Performance(task, {}, progress).run();
+}
+
+Result<GenerateResult> perform_again(const Task& task, std::span<const WorkMotion> motions,
+                                     const Progress& progress) {
+  SHG_TRY(check_work(task));
+  return Performance(task, motions, progress).run();
 }
 
 }  // namespace shigusa

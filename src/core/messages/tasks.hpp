@@ -35,6 +35,9 @@ inline constexpr std::array kTasks{
     MessageText{"actions_by_flat", "are of the preset flat, without pareto"},
     MessageText{"via_where", "via is of goals that other actions follow"},
     MessageText{"in_mid_air", "{} is put in mid-air, where it stays"},
+    MessageText{"no_action", "no action {}; the task has {}"},
+    MessageText{"action_at_rest", "action {} has no motion to edit"},
+    MessageText{"no_such_way", "way {} of {} to take the thing"},
     MessageText{"action_fails",
                 "action {} ({}) is out of reach: {:.0f} mm and {:.0f}° remain, and what comes "
                 "before it is kept"},
