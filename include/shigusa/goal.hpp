@@ -72,6 +72,8 @@ struct Goal {
   Vec3d tolerance{};
   /// The thing to which the effector keeps its pose all the way; with a `rotation`.
   std::optional<Carry> carry{};
+  /// m, world: a place that the effector passes on its way, without a stop.
+  std::optional<Vec3d> via{};
   friend bool operator==(const Goal&, const Goal&) = default;
 };
 

@@ -73,6 +73,36 @@ std::optional<Message> why_step(const BodyModel& body, const Kinematics<double>&
   return say("step_far", goal.effector);
 }
 
+// Whether a box, by its upright extent, bears what stands at a place.
+bool bears(const Vec3d& position, const Vec3d& size, double radius, const Vec3d& place,
+           double bottom) {
+  constexpr double kNear = 0.03;  // m
+  const double top = position.y + 0.5 * size.y + radius;
+  const double wide = 0.5 * max(size.x, size.z) + radius;
+  return abs(top - bottom) < kNear && abs(place.x - position.x) < wide &&
+         abs(place.z - position.z) < wide;
+}
+
+// The note that an action puts a thing on nothing: neither the floor nor an obstacle nor a thing.
+std::optional<Message> why_in_air(const Task& task, const Action& action) {
+  constexpr double kOnFloor = 0.03;  // m
+  if (action.place.empty() || !action.position) return std::nullopt;
+  const auto named = [&](const Thing& thing) { return thing.name == action.place; };
+  const auto thing = std::find_if(task.things.begin(), task.things.end(), named);
+  if (thing == task.things.end()) return std::nullopt;
+  const double bottom = action.position->y - 0.5 * thing->size.y;
+  bool borne = bottom < kOnFloor;
+  for (const Obstacle& under : task.obstacles) {
+    borne = borne || bears(under.position, under.size, under.radius, *action.position, bottom);
+  }
+  // another thing may stand there by then
+  for (const Thing& under : task.things) {
+    borne = borne || under.name != thing->name;
+  }
+  if (borne) return std::nullopt;
+  return say("in_mid_air", thing->name);
+}
+
 }  // namespace
 
 std::vector<Message> goal_notes(const Task& task) {
@@ -93,6 +123,9 @@ std::vector<Message> goal_notes(const Task& task) {
     const std::string part = part_at(body, start, goal.position);
     if (!part.empty()) notes.push_back(say("goal_in_part", goal.effector, part));
     if (auto why = why_step(body, start, goal)) notes.push_back(std::move(*why));
+  }
+  for (const Action& action : task.actions) {
+    if (auto note = why_in_air(task, action)) notes.push_back(std::move(*note));
   }
   return notes;
 }

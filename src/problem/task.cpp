@@ -175,6 +175,24 @@ void carry_on(const Kinematics<double>& start, double duration, const Task& task
   }
 }
 
+// Leads a path through a place, at the time by which it has made the place's share of the way.
+void pass_by(const Vec3d& place, EffectorPath& path) {
+  constexpr double kNearEnd = 0.1;  // chosen: no sooner after the start or before the end
+  constexpr int kHalvings = 40;
+  const double before = norm(place - path.start);
+  const double whole = before + norm(path.goal - place);
+  if (!(whole > 0.0)) return;
+  double low = kNearEnd;
+  double high = 1.0 - kNearEnd;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (low + high);
+    (minimum_jerk(middle) * whole < before ? low : high) = middle;
+  }
+  path.detour_peak = 0.5 * (low + high);
+  path.detour =
+      place - (path.start + (path.goal - path.start) * minimum_jerk(path.detour_peak));
+}
+
 // Corrections in a frame whose effector has left its path by more than kPathSlack, as limits hold
 // joints back.
 constexpr int kLimitCorrections = 2;
@@ -265,7 +283,9 @@ Result<ReachProblem> make_problem(const Task& task) {
                                            : reach.path;
       reach.path.begin = reach.carry ? 0.0 : natural_begin(way);
       reach.path.haste = natural_haste(way);
-      if (!reach.carry) {
+      if (goal.via) {
+        pass_by(*goal.via, reach.path);
+      } else if (!reach.carry) {
         go_around_obstacles(problem.context, body.effector(reach.effector), reach.path);
       }
     }

@@ -111,6 +111,8 @@ class Hands {
         return let_go(at, action.place);
       case ActionKind::release:
         return let_go(at, action.release);
+      case ActionKind::goals:
+        return move(at, action);
       default:
         return {};
     }
@@ -145,6 +147,19 @@ class Hands {
     }
     held_.insert(action.grasp);
     for (const std::string& hand : with) in_[hand] = action.grasp;
+    return {};
+  }
+
+  // Hands with a thing in both of them go nowhere alone.
+  Result<void> move(std::size_t at, const Action& action) const {
+    for (const Goal& goal : action.goals) {
+      const auto own = in_.find(goal.effector);
+      if (own == in_.end()) continue;
+      const auto holds = std::count_if(in_.begin(), in_.end(), [&](const auto& hand) {
+        return hand.second == own->second;
+      });
+      if (holds > 1) return wrong(at, say("hand_holds", goal.effector, own->second));
+    }
     return {};
   }
 
@@ -184,6 +199,18 @@ Result<void> check_stance(std::size_t at, const Task& task, const Stance& stance
   return steps;
 }
 
+// Whether the next action goes on with the effectors that pass.
+bool can_pass(const Task& task, std::size_t action) {
+  const Action& via = task.actions[action];
+  if (action + 1 == task.actions.size() || via.goals.empty() || via.hold > 0.0) return false;
+  const Action& next = task.actions[action + 1];
+  return !next.via && std::all_of(via.goals.begin(), via.goals.end(), [&](const Goal& goal) {
+    return std::any_of(next.goals.begin(), next.goals.end(), [&](const Goal& after) {
+      return after.effector == goal.effector;
+    });
+  });
+}
+
 }  // namespace
 
 std::optional<ActionKind> kind_of(const Action& action) {
@@ -203,6 +230,10 @@ std::optional<ActionKind> kind_of(const Action& action) {
   is(!action.goals.empty(), ActionKind::goals);
   if (kinds == 0 && action.look_at) return ActionKind::goals;
   return kinds == 1 ? kind : std::nullopt;
+}
+
+const Action* via_before(const Task& task, std::size_t action) {
+  return action > 0 && task.actions[action - 1].via ? &task.actions[action - 1] : nullptr;
 }
 
 std::size_t thing_named(const Task& task, std::string_view name) {
@@ -233,10 +264,7 @@ Result<void> check_work(const Task& task) {
       return fail(ErrorCode::unsupported, say("needs_steps"), fmt::format("actions[{}].sit", k));
     }
     if (action.stand) SHG_TRY(check_stance(k, task, *action.stand));
-    const bool last = k + 1 == task.actions.size();
-    if (action.via && (last || *kind != ActionKind::goals || action.goals.empty())) {
-      return wrong(k, say("via_where"));
-    }
+    if (action.via && !can_pass(task, k)) return wrong(k, say("via_where"));
     SHG_TRY(hands.follow(k, action));
   }
   return {};

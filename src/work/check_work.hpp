@@ -10,6 +10,9 @@ namespace shigusa {
 // full, things in one another or in an obstacle, steps.
 [[nodiscard]] Result<void> check_work(const Task& task);
 
+// The action before, if its goals are passed without a stop; null else.
+[[nodiscard]] const Action* via_before(const Task& task, std::size_t action);
+
 // Index of a thing by its name, or the number of things.
 [[nodiscard]] std::size_t thing_named(const Task& task, std::string_view name);
 

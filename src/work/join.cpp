@@ -89,6 +89,39 @@ void add_contacts(const std::vector<ContactResult>& contacts, std::vector<Contac
   }
 }
 
+// Ends the last action but one where its places are passed in the piece that begins at `start` (s).
+void pass(const Task& task, const Action& via, const Piece& piece, double start,
+          std::vector<ActionResult>& actions) {
+  ActionResult& action = actions[actions.size() - 2];
+  const Clip& clip = piece.clip;
+  Kinematics<double> placed(task.body);
+  for (const Goal& goal : via.goals) {
+    const Effector& effector = task.body.effector(task.body.find_effector(goal.effector).value());
+    GoalResult& result = action.goals.emplace_back();
+    result.asked = goal;
+    result.node = effector.node;
+    result.error = norm(goal.position);
+    Vec3d before{};
+    for (int f = 0; f < clip.frames; ++f) {
+      forward_kinematics<double>(task.body, clip.frame(f), placed);
+      const Vec3d at = placed.point(effector.link, effector.point);
+      // on the way from the frame before
+      const Vec3d way = f > 0 ? at - before : Vec3d{};
+      const double along =
+          clamp(dot(goal.position - before, way) / max(dot(way, way), 1e-12), 0.0, 1.0);
+      const Vec3d nearest = f > 0 ? before + way * along : at;
+      const double error = norm(nearest - goal.position);
+      if (f == 0 || error < result.error) {
+        result.error = error;
+        result.reached = nearest;
+        action.end = start + f * clip.frame_time;
+      }
+      before = at;
+    }
+  }
+  actions.back().start = action.end;
+}
+
 // Joins the frames of pieces, each of which begins with the last frame of the one before.
 class Joiner {
  public:
@@ -171,6 +204,9 @@ Candidate Line::joined() const {
     const double start = joiner.now();
     joiner.add(piece);
     action.end = joiner.now();
+    if (const Action* via = via_before(*task_, piece.action)) {
+      pass(*task_, *via, piece, start, whole.actions);
+    }
     if (!piece.candidate) continue;
     const Candidate& own = *piece.candidate;
     const double seconds = piece.clip.duration();

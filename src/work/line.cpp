@@ -47,7 +47,8 @@ std::vector<Step> steps_of(const Action& action) {
   std::vector<Step> steps;
   switch (*kind_of(action)) {
     case ActionKind::goals:
-      steps = {{StepKind::go}};
+      // a place that is passed is one of the next action's way
+      if (!action.via) steps = {{StepKind::go}};
       break;
     case ActionKind::wait:
       steps = {{StepKind::pause, *action.wait}};
@@ -170,9 +171,17 @@ Task Line::carries(std::size_t thing, const Transformd& to, bool rigid) const {
   return task;
 }
 
-Task Line::goes(const Action& action) const {
+Task Line::goes(std::size_t number) const {
+  const Action& action = task_->actions[number];
   Task task = plain();
   task.goals = action.goals;
+  if (const Action* via = via_before(*task_, number)) {
+    for (const Goal& passed : via->goals) {
+      for (Goal& goal : task.goals) {
+        if (goal.effector == passed.effector) goal.via = passed.position;
+      }
+    }
+  }
   if (action.look_at) task.look_at = action.look_at;
   task.duration = action.duration;
   const auto moves = [&](const Grip& grip) {
@@ -265,7 +274,7 @@ std::vector<Task> Line::tasks_of(std::size_t action, const Step& step) const {
   const Action& asked = task_->actions[action];
   switch (step.kind) {
     case StepKind::go:
-      return {goes(asked)};
+      return {goes(action)};
     case StepKind::reach:
       return reaches(asked);
     case StepKind::lift: {

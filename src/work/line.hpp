@@ -64,7 +64,7 @@ class Line {
   [[nodiscard]] std::size_t thing_of(const Action& action) const;
   [[nodiscard]] Task plain() const;
   [[nodiscard]] std::vector<Task> reaches(const Action& action) const;
-  [[nodiscard]] Task goes(const Action& action) const;
+  [[nodiscard]] Task goes(std::size_t action) const;
   [[nodiscard]] Task carries(std::size_t thing, const Transformd& to, bool rigid) const;
   [[nodiscard]] Task rises() const;
   // Goals of hands that carry a thing along a way.
