@@ -8,6 +8,7 @@
 #include "body/load.hpp"
 #include "core/check.hpp"
 #include "core/index.hpp"
+#include "problem/rise.hpp"
 #include "work/check_work.hpp"
 
 namespace shigusa {
@@ -22,6 +23,8 @@ constexpr double kLift = 0.05;
 // Place of a carried thing: its near side ahead of the hips (m), and its middle above them.
 constexpr double kBellyAhead = 0.16;
 constexpr double kBellyAbove = 0.08;
+// Distance (m) of a hand from where it hangs up to which it stays there.
+constexpr double kHangs = 0.12;
 // Tolerance (m) of hips and head in standing, and distance (m) at which the eyes look.
 constexpr Vec3d kUpright{0.02, 0.015, 0.02};
 constexpr double kLooksAhead = 3.0;
@@ -67,7 +70,7 @@ std::vector<Step> steps_of(const Action& action) {
       break;
     case ActionKind::stand:
     case ActionKind::sit:
-      steps = {{StepKind::rise}};
+      steps = {{StepKind::rise}, {StepKind::hang}};
       break;
   }
   if (action.hold > 0.0) steps.push_back({StepKind::pause, action.hold});
@@ -255,8 +258,11 @@ Task Line::rises() const {
       task.goals.push_back(std::move(goal));
     }
   }
+  // who is bent rises first with the arms free, which would catch on the thighs on a way of their
+  // own
+  const bool bent = !rise_of(task.body, criteria_context(task)).empty();
   for (const Effector& hand : task_->body.effectors()) {
-    if (now_.in(task_->body.find_effector(hand.name).value())) continue;
+    if (bent || now_.in(task_->body.find_effector(hand.name).value())) continue;
     task.goals.push_back({.effector = hand.name, .position = home.point(hand.link, hand.point)});
   }
   // upright again: hips and head where they were
@@ -268,6 +274,16 @@ Task Line::rises() const {
     if (bone == HumanoidBone::head) task.look_at = at + Vec3d{0, 0, kLooksAhead};
   }
   return task;
+}
+
+bool Line::hangs() const {
+  const Kinematics<double> home = placed(task_->body, task_->home);
+  const Kinematics<double> at = placed(task_->body, {.angles = now_.angles});
+  const auto hands = task_->body.effectors();
+  return std::all_of(hands.begin(), hands.end(), [&](const Effector& hand) {
+    return now_.in(task_->body.find_effector(hand.name).value()) ||
+           norm(at.point(hand.link, hand.point) - home.point(hand.link, hand.point)) < kHangs;
+  });
 }
 
 std::vector<Task> Line::tasks_of(std::size_t action, const Step& step) const {
@@ -289,6 +305,8 @@ std::vector<Task> Line::tasks_of(std::size_t action, const Step& step) const {
     }
     case StepKind::rise:
       return {rises()};
+    case StepKind::hang:
+      return hangs() ? std::vector<Task>{} : std::vector<Task>{rises()};
     default:
       return {};
   }

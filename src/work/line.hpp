@@ -35,6 +35,7 @@ enum class StepKind {
   carry,   // the thing is carried to its place
   let_go,  // the hands let the thing go
   rise,    // the body stands up straight
+  hang,    // arms that do not hang yet go down
 };
 struct Step {
   StepKind kind = StepKind::go;
@@ -67,6 +68,8 @@ class Line {
   [[nodiscard]] Task goes(std::size_t action) const;
   [[nodiscard]] Task carries(std::size_t thing, const Transformd& to, bool rigid) const;
   [[nodiscard]] Task rises() const;
+  // Whether free hands are near where they hang.
+  [[nodiscard]] bool hangs() const;
   // Goals of hands that carry a thing along a way.
   [[nodiscard]] std::vector<Goal> carried(std::size_t thing, const Transformd& to,
                                           bool rigid) const;

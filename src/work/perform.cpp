@@ -25,6 +25,7 @@ struct Found {
   std::optional<GenerateResult> result{};
   std::optional<BodyModel> body{};  // that its candidates were made with
   int way = 0;                      // index of the task
+  bool idle = false;                // nothing moves
   std::optional<Error> error{};
 
   [[nodiscard]] bool succeeds() const { return result && result->meets_goals(); }
@@ -128,6 +129,7 @@ class Performance {
   // Searches the first motion, each of whose candidates is a line.
   Result<void> branch(std::size_t action, const Step& step) {
     const std::vector<Task> tasks = lines_.front().tasks_of(action, step);
+    if (tasks.empty()) return {};
     const WorkMotion* known = take_known(action);
     Found found = known != nullptr ? played(tasks, *known) : first_of(tasks, progress_);
     if (!found.result) return error_of(action, found);
@@ -149,11 +151,14 @@ class Performance {
     single_.reset();
     ++motions_made_;
     std::vector<Found> found(lines_.size());
-    const WorkMotion* known = take_known(action);
+    const bool moves = lines_.size() > 1 || !lines_.front().tasks_of(action, step).empty();
+    const WorkMotion* known = moves ? take_known(action) : nullptr;
     const int all = task_.evaluations.value_or(usual_evaluations(task_));
     const int each = std::max(all / static_cast<int>(lines_.size()), kLeastMotions);
     parallel_for(static_cast<int>(lines_.size()), task_.batch.threads, [&](int k, int) {
       std::vector<Task> tasks = lines_[index(k)].tasks_of(action, step);
+      found[index(k)].idle = tasks.empty();
+      if (tasks.empty()) return;
       for (Task& task : tasks) {
         task.candidates = 1;
         task.batch.threads = 1;
@@ -165,6 +170,7 @@ class Performance {
     std::vector<Line> kept;
     for (std::size_t k = 0; k < lines_.size(); ++k) {
       if (found[k].result) result_.log.spend(found[k].result->log);
+      if (found[k].idle) kept.push_back(std::move(lines_[k]));
       if (!found[k].succeeds()) continue;
       kept.push_back(std::move(lines_[k]));
       kept.back().add(action, *found[k].body, std::move(found[k].result->candidates.front()),
