@@ -305,6 +305,12 @@ struct Candidate {
 /// Resamples a candidate's motion to a rate (Hz), as its files hold it: between the motion's
 /// frames, too, planted feet stay and effectors keep to their paths.
 [[nodiscard]] Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate);
+/// The ways of a candidate's things at that rate, in the frames of motion_at. Things without poses
+/// are left out.
+[[nodiscard]] std::vector<ThingMotion> things_at(const Candidate& candidate, double rate);
+/// Pose of a thing at a frame of its motion, 0 to the last; in between by a straight line and one
+/// turn.
+[[nodiscard]] Transformd pose_at(const ThingMotion& way, double frame);
 
 /// Counters of a search: effort, and motions left out by reason.
 struct SearchLog {

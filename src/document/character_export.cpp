@@ -13,6 +13,7 @@
 #include "character/character_rig.hpp"
 #include "core/say.hpp"
 #include "formats/gltf_write.hpp"
+#include "glb_things.hpp"
 #include "in_place.hpp"
 #include "measure/measure_person.hpp"
 
@@ -198,9 +199,13 @@ std::string CharacterExporter::bvh(const PosedBody& body, const Clip& clip) cons
 }
 
 GltfAnimation CharacterExporter::animation(const PosedBody& body, const Clip& clip,
-                                           const std::string& name) const {
-  GltfAnimation animation =
-      animation_of(character_.rig, character_.places, motion_of(body, clip, character_.rig), name);
+                                           const std::string& name,
+                                           std::span<const ThingMotion> things) const {
+  const Rig& rig = character_.rig;
+  RigMotion motion = rig_motion(body, clip, rig, hands_);
+  const auto kept = settings_.in_place ? stay_in_place(rig, motion) : std::vector<Vec3d>{};
+  GltfAnimation animation = animation_of(rig, character_.places, motion, name);
+  animation.things = things_in_file(things, rig.placement, kept);
   for (GltfTrack& track : animation.tracks) {
     track.node = character_.file_node[static_cast<std::size_t>(track.node)];
   }
@@ -214,13 +219,15 @@ Result<std::string> CharacterExporter::glb(std::span<const GltfAnimation> animat
 }
 
 Result<std::string> CharacterExporter::vrma(const PosedBody& body, const Clip& clip,
-                                            const std::string& name) const {
+                                            const std::string& name,
+                                            std::vector<GltfMarker> markers) const {
   VrmSkeleton skeleton(character_, hands_.fingers);
   if (!skeleton.beside.empty()) {
     return fail(ErrorCode::unsupported, say("vrma_one_root", skeleton.beside), "the format vrma");
   }
   const RigMotion motion = motion_of(body, clip, skeleton.rig);
   GltfAnimation animation = animation_of(skeleton.rig, skeleton.rest, motion, name);
+  animation.markers = std::move(markers);
   // bone lengths are constant: of the VRM bones only the hips translate
   for (GltfTrack& track : animation.tracks) {
     if (track.node > 0) track.translations.clear();

@@ -25,15 +25,17 @@ class CharacterExporter final : public GlbExporter {
   // Animation tracks: rotations of the nodes that turn, the translation of the hips, and the nodes
   // whose start frame differs from the rest pose.
   [[nodiscard]] GltfAnimation animation(const PosedBody& body, const Clip& clip,
-                                        const std::string& name) const override;
+                                        const std::string& name,
+                                        std::span<const ThingMotion> things) const override;
 
   // The character's glTF file with the animations added before its own, or replacing them.
   [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const override;
 
   // VRM animation of the character's VRM bones. Eyes and jaw are left out, and so are fingers that
-  // do not move.
+  // do not move. It holds no things.
   [[nodiscard]] Result<std::string> vrma(const PosedBody& body, const Clip& clip,
-                                         const std::string& name) const;
+                                         const std::string& name,
+                                         std::vector<GltfMarker> markers = {}) const;
 
  private:
   [[nodiscard]] RigMotion motion_of(const PosedBody& body, const Clip& clip, const Rig& rig) const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/body.hpp>
+#include <shigusa/generate.hpp>
 #include <shigusa/motion.hpp>
 #include <span>
 #include <string>
@@ -18,9 +19,10 @@ class GlbExporter {
   GlbExporter& operator=(const GlbExporter&) = delete;
   virtual ~GlbExporter() = default;
 
-  // The animation to pass to glb().
+  // The animation to pass to glb(). `things`: their ways in the frames of the clip.
   [[nodiscard]] virtual GltfAnimation animation(const PosedBody& body, const Clip& clip,
-                                                const std::string& name) const = 0;
+                                                const std::string& name,
+                                                std::span<const ThingMotion> things) const = 0;
   // The GLB file with these animations.
   [[nodiscard]] virtual Result<std::string> glb(
       std::span<const GltfAnimation> animations) const = 0;

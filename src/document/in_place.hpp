@@ -10,11 +10,11 @@ namespace shigusa {
 
 // Holds a node (frames × nodes) at its horizontal position of the first frame and keeps its
 // vertical motion. `parent`: transform from its fixed parent to the world, with scales; `up`: unit
-// vector in that world.
-void stay_in_place(int node, const Mat3d& parent, const Vec3d& up, std::size_t nodes,
-                   std::vector<LocalTransform>& local);
+// vector in that world. Returns what is taken off it in that world (frames).
+std::vector<Vec3d> stay_in_place(int node, const Mat3d& parent, const Vec3d& up, std::size_t nodes,
+                                 std::vector<LocalTransform>& local);
 
 // Holds the hips of a rig in place, in the world of the exported file.
-void stay_in_place(const Rig& rig, RigMotion& motion);
+std::vector<Vec3d> stay_in_place(const Rig& rig, RigMotion& motion);
 
 }  // namespace shigusa

@@ -4,6 +4,7 @@
 #include <shigusa/human.hpp>
 
 #include "core/index.hpp"
+#include "glb_things.hpp"
 #include "in_place.hpp"
 #include "joint_names.hpp"
 #include "kinematics/skeleton_motion.hpp"
@@ -53,10 +54,14 @@ MannequinExporter::MannequinExporter(const CharacterSpec& character, const BodyM
 }
 
 GltfAnimation MannequinExporter::animation(const PosedBody& posed, const Clip& clip,
-                                           const std::string& name) const {
+                                           const std::string& name,
+                                           std::span<const ThingMotion> things) const {
   const std::vector<LocalTransform>& rest = mannequin_.rest();
   SkeletonClip moved = skeleton_motion(posed, clip).clip;
-  if (settings_.in_place) stay_in_place(0, {}, {0, 1, 0}, posed.body.nodes().size(), moved.local);
+  std::vector<Vec3d> kept;
+  if (settings_.in_place) {
+    kept = stay_in_place(0, {}, {0, 1, 0}, posed.body.nodes().size(), moved.local);
+  }
   const bool plays = hands_.fingers;
   const std::vector<LocalTransform> local =
       mannequin_.play(moved, {plays && hands_.reaches[0], plays && hands_.reaches[1]});
@@ -69,6 +74,7 @@ GltfAnimation MannequinExporter::animation(const PosedBody& posed, const Clip& c
     const bool stays = track.rotations.empty() && track.translations.empty();
     if (!stays) animation.tracks.push_back(std::move(track));
   }
+  animation.things = things_in_file(things, {}, kept);
   return animation;
 }
 

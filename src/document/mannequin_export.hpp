@@ -19,7 +19,8 @@ class MannequinExporter final : public GlbExporter {
 
   // Animation tracks: rotations of the nodes that turn and the translation of the hips.
   [[nodiscard]] GltfAnimation animation(const PosedBody& body, const Clip& clip,
-                                        const std::string& name) const override;
+                                        const std::string& name,
+                                        std::span<const ThingMotion> things) const override;
   [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const override;
 
  private:

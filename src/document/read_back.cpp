@@ -206,7 +206,9 @@ Result<ReadBack> ReadBackCheck::glb(std::string_view bytes, const std::string& a
       if (at == in_file.end()) return unreadable("glb", say("other_nodes"));
       back.node_of[node] = static_cast<int>(at - in_file.begin());
     }
-  } else if (in_file != rig->file_node) {
+  } else if (in_file.size() < rig->file_node.size() ||
+             !std::equal(rig->file_node.begin(), rig->file_node.end(), in_file.begin())) {
+    // things come after the file's own nodes
     return unreadable("glb", say("other_nodes"));
   }
   back.places = [&](int frame) {

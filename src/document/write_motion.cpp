@@ -8,6 +8,7 @@
 #include "character_export.hpp"
 #include "core/say.hpp"
 #include "export_file.hpp"
+#include "glb_things.hpp"
 #include "in_place.hpp"
 #include "joint_names.hpp"
 #include "kinematics/skeleton_motion.hpp"
@@ -57,6 +58,14 @@ std::unique_ptr<GlbExporter> glb_exporter(const CharacterSpec& character, const 
   return std::make_unique<CharacterExporter>(*character.rig, hand_play(task), settings);
 }
 
+GltfAnimation animation_of(const GlbExporter& exporter, const Task& task,
+                           const Candidate& candidate, const Clip& clip, const std::string& name) {
+  const std::vector<ThingMotion> things = things_at(candidate, 1.0 / clip.frame_time);
+  GltfAnimation animation = exporter.animation(task, clip, name, things);
+  animation.markers = markers_of(candidate);
+  return animation;
+}
+
 }  // namespace
 
 // BVH of any body; a character from a file keeps its own nodes.
@@ -84,7 +93,8 @@ Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
   const auto exporter = glb_exporter(request.character, request.task, request.settings);
   const std::string& name = request.settings.animation;
   const auto make = [&](const Clip& clip) {
-    return exporter->glb(std::vector{exporter->animation(request.task, clip, name)});
+    const auto& [character, task, candidate, settings] = request;
+    return exporter->glb(std::vector{animation_of(*exporter, task, candidate, clip, name)});
   };
   return checked_file(request, make, [&](const ReadBackCheck& check, const std::string& bytes) {
     return check.glb(bytes, name);
@@ -95,7 +105,8 @@ template <>
 Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request) {
   const CharacterExporter exporter = exporter_of(request);
   const auto make = [&](const Clip& clip) {
-    return exporter.vrma(request.task, clip, request.settings.animation);
+    return exporter.vrma(request.task, clip, request.settings.animation,
+                         markers_of(request.candidate));
   };
   return checked_file(request, make, [](const ReadBackCheck& check, const std::string& bytes) {
     return check.vrma(bytes);
@@ -117,7 +128,7 @@ Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
         settings.animation.empty()
             ? candidate_animation(character, i + 1)
             : free_animation(character, fmt::format("{} {}", settings.animation, i + 1));
-    animations.push_back(exporter->animation(task, clips.back(), name));
+    animations.push_back(animation_of(*exporter, task, candidates[i], clips.back(), name));
   }
   SHG_TRY_ASSIGN(std::string bytes, exporter->glb(animations));
   MadeGlb made{std::move(bytes), {}};

@@ -10,7 +10,9 @@
 
 namespace shigusa {
 
-// Lays out the data of animations, with a buffer view per accessor, and their JSON entries.
+inline constexpr int kGltfFloat = 5126;  // componentType
+
+// Lays out the data of animations and meshes, and their JSON entries.
 class GltfAnimationLayout {
  public:
   // Numbers of existing accessors and buffer views, and the data to which it appends.
@@ -18,8 +20,11 @@ class GltfAnimationLayout {
                       std::size_t offset)
       : accessor_(accessor), view_(view), buffer_(buffer), offset_(offset) {}
 
-  // `held`: properties that keep their values unless the animation has a track for them.
-  void add(const GltfAnimation& animation, const std::vector<GltfKeyed>& held);
+  // `held`: properties that keep their values unless the animation has a track for them; `things`:
+  // node of the first thing.
+  void add(const GltfAnimation& animation, const std::vector<GltfKeyed>& held, int things);
+  // Adds the data of a mesh; returns the JSON of its primitive.
+  [[nodiscard]] std::string add_mesh(const GltfMesh& mesh, std::size_t material);
 
   std::string accessors;
   std::string views;
@@ -27,12 +32,17 @@ class GltfAnimationLayout {
   std::string data;
 
  private:
-  // Adds a buffer view that begins at the present end of the data; `more`: further members.
-  std::size_t add_accessor(std::size_t count, const char* type, const std::string& more = {});
+  // Ends the buffer view that began at view_begin_; `more`: further members.
+  void add_view(const std::string& more = {});
+  // Adds an accessor that begins at the present end of the data; `more`: further members.
+  std::size_t add_accessor(std::size_t count, const char* type, const std::string& more = {},
+                           int component = kGltfFloat);
+  // Adds vectors of vertices with a view of their own; returns the accessor.
+  std::size_t add_vertices(const std::vector<Vec3d>& vectors, const std::string& more = {});
   // Times of that many frames, evenly spaced from first to last.
   std::size_t add_times(const GltfAnimation& animation, int frames);
   void add_channel(int node, const char* path, std::size_t times, std::size_t output);
-  void add_rotations(const GltfTrack& track);
+  void add_rotations(int node, Quatd before, const std::vector<Quatd>& rotations);
   void add_vectors(int node, const char* path, const std::vector<Vec3d>& vectors);
   void add_held(const GltfAnimation& animation, const std::vector<GltfKeyed>& held);
 

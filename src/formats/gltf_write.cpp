@@ -3,21 +3,29 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <optional>
 
 #include "core/check.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "glb.hpp"
+#include "gltf_accessor.hpp"
 #include "gltf_animation_layout.hpp"
 #include "gltf_json.hpp"
 #include "gltf_keyed.hpp"
 #include "json_splice.hpp"
+#include "node_names.hpp"
 
 namespace shigusa {
 namespace {
 
 using Value = JsonSplice::Value;
+
+// Cardboard, #c8a878, linear.
+constexpr const char* kThingMaterial =
+    R"({"name":"thing","pbrMetallicRoughness":{"baseColorFactor":[0.5776,0.3916,0.1878,1],)"
+    R"("metallicFactor":0,"roughnessFactor":0.8}})";
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kLetters =
@@ -47,12 +55,7 @@ class AnimationAdder {
         buffers_(json_.elements(json_.member(root_, "buffers"))) {}
 
   [[nodiscard]] Result<void> check() const {
-    for (const char* added : {"accessors", "animations", "buffers", "bufferViews"}) {
-      const Value list = json_.member(root_, added);
-      if (list && !json_.text_of(list).starts_with('[')) {
-        return wrong(say("not_a_list", added));
-      }
-    }
+    SHG_TRY(are_lists({"accessors", "animations", "buffers", "bufferViews"}));
     for (const char* list : {"buffers", "images"}) {
       SHG_TRY(refers_to_no_file(list));
     }
@@ -69,10 +72,14 @@ class AnimationAdder {
     GltfAnimationLayout layout(json_.count(json_.member(root_, "accessors")),
                                json_.count(json_.member(root_, "bufferViews")),
                                chunk ? 0 : buffers_.size(), binary.size());
+    const int things = static_cast<int>(json_.count(json_.member(root_, "nodes")));
+    if (!animations.empty()) {
+      SHG_TRY(add_things(animations.front().things, layout));
+    }
     const bool kept = own == OwnAnimations::kept;
     const std::vector<GltfKeyed> held = kept ? keyed_properties(json_) : std::vector<GltfKeyed>{};
     for (const GltfAnimation& animation : animations) {
-      layout.add(animation, held);
+      layout.add(animation, held, things);
       free_matrices(animation);
     }
     json_.append("accessors", layout.accessors);
@@ -95,6 +102,14 @@ class AnimationAdder {
   }
 
  private:
+  [[nodiscard]] Result<void> are_lists(std::initializer_list<const char*> members) const {
+    for (const char* member : members) {
+      const Value list = json_.member(root_, member);
+      if (list && !json_.text_of(list).starts_with('[')) return wrong(say("not_a_list", member));
+    }
+    return {};
+  }
+
   [[nodiscard]] Result<void> wrong(Message message) const {
     return fail(ErrorCode::parse, std::move(message), std::string(name_));
   }
@@ -125,6 +140,58 @@ class AnimationAdder {
     std::string shown;
     for (const char c : text.substr(0, kLongest)) shown += c >= ' ' && c < 0x7F ? c : '?';
     return shown;
+  }
+
+  // Adds the things as root nodes, each with its mesh.
+  Result<void> add_things(const std::vector<GltfThing>& things, GltfAnimationLayout& layout) {
+    if (things.empty()) return {};
+    SHG_TRY(are_lists({"materials", "meshes"}));
+    nodes_ = json_.elements(json_.member(root_, "nodes"));
+    NodeNames names;
+    for (const Value& node : nodes_) {
+      const auto name = parse_small_json(json_.text_of(json_.member(node, "name")), "a name");
+      if (name && name->is_string()) (void)names.take(name->get_ref<const std::string&>());
+    }
+    std::size_t mesh = json_.count(json_.member(root_, "meshes"));
+    std::size_t node = nodes_.size();
+    const std::size_t material = json_.count(json_.member(root_, "materials"));
+    std::string meshes;
+    std::string nodes;
+    std::string roots;
+    for (const GltfThing& thing : things) {
+      const char* comma = nodes.empty() ? "" : ",";
+      const std::string name = json_quoted(names.take(thing.name));
+      const Vec3d& t = thing.translations.front();
+      const Quatd& r = thing.rotations.front();
+      meshes += fmt::format(R"({}{{"name":{},"primitives":[{}]}})", comma, name,
+                            layout.add_mesh(thing.mesh, material));
+      nodes += fmt::format(R"({}{{"name":{},"mesh":{},"translation":{},"rotation":{}}})", comma,
+                           name, mesh++, json_numbers({t.x, t.y, t.z}),
+                           json_numbers({r.x, r.y, r.z, r.w}));
+      roots += fmt::format("{}{}", comma, node++);
+    }
+    json_.append("meshes", meshes);
+    json_.append("nodes", nodes);
+    json_.append("materials", kThingMaterial);
+    add_roots(roots);
+    return {};
+  }
+
+  // Adds nodes to the scene that is shown; a file without one shows what its reader likes.
+  void add_roots(const std::string& roots) {
+    const auto scenes = json_.elements(json_.member(root_, "scenes"));
+    const std::string_view shown = json_.text_of(json_.member(root_, "scene"));
+    std::size_t scene = 0;
+    std::from_chars(shown.data(), shown.data() + shown.size(), scene);
+    if (scene >= scenes.size()) return;
+    const Value list = json_.member(scenes[scene], "nodes");
+    if (list) {
+      json_.replace(list.end - 1, list.end - 1, (json_.count(list) == 0 ? "" : ",") + roots);
+      return;
+    }
+    const std::size_t close = scenes[scene].end - 1;
+    const bool empty = json_.text_of(scenes[scene]).find(':') == std::string_view::npos;
+    json_.replace(close, close, fmt::format(R"({}"nodes":[{}])", empty ? "" : ",", roots));
   }
 
   // glTF animates only translation, rotation and scale.

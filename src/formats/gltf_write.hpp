@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <shigusa/error.hpp>
 #include <span>
 #include <string>
@@ -20,11 +21,35 @@ struct GltfTrack {
   std::vector<Vec3d> scales{};      // (frames), or empty if it keeps its rest scale
 };
 
+// Triangles of one colour.
+struct GltfMesh {
+  std::vector<Vec3d> positions;
+  std::vector<Vec3d> normals;          // (positions) unit vectors
+  std::vector<std::uint16_t> corners;  // (triangles × 3) indices, counter-clockwise from outside
+};
+
+// A thing beside the character, which the file does not have yet.
+struct GltfThing {
+  std::string name;
+  GltfMesh mesh;
+  std::vector<Quatd> rotations;     // (frames)
+  std::vector<Vec3d> translations;  // (frames) in the world of the file
+};
+
+// What happens in a part of an animation.
+struct GltfMarker {
+  std::string_view name;
+  double start = 0.0;  // s
+  double end = 0.0;    // s
+};
+
 struct GltfAnimation {
   std::string name;
   double frame_time = 1.0 / 60.0;  // s
   int frames = 0;
-  std::vector<GltfTrack> tracks;  // one for each node
+  std::vector<GltfTrack> tracks;      // one for each node
+  std::vector<GltfThing> things{};    // the same ones in all animations that are added together
+  std::vector<GltfMarker> markers{};  // "shigusa_actions" of its extras
 };
 
 // Treatment of the animations that a file already has.
@@ -38,6 +63,9 @@ enum class OwnAnimations { kept, left_out };
 //
 // A property that is animated by the file's own animations but not by an added one is held at rest
 // by two keys, as players would otherwise leave it at the previous animation's value.
+//
+// Things become root nodes of the file's scene after its own nodes, once for all animations, with
+// names that no other node has.
 //
 // Fails if parse_gltf cannot read the file, and if it refers to other files, which would be lost:
 // `name` stands for the file in messages.

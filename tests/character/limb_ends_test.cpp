@@ -127,7 +127,7 @@ TEST(LimbEnds, MotionsLeaveOnTheFileWithItsHands) {
   const Clip& clip = generation.candidates[0].motion.clip;
   const CharacterRig& rig = *file.character.rig;
   const CharacterExporter exporter(rig, hand_play(task));
-  const GltfAnimation animation = exporter.animation(task, clip, "motion");
+  const GltfAnimation animation = exporter.animation(task, clip, "motion", {});
   const std::string bytes = exporter.glb(std::span(&animation, 1)).value();
   const CharacterSpec again = loaded(bytes);
   EXPECT_EQ(again.humanoid, file.character.humanoid);

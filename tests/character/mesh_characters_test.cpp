@@ -103,7 +103,7 @@ TEST_P(MeshCharacters, StandOnTheirSolesInWhatLeaves) {
   const GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
   const Clip& clip = generation.candidates[0].motion.clip;
   const CharacterExporter exporter(*file.character.rig);
-  const GltfAnimation animation = exporter.animation(task, clip, kMotion);
+  const GltfAnimation animation = exporter.animation(task, clip, kMotion, {});
   const ExportedGlb out(exporter.glb(std::span(&animation, 1)).value());
   const double unit = file.character.rig->rig.placement.unit;
   for (const char* foot : {"left_foot", "right_foot"}) {
@@ -294,7 +294,7 @@ TEST_P(RealMeshes, StandOnTheirSoles) {
   const GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
   const CharacterExporter exporter(*file.character.rig);
   const GltfAnimation animation =
-      exporter.animation(task, generation.candidates[0].motion.clip, kMotion);
+      exporter.animation(task, generation.candidates[0].motion.clip, kMotion, {});
   const std::string bytes = exporter.glb(std::span(&animation, 1)).value();
   // the reader is tested against its own definition elsewhere; here it reads written files
   const auto moved = parse_gltf_animation(bytes, "out.glb", {.animation = kMotion});

@@ -102,7 +102,7 @@ Result<Played> reach_with_right_hand(TaskFile& file) {
   const Clip& clip = generation.candidates[0].motion.clip;
   const CharacterRig& rig = *file.character.rig;
   const CharacterExporter exporter(rig);
-  const GltfAnimation animation = exporter.animation(task, clip, kMotion);
+  const GltfAnimation animation = exporter.animation(task, clip, kMotion, {});
   const ExportedGlb out(exporter.glb(std::span(&animation, 1)).value());
   const auto at = [out, rig, &character = file.character](const std::string& of, int frame) {
     const int i = rig.file_node[static_cast<std::size_t>(rig_node(character, of))];

@@ -347,7 +347,7 @@ TEST(StartPose, MotionFromTheBoundPosePlaysOnTheFile) {
   ASSERT_TRUE(generation.meets_goals());
   const Clip& clip = generation.candidates[0].motion.clip;
   const CharacterExporter exporter(*file.character.rig);
-  const GltfAnimation animation = exporter.animation(task, clip, "motion");
+  const GltfAnimation animation = exporter.animation(task, clip, "motion", {});
   const ExportedGlb out(exporter.glb(std::span(&animation, 1)).value());
   const auto at = [&](const char* of, int frame) {
     const auto i = static_cast<std::size_t>(rig_node(file.character, of));

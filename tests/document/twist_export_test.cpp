@@ -127,7 +127,7 @@ Played play(const Figure& figure, int frames, const Pose& pose) {
   }
   const auto file = [&](const CharacterSpec& of) {
     const CharacterExporter exporter(*of.rig);
-    const GltfAnimation animation = exporter.animation(posed, clip, kName);
+    const GltfAnimation animation = exporter.animation(posed, clip, kName, {});
     return ExportedGlb(exporter.glb(std::span(&animation, 1)).value());
   };
   CharacterSpec plain = spec;
@@ -317,7 +317,7 @@ TEST(TwistExport, AMotionWithTwistBonesIsFittedExactly) {
     // the figure stands where its motion does, so that one placement is for both
     ASSERT_LE(norm(rig.placement.origin), 1e-6);
     const CharacterExporter exporter(*played.spec.rig);
-    const GltfAnimation animation = exporter.animation(played.posed, played.clip, kName);
+    const GltfAnimation animation = exporter.animation(played.posed, played.clip, kName, {});
     const GltfMotion read =
         parse_gltf_animation(exporter.glb(std::span(&animation, 1)).value(), "out.glb", {}).value();
     // turns of a motion that is read are those from rest
