@@ -35,18 +35,31 @@ struct StripThing {
   /// second and third.
   std::vector<Vec3d> corners;
   double radius = 0.0;  ///< radius of the spheres, in the skeleton's unit
+  /// (frames) X_WT of a thing that moves, whose corners are along its own axes; empty: it stays.
+  std::vector<Transformd> poses{};
+};
+
+/// A part of a motion with a name.
+struct StripAction {
+  std::string name{};          ///< UTF-8 text below the pose with which it begins
+  int first = 0;               ///< frame in which it begins
+  int last = 0;                ///< frame in which it ends
+  std::vector<Vec3d> goals{};  ///< goals, drawn in its poses
 };
 
 /// Marks drawn beside the figure; positions are in the skeleton's world and unit.
 struct StripOverlay {
   /// Objects drawn behind the figure in every pose, clipped far beyond it; edges in front of the
-  /// figure are drawn over it again.
+  /// figure are drawn over it again. Those that move are drawn before or behind its limbs.
   std::vector<StripThing> things;
   std::vector<Vec3d> goals;  ///< goals, drawn as ringed crosses in every pose
   /// (frames) centre of mass, drawn as a quartered disc with its plumb line; may be empty.
   std::vector<Vec3d> centre_of_mass;
   std::vector<Vec3d> hand_path;  ///< (frames) path of the hand, drawn up to each pose; may be empty
   std::string caption;           ///< UTF-8 text below the strip, in DejaVu Sans; may be empty
+  /// Parts of the motion, in their order; the path of the hand is then drawn from the beginning of
+  /// the present one.
+  std::vector<StripAction> actions{};
 };
 
 /// Settings of a strip figure.
@@ -55,6 +68,9 @@ struct StripSettings {
                   ///< to last_frame
   int first_frame = 0;  ///< first frame drawn; time labels count from here
   int last_frame = -1;  ///< last frame drawn; -1: the clip's last
+  /// Frames of the poses, ascending, at most kStripMaxPoses, in place of the three above; empty:
+  /// those.
+  std::vector<int> frames{};
 
   double width_mm = 170.0;  ///< width of the page; the height follows
 
@@ -140,11 +156,21 @@ namespace shigusa {
 /// for (0.25, 0.55, 0.5). Coordinates of 0 are left out, and the floor is named.
 [[nodiscard]] std::string place_words(const Vec3d& place);
 
+/// The name of a kind of actions: "grasp", "wait".
+[[nodiscard]] std::string_view action_name(ActionKind kind);
+
+/// An action in words: "grasp the box", "place the box at 0.9 m up, 0.45 m ahead", "wait for 2 s",
+/// "stand", "right hand to 1.2 m up".
+[[nodiscard]] std::string action_words(const Action& action);
+
 /// A goal in words: "right hand to 0.25 m left, 0.55 m up, 0.5 m ahead, holding 5 kg".
 [[nodiscard]] std::string goal_words(const Goal& goal);
 
-/// A request's goals and contacts in words: "right hand to 0.2 m up; standing on the left foot".
+/// A request's goals or actions, and its contacts, in words: "right hand to 0.2 m up; standing on the left foot".
 [[nodiscard]] std::string asked_words(const Request& request);
+
+/// The actions as a title: "Grasp the box, place the box, stand".
+[[nodiscard]] std::string actions_title(std::span<const Action> actions);
 
 /// The goals as a title: "Right hand low in front on the left", "Both hands overhead". Heights are
 /// judged relative to the `stature` (m).

@@ -8,6 +8,7 @@
 #include "body/seat.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
+#include "work_strip.hpp"
 
 namespace shigusa {
 namespace {
@@ -74,25 +75,39 @@ std::vector<StripThing> things_around(const Task& task) {
   return things;
 }
 
-StripSettings strip_settings(const Task& task) {
+StripSettings strip_settings(const Task& task, const Candidate& candidate) {
   StripSettings settings;
   settings.floor = 0.0;
   settings.facing = Vec3d{0, 0, 1};
   settings.accented.clear();
-  for (const Goal& goal : task.goals) {
+  const auto accent = [&settings](const Goal& goal) {
     if (const auto limb = limb_of(goal.effector)) settings.accented.push_back(*limb);
+  };
+  for (const Goal& goal : task.goals) accent(goal);
+  for (const ActionResult& action : candidate.actions) {
+    // who stands up brings all limbs home
+    if (action.kind == ActionKind::stand || action.kind == ActionKind::sit) continue;
+    for (const GoalResult& goal : action.goals) accent(goal.asked);
   }
   return settings;
 }
 
 MotionStrip candidate_strip(const Task& task, const Candidate& candidate) {
-  MotionStrip strip{skeleton_motion(task.body, candidate.motion.clip), {}, strip_settings(task)};
+  MotionStrip strip{
+      skeleton_motion(task.body, candidate.motion.clip), {}, strip_settings(task, candidate)};
+  strip.settings.frames = work_frames(candidate);
+  strip.overlay.actions = work_actions(candidate);
   for (const GoalResult& goal : candidate.goals) {
-    strip.overlay.goals.push_back(goal.asked.position);
+    if (candidate.actions.empty()) strip.overlay.goals.push_back(goal.asked.position);
   }
   strip.overlay.things = things_around(task);
+  for (const ThingMotion& way : candidate.things) {
+    strip.overlay.things.push_back(moving_thing(way));
+  }
   strip.overlay.centre_of_mass = candidate.motion.centre_of_mass;
-  strip.overlay.hand_path = candidate.motion.effectors.front();
+  if (!candidate.motion.effectors.empty()) {
+    strip.overlay.hand_path = candidate.motion.effectors.front();
+  }
   return strip;
 }
 

@@ -71,10 +71,10 @@ struct PosedFigure {
 
 class FigurePoser {
  public:
-  FigurePoser(const Task& task, const Motion& motion)
-      : motion_(motion),
-        moves_(skeleton_motion(task.body, motion.clip)),
-        body_(moves_.skeleton, strip_settings(task), {{0, 1, 0}, {0, 0, 1}}) {}
+  FigurePoser(const Task& task, const Candidate& candidate)
+      : motion_(candidate.motion),
+        moves_(skeleton_motion(task.body, motion_.clip)),
+        body_(moves_.skeleton, strip_settings(task, candidate), {{0, 1, 0}, {0, 0, 1}}) {}
 
   [[nodiscard]] PosedFigure figure() {
     PosedFigure figure;
@@ -271,7 +271,7 @@ std::string boxes_json(const Task& task) {
 std::string page_figures(const Task& task, const GenerateResult& generation) {
   std::vector<PosedFigure> figures;
   for (const Candidate& candidate : generation.candidates) {
-    figures.push_back(FigurePoser(task, candidate.motion).figure());
+    figures.push_back(FigurePoser(task, candidate).figure());
   }
   const bool left =
       !task.goals.empty() &&

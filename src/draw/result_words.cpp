@@ -95,6 +95,40 @@ std::string place_words(const Vec3d& place) {
   return words;
 }
 
+std::string_view action_name(ActionKind kind) {
+  const std::string_view word = word_of(kind);
+  return word.substr(0, word.find('_'));  // without a unit
+}
+
+std::string action_words(const Action& action) {
+  const std::optional<ActionKind> kind = kind_of(action);
+  const std::string& thing = !action.grasp.empty()   ? action.grasp
+                             : !action.place.empty() ? action.place
+                                                     : action.release;
+  std::string words(kind ? action_name(*kind) : "nothing");
+  if (!thing.empty()) words += fmt::format(" the {}", part_words(thing));
+  if (action.position) words += fmt::format(" at {}", place_words(*action.position));
+  if (action.wait) words += fmt::format(" for {:g} s", *action.wait);
+  if (kind != ActionKind::goals) return words;
+  words.clear();
+  for (const Goal& goal : action.goals) {
+    words += fmt::format("{}{}", words.empty() ? "" : " and ", goal_words(goal));
+  }
+  return words.empty() ? "look" : words;
+}
+
+std::string actions_title(std::span<const Action> actions) {
+  std::string title;
+  constexpr std::size_t kTold = 4;
+  for (std::size_t i = 0; i < std::min(actions.size(), kTold); ++i) {
+    Action brief = actions[i];
+    brief.position.reset();
+    title += fmt::format("{}{}", i == 0 ? "" : ", ", action_words(brief));
+  }
+  if (actions.size() > kTold) title += fmt::format(", and {} more", actions.size() - kTold);
+  return capitalised(title);
+}
+
 std::string goal_words(const Goal& goal) {
   std::string words =
       fmt::format("{} to {}", part_words(goal.effector), place_words(goal.position));
@@ -108,6 +142,9 @@ std::string asked_words(const Request& request) {
   std::string words;
   for (const Goal& goal : request.goals) {
     words += fmt::format("{}{}", words.empty() ? "" : "; ", goal_words(goal));
+  }
+  for (const Action& action : request.actions) {
+    words += fmt::format("{}{}", words.empty() ? "" : "; ", action_words(action));
   }
   if (!request.contacts) return words;
   std::string feet;

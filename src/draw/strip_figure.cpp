@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <shigusa/draw.hpp>
 #include <shigusa/math.hpp>
 
@@ -55,7 +56,10 @@ double Page::place(PlacedStrip& placed, double top) const {
   place_slots(placed.strip, width_, scale);
   placed.floor = top + scale * max(placed.strip.top, 0.0);
   placed.times = placed.floor - scale * min(placed.strip.bottom, 0.0) + kTick + kLine * kText;
-  placed.caption_above = placed.times + kBelowText;
+  placed.labels = action_labels(placed.strip, placed.overlay->actions, width_);
+  int rows = 0;
+  for (const ActionLabel& label : placed.labels) rows = std::max(rows, label.row + 1);
+  placed.caption_above = placed.times + rows * kLine * kText + kBelowText;
   if (placed.caption.empty()) return placed.caption_above;
   const double lines = static_cast<double>(placed.caption.size());
   return placed.caption_above + lines * kLine * kCaptionText + kBelowText;

@@ -10,7 +10,7 @@ namespace {
 // Limits that keep a figure's file below some tens of megabytes.
 constexpr std::size_t kMaxPieces = 65'536;
 constexpr std::size_t kMaxGoals = 64;
-constexpr std::size_t kMaxThings = 80;
+constexpr std::size_t kMaxThings = 80 + kThingsMax;
 constexpr std::size_t kMaxCorners = 64;
 constexpr std::size_t kMaxCaption = 2000;
 
@@ -23,11 +23,15 @@ Result<void> check_range(const char* name, double value, double low, double high
   return invalid(name, fmt::format("{} given; {:g} to {:g} allowed", value, low, high));
 }
 
+int poses_of(const StripSettings& settings) {
+  return settings.frames.empty() ? settings.poses : static_cast<int>(settings.frames.size());
+}
+
 Result<void> check_settings(const StripSettings& settings, std::size_t nodes) {
   const struct {
     const char* name;
     double value, low, high;
-  } ranges[] = {{"poses", static_cast<double>(settings.poses), 1, kStripMaxPoses},
+  } ranges[] = {{"poses", static_cast<double>(poses_of(settings)), 1, kStripMaxPoses},
                 {"width_mm", settings.width_mm, 100, 2000},
                 {"azimuth_deg", settings.azimuth_deg, -360, 360},
                 {"elevation_deg", settings.elevation_deg, -30, 80},
@@ -75,6 +79,14 @@ Result<void> check_clip(const SkeletonClip& clip, std::size_t nodes,
     return invalid("motion", fmt::format("{} transforms for {} frames of {} nodes",
                                          clip.local.size(), clip.frames, nodes));
   }
+  int before = -1;
+  for (const int frame : settings.frames) {
+    if (frame <= before || frame >= clip.frames) {
+      return invalid("frames", fmt::format("{} after {}; the clip has 0 to {}, and they ascend",
+                                           frame, before, clip.frames - 1));
+    }
+    before = frame;
+  }
   const int last = settings.last_frame < 0 ? clip.frames - 1 : settings.last_frame;
   if (last >= clip.frames || settings.first_frame < 0 || settings.first_frame > last) {
     return invalid("frames", fmt::format("{} to {} given; the clip has 0 to {}",
@@ -83,7 +95,19 @@ Result<void> check_clip(const SkeletonClip& clip, std::size_t nodes,
   return check_range("frame time", clip.frame_time, 0.0, 1e6);
 }
 
-Result<void> check_things(const std::vector<StripThing>& things) {
+Result<void> check_poses(const std::vector<Transformd>& poses, int frames,
+                         const std::string& place) {
+  if (!poses.empty() && poses.size() != static_cast<std::size_t>(frames)) {
+    return invalid(place, fmt::format("{} poses given; 0 or {} allowed", poses.size(), frames));
+  }
+  for (const Transformd& pose : poses) {
+    if (usable(pose)) continue;
+    return invalid(place, fmt::format("a pose is not finite, or beyond {:g}", kFarthest));
+  }
+  return {};
+}
+
+Result<void> check_things(const std::vector<StripThing>& things, int frames) {
   if (things.size() > kMaxThings) {
     return invalid("things", fmt::format("{} given; up to {} allowed", things.size(), kMaxThings));
   }
@@ -98,12 +122,46 @@ Result<void> check_things(const std::vector<StripThing>& things) {
       if (norm(corner) <= kFarthest) continue;
       return invalid(place, fmt::format("a corner is not finite, or beyond {:g}", kFarthest));
     }
+    SHG_TRY(check_poses(things[i].poses, frames, place));
+  }
+  return {};
+}
+
+Result<void> check_text(const char* name, std::string_view text) {
+  if (text.size() > kMaxCaption) {
+    return invalid(name,
+                   fmt::format("{} bytes given; up to {} allowed", text.size(), kMaxCaption));
+  }
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text.substr(i));
+    if (length == 0) return invalid(name, fmt::format("byte {} is not UTF-8 text", i));
+    i += length;
+  }
+  return {};
+}
+
+Result<void> check_actions(const std::vector<StripAction>& actions) {
+  if (actions.size() > kActionsMax) {
+    return invalid("actions",
+                   fmt::format("{} given; up to {} allowed", actions.size(), kActionsMax));
+  }
+  for (const StripAction& action : actions) {
+    SHG_TRY(check_text("name of an action", action.name));
+    SHG_TRY(check_range("goals of an action", static_cast<double>(action.goals.size()), 0.0,
+                        static_cast<double>(kMaxGoals)));
+    SHG_TRY(check_range("begin of an action", action.first, 0.0, action.last));
+    for (const Vec3d& goal : action.goals) {
+      if (norm(goal) <= kFarthest) continue;
+      return invalid("goals of an action",
+                     fmt::format("a position is not finite, or beyond {:g}", kFarthest));
+    }
   }
   return {};
 }
 
 Result<void> check_overlay(const StripOverlay& overlay, int frames) {
-  SHG_TRY(check_things(overlay.things));
+  SHG_TRY(check_things(overlay.things, frames));
+  SHG_TRY(check_actions(overlay.actions));
   const struct {
     const char* name;
     const std::vector<Vec3d>& points;
@@ -125,25 +183,21 @@ Result<void> check_overlay(const StripOverlay& overlay, int frames) {
       }
     }
   }
-  if (overlay.caption.size() > kMaxCaption) {
-    return invalid("caption", fmt::format("{} bytes given; up to {} allowed",
-                                          overlay.caption.size(), kMaxCaption));
-  }
-  for (std::size_t i = 0; i < overlay.caption.size();) {
-    const std::size_t length = utf8_length(std::string_view(overlay.caption).substr(i));
-    if (length == 0) return invalid("caption", fmt::format("byte {} is not UTF-8 text", i));
-    i += length;
-  }
-  return {};
+  return check_text("caption", overlay.caption);
 }
 
 }  // namespace
+
+bool usable(const Transformd& x) {
+  const Mat3d& r = x.rotation;
+  return norm(x.translation) <= kFarthest && norm(r.cx) + norm(r.cy) + norm(r.cz) <= kFarthest;
+}
 
 Result<void> check_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
                          const StripSettings& settings) {
   const std::size_t nodes = motion.skeleton.nodes.size();
   SHG_TRY(check_settings(settings, nodes));
-  SHG_TRY(check_skeleton(motion.skeleton, settings.poses));
+  SHG_TRY(check_skeleton(motion.skeleton, poses_of(settings)));
   SHG_TRY(check_clip(motion.clip, nodes, settings));
   return check_overlay(overlay, motion.clip.frames);
 }

@@ -41,6 +41,7 @@ struct View {
 using Posture = std::vector<Transformd>;
 
 std::vector<int> pose_frames(const SkeletonClip& clip, const StripSettings& settings) {
+  if (!settings.frames.empty()) return settings.frames;
   const int first = settings.first_frame;
   const int last = settings.last_frame < 0 ? clip.frames - 1 : settings.last_frame;
   std::vector<int> frames;
@@ -51,11 +52,6 @@ std::vector<int> pose_frames(const SkeletonClip& clip, const StripSettings& sett
     if (frames.empty() || frames.back() != frame) frames.push_back(frame);
   }
   return frames;
-}
-
-bool usable(const Transformd& x) {
-  const Mat3d& r = x.rotation;
-  return norm(x.translation) <= kFarthest && norm(r.cx) + norm(r.cy) + norm(r.cz) <= kFarthest;
 }
 
 Result<std::vector<Posture>> postures(const SkeletonMotion& motion,
@@ -153,6 +149,8 @@ class SlotBuilder {
   void add_path(const std::vector<Vec3d>& path, int first, int last, int step);
   // Call last: the reach of things is limited by everything else.
   void add_things(const std::vector<StripThing>& things);
+  // Shows or leaves out things that move as a whole.
+  void add_moving(const std::vector<StripThing>& things);
 
   // Call between the body and the overlays, whose reach it limits.
   void close_body() { body_ = slot.box; }
@@ -174,6 +172,7 @@ class SlotBuilder {
     return p.x == q.x && p.y == q.y;
   }
   void add_sole(const Part& part);
+  void add_thing(const std::vector<Vec3d>& at, double radius, const Box& window);
 
   const View& view_;
   Point origin_;
@@ -250,18 +249,48 @@ void SlotBuilder::add_things(const std::vector<StripThing>& things) {
   const Box window{slot.box.left - room, slot.box.right + room, slot.box.bottom - room,
                    slot.box.top + room};
   for (const StripThing& thing : things) {
-    std::vector<SeenCorner> corners;
-    double mean = 0.0;
-    for (const Vec3d& corner : thing.corners) {
-      corners.push_back({place(corner), dot(view_.toward, corner)});
-      mean += corners.back().depth / static_cast<double>(thing.corners.size());
+    if (!thing.poses.empty()) continue;
+    add_thing(thing.corners, thing.radius, window);
+    SeenThing& seen = slot.things.back();
+    if (seen.face.empty()) {
+      slot.things.pop_back();
+    } else {
+      seen.near = seen.depth > depth;
     }
-    SeenThing seen = seen_thing(corners, thing.radius, window);
-    if (seen.face.empty()) continue;
-    seen.near = mean > depth;
-    for (const Point& p : seen.face) slot.box.add(p, 0.0);
-    slot.things.push_back(std::move(seen));
   }
+}
+
+void SlotBuilder::add_moving(const std::vector<StripThing>& things) {
+  constexpr Box kAll{-kFarthest, kFarthest, -kFarthest, kFarthest};
+  for (const StripThing& thing : things) {
+    if (thing.poses.empty()) continue;
+    const Transformd& pose = thing.poses[index(slot.frame)];
+    if (!near(place(pose.translation))) continue;
+    std::vector<Vec3d> corners;
+    for (const Vec3d& corner : thing.corners) corners.push_back(pose * corner);
+    add_thing(corners, thing.radius, kAll);
+    slot.things.back().moves = true;
+  }
+}
+
+void SlotBuilder::add_thing(const std::vector<Vec3d>& at, double radius, const Box& window) {
+  std::vector<SeenCorner> corners;
+  double mean = 0.0;
+  for (const Vec3d& corner : at) {
+    corners.push_back({place(corner), dot(view_.toward, corner)});
+    mean += corners.back().depth / static_cast<double>(at.size());
+  }
+  SeenThing& seen = slot.things.emplace_back(seen_thing(corners, radius, window));
+  seen.depth = mean;
+  for (const Point& p : seen.face) slot.box.add(p, 0.0);
+}
+
+// The action that a frame belongs to: its end does; nothing without actions.
+const StripAction* action_at(const std::vector<StripAction>& actions, int frame) {
+  for (const StripAction& action : actions) {
+    if (frame <= action.last) return &action;
+  }
+  return nullptr;
 }
 
 void measure(Strip& strip) {
@@ -328,12 +357,18 @@ Result<Strip> lay_out(const SkeletonMotion& motion, const StripOverlay& overlay,
     builder.add_parts(body.parts(all[i], size));
     builder.close_body();
     for (const Vec3d& goal : overlay.goals) builder.add_goal(goal);
+    const StripAction* const action = action_at(overlay.actions, frames[i]);
+    if (action != nullptr) {
+      for (const Vec3d& goal : action->goals) builder.add_goal(goal);
+    }
     if (!overlay.centre_of_mass.empty()) {
       builder.add_mass(overlay.centre_of_mass[index(frames[i])]);
     }
     if (!overlay.hand_path.empty()) {
-      builder.add_path(overlay.hand_path, frames.front(), frames[i], path_step);
+      const int begin = action == nullptr ? frames.front() : action->first;
+      builder.add_path(overlay.hand_path, begin, frames[i], path_step);
     }
+    builder.add_moving(overlay.things);
     builder.add_things(overlay.things);
     strip.slots.push_back(std::move(builder.slot));
   }

@@ -21,6 +21,9 @@ inline constexpr double kFarthest = 1e12;
 [[nodiscard]] Result<void> check_strip(const SkeletonMotion& motion, const StripOverlay& overlay,
                                        const StripSettings& settings);
 
+// Whether a transform is finite and within kFarthest.
+[[nodiscard]] bool usable(const Transformd& x);
+
 // A piece as seen by the viewer. Lengths are in the skeleton's unit: x to the right, y up, measured
 // from the slot's own point on the floor line.
 struct Shape {

@@ -24,6 +24,8 @@ constexpr Colour kFloor{0x98a2ab};
 constexpr Colour kSole{0xe4e8eb};
 constexpr Colour kThing{0xf1ebdd};
 constexpr Colour kThingEdge{0xb5a684};
+constexpr Colour kMovingThing{0xe3cfa2};
+constexpr Colour kMovingEdge{0x7d6a3f};
 constexpr Colour kInk{0x2f3942};
 
 // Width of the white rim (points) that separates crossing limbs; thin pieces have less of it.
@@ -72,6 +74,7 @@ class Painter {
   void floor();
   void slot(const Slot& slot);
   void time_labels(double base, double frame_time);
+  void action_names(const std::vector<ActionLabel>& labels, double base);
 
  private:
   [[nodiscard]] Point page(const Slot& slot, Point p) const {
@@ -80,6 +83,7 @@ class Painter {
   [[nodiscard]] std::vector<Disc> page(const Slot& slot, const std::vector<Disc>& discs) const;
   [[nodiscard]] Colour colour(const Shape& shape, double share) const;
   void things(const Slot& slot);
+  void thing(const Slot& slot, const SeenThing& thing);
   void edges(const Slot& slot, const SeenThing& thing);
   void arrow(Point at, Point away);
 
@@ -132,29 +136,46 @@ Colour Painter::colour(const Shape& shape, double share) const {
   return mixed;
 }
 
-// Paints things: all of them behind the figure, and the edges of near ones once more in front of
-// it.
+// Paints things that stay: all of them behind the figure, and the edges of near ones once more in
+// front of it.
 void Painter::things(const Slot& slot) {
-  for (const SeenThing& thing : slot.things) {
-    std::vector<Disc> corners;
-    for (const Point& p : thing.face) corners.push_back({page(slot, p), kThinnest});
-    canvas_.hull(corners, kThing);
-    edges(slot, thing);
+  for (const SeenThing& each : slot.things) {
+    if (!each.moves) thing(slot, each);
   }
+}
+
+void Painter::thing(const Slot& slot, const SeenThing& thing) {
+  std::vector<Disc> corners;
+  for (const Point& p : thing.face) corners.push_back({page(slot, p), kThinnest});
+  canvas_.hull(corners, thing.moves ? kMovingThing : kThing);
+  edges(slot, thing);
 }
 
 void Painter::edges(const Slot& slot, const SeenThing& thing) {
   for (const Segment& edge : thing.edges) {
     const Point ends[] = {page(slot, edge[0]), page(slot, edge[1])};
-    canvas_.line(ends, kThingEdge, kEdge);
+    canvas_.line(ends, thing.moves ? kMovingEdge : kThingEdge, kEdge);
   }
 }
 
 void Painter::slot(const Slot& slot) {
   things(slot);
   const double last = static_cast<double>(std::max<std::size_t>(slot.shapes.size() - 1, 1));
+  std::vector<const SeenThing*> moving;  // those not painted yet, the nearest first
+  for (const SeenThing& each : slot.things) {
+    if (each.moves) moving.push_back(&each);
+  }
+  std::stable_sort(moving.begin(), moving.end(), [](const SeenThing* a, const SeenThing* b) {
+    return a->depth > b->depth;
+  });
+  const auto paint_before = [&](double depth) {
+    for (; !moving.empty() && moving.back()->depth < depth; moving.pop_back()) {
+      thing(slot, *moving.back());
+    }
+  };
   for (std::size_t i = 0; i < slot.shapes.size(); ++i) {
     const Shape& shape = slot.shapes[i];
+    paint_before(shape.depth);
     const std::vector<Disc> discs = page(slot, shape.discs);
     double thickest = 0.0;
     for (const Disc& disc : discs) thickest = max(thickest, disc.radius);
@@ -165,6 +186,7 @@ void Painter::slot(const Slot& slot) {
       canvas_.hull(std::span(&dot, 1), kJoint);
     }
   }
+  paint_before(kFarthest * kFarthest);
   for (const SeenThing& thing : slot.things) {
     if (thing.near) edges(slot, thing);
   }
@@ -202,6 +224,13 @@ void Painter::arrow(Point at, Point away) {
   canvas_.line(head, kGoal, 0.9);
 }
 
+void Painter::action_names(const std::vector<ActionLabel>& labels, double base) {
+  for (const ActionLabel& label : labels) {
+    canvas_.text({label.x, base + label.row * kLine * kText}, std::string(label.name), kText, kGoal,
+                 Align::centre);
+  }
+}
+
 // Times of the poses; every second, third, … where labels are wider than the steps.
 void Painter::time_labels(double base, double frame_time) {
   const int first = strip_.slots.front().frame;
@@ -228,6 +257,7 @@ void paint_strip(Canvas& canvas, const PlacedStrip& placed, double width) {
   painter.floor();
   for (const Slot& slot : placed.strip.slots) painter.slot(slot);
   painter.time_labels(placed.times, placed.motion->clip.frame_time);
+  painter.action_names(placed.labels, placed.times + kLine * kText);
   double base = placed.caption_above;
   for (const std::string& line : placed.caption) {
     base += kLine * kCaptionText;
@@ -247,7 +277,12 @@ void paint_legend(Canvas& canvas, const std::vector<PlacedStrip>& strips, double
     canvas.text({x + symbol + 3.0, base}, name, kText, kInk, Align::left);
     x += symbol + 3.0 + text_width(name, kText) + 12.0;
   };
-  if (any(&StripOverlay::goals)) {
+  const bool acts = std::any_of(strips.begin(), strips.end(), [](const PlacedStrip& placed) {
+    const auto& actions = placed.overlay->actions;
+    return std::any_of(actions.begin(), actions.end(),
+                       [](const StripAction& action) { return !action.goals.empty(); });
+  });
+  if (any(&StripOverlay::goals) || acts) {
     draw_goal(canvas, {x + 1.7 * kGoalRadius, middle});
     entry(3.4 * kGoalRadius, "goal");
   }

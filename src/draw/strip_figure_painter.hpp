@@ -11,6 +11,18 @@ inline constexpr double kCaptionText = 8.0;
 inline constexpr double kLine = 1.4;  // height of a line of text as a multiple of its size
 inline constexpr double kTick = 3.0;  // of a pose's time, below the floor line
 
+// The name of an action below a pose.
+struct ActionLabel {
+  std::string_view name;
+  double x = 0.0;  // points, its middle
+  int row = 0;     // from the upper one, so that none covers another
+};
+
+// Names of the actions of placed slots on a page of that width.
+[[nodiscard]] std::vector<ActionLabel> action_labels(const Strip& strip,
+                                                     const std::vector<StripAction>& actions,
+                                                     double width);
+
 // A strip placed on its page; heights in points from the page's top.
 struct PlacedStrip {
   // borrowed for the call
@@ -20,6 +32,7 @@ struct PlacedStrip {
 
   Strip strip;
   std::vector<std::string> caption;  // lines
+  std::vector<ActionLabel> labels{};
   double floor = 0.0;
   double times = 0.0;          // base line of the time labels
   double caption_above = 0.0;  // top of the caption

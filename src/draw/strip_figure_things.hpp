@@ -31,6 +31,8 @@ struct SeenThing {
   std::vector<Point> face;     // outline
   std::vector<Segment> edges;  // visible edges of a box, else the outline
   bool near = false;           // nearer to the viewer than the figure
+  double depth = 0.0;          // towards the viewer
+  bool moves = false;          // painted among the pieces of the figure, by its depth
 };
 
 // Picture of a thing given by its corners, dilated by `radius`, within the window. Eight corners

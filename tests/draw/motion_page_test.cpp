@@ -73,7 +73,7 @@ TEST(PageFigures, PointsAreWhereTheFigureHasThem) {
     ASSERT_EQ(poses, static_cast<std::size_t>(candidate.motion.clip.frames));
     const auto series = decoded(motion.at("code"), poses);
     const SkeletonMotion moves = skeleton_motion(made.task.body, candidate.motion.clip);
-    const strip::FigureBody figure(moves.skeleton, strip_settings(made.task),
+    const strip::FigureBody figure(moves.skeleton, strip_settings(made.task, candidate),
                                    {{0, 1, 0}, {0, 0, 1}});
     for (std::size_t pose = 0; pose < poses; pose += 7) {
       const auto parts = figure.parts(

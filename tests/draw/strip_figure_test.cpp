@@ -477,13 +477,13 @@ TEST(StripFigure, OverlayOfAnotherLengthThanTheClipIsRefused) {
 
 TEST(StripFigure, OverlaysUpToTheirLimitsAreDrawn) {
   StripOverlay overlay;
-  overlay.things.resize(80, {std::vector<Vec3d>(64), 0.0});
+  overlay.things.resize(144, {std::vector<Vec3d>(64), 0.0});
   overlay.goals.resize(64);
   overlay.caption.resize(2000, 'w');
   EXPECT_EQ(refusal(standing(1), overlay), "drawn");
   StripOverlay more = overlay;
-  more.things.resize(81, {{{}}, 0.0});
-  EXPECT_EQ(refusal(standing(1), more), "things: 81 given; up to 80 allowed");
+  more.things.resize(145, {{{}}, 0.0});
+  EXPECT_EQ(refusal(standing(1), more), "things: 145 given; up to 144 allowed");
   more = overlay;
   more.things[3].corners.resize(65);
   EXPECT_EQ(refusal(standing(1), more), "thing 3: 65 corners given; 1 to 64 allowed");
