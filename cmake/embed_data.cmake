@@ -29,6 +29,7 @@ function(embed_page_part part suffix name)
   embed_source(page_${part} draw/page_text.hpp "const std::string_view ${name} = R\"${suffix}(${text})${suffix}\";")
 endfunction()
 embed_page_part(script js kPageScript)
+embed_page_part(work js kPageWork)
 embed_page_part(style css kPageStyle)
 
 if(SHIGUSA_STARTS)

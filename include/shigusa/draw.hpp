@@ -166,7 +166,8 @@ namespace shigusa {
 /// A goal in words: "right hand to 0.25 m left, 0.55 m up, 0.5 m ahead, holding 5 kg".
 [[nodiscard]] std::string goal_words(const Goal& goal);
 
-/// A request's goals or actions, and its contacts, in words: "right hand to 0.2 m up; standing on the left foot".
+/// A request's goals or actions, and its contacts, in words: "right hand to 0.2 m up; standing on
+/// the left foot".
 [[nodiscard]] std::string asked_words(const Request& request);
 
 /// The actions as a title: "Grasp the box, place the box, stand".
@@ -190,7 +191,8 @@ namespace shigusa {
 
 /// Largest number of candidates on a page, over all its results.
 inline constexpr std::size_t kPageMostCandidates = 2000;
-/// Largest number of poses of a motion on a page; poses between them are interpolated linearly.
+/// Largest number of poses of a motion on a page, or of each action of a piece of work; poses
+/// between them are interpolated linearly.
 inline constexpr int kPagePoses = 61;
 
 /// A result on a page. It refers to the task and the motions, which must outlive it.

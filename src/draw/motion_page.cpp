@@ -17,6 +17,7 @@ namespace {
 
 std::string title_of(const ShownResult& shown) {
   if (!shown.title.empty()) return shown.title;
+  if (!shown.task.actions.empty()) return actions_title(shown.task.actions);
   return goals_title(shown.task.goals, shown.task.body.stature());
 }
 
@@ -143,11 +144,15 @@ std::string numbers_html(const BodyModel& body, const Candidate& candidate) {
 std::string candidate_html(const ShownResult& shown, std::size_t k, double largest) {
   const Candidate& candidate = shown.generation.candidates[k];
   const std::string words = capitalised(posture_words(candidate.final_posture));
+  std::string action;  // the present one, as page_work.js tells
+  if (!candidate.actions.empty()) {
+    action = fmt::format("<p class=\"label\">{}</p>", action_name(candidate.actions[0].kind));
+  }
   return fmt::format(
              "<li><canvas role=\"img\" aria-label=\"Candidate {0}, a moving figure: {1}. "
-             "{2}\"></canvas>\n"
+             "{2}\"></canvas>{3}\n"
              "<h3><span class=\"rank\">{0}</span>{1}</h3>\n",
-             k + 1, words, verdict_sentence(candidate.judgement)) +
+             k + 1, words, verdict_sentence(candidate.judgement), action) +
          verdict_html(candidate) + costs_html(candidate.score, largest) +
          numbers_html(shown.task.body, candidate) + "</li>\n";
 }
@@ -172,9 +177,10 @@ std::string result_html(const ShownResult& shown, std::size_t number) {
       "<h2 id=\"title-{0}\">{1}</h2>\n",
       number, markup_text(title_of(shown)));
   html += asked_html(shown);
-  html += fmt::format(
-      "<p class=\"quiet\">{} {} of {:.2f} s, the best first.</p>\n", generation.candidates.size(),
-      generation.candidates.size() == 1 ? "motion" : "motions", generation.duration);
+  html += fmt::format("<p class=\"quiet\">{} {} of {}{:.2f} s, the best first.</p>\n",
+                      generation.candidates.size(),
+                      generation.candidates.size() == 1 ? "motion" : "motions",
+                      shown.task.actions.empty() ? "" : "up to ", page_seconds(generation));
   html += kControls;
   html += "<ol class=\"candidates\">\n";
   for (std::size_t k = 0; k < generation.candidates.size(); ++k) {
@@ -204,6 +210,17 @@ constexpr std::string_view kPageFoot =
     "sees them, from the floor between its feet. A bar is a criterion's part of the score, of the "
     "same length in all motions of a result; lower scores are better.</p></footer>\n";
 
+// The page's script, with the part for pieces of work if one is shown.
+std::string script_of(std::span<const ShownResult> results) {
+  constexpr std::string_view kScenes = "const scenes = ";
+  std::string script(kPageScript);
+  if (std::any_of(results.begin(), results.end(),
+                  [](const ShownResult& shown) { return is_work(shown.generation); })) {
+    script.insert(script.find(kScenes), kPageWork);
+  }
+  return script;
+}
+
 }  // namespace
 
 Result<std::string> motion_page(std::span<const ShownResult> results, std::string_view heading) {
@@ -227,7 +244,7 @@ Result<std::string> motion_page(std::span<const ShownResult> results, std::strin
   for (std::size_t k = 0; k < results.size(); ++k) page += result_html(results[k], k + 1);
   page += "</main>\n";
   page += kPageFoot;
-  return fmt::format("{}<script>{}</script>\n</body></html>\n", page, kPageScript);
+  return fmt::format("{}<script>{}</script>\n</body></html>\n", page, script_of(results));
 }
 
 Result<std::string> result_strips(std::span<const ShownResult> results) {

@@ -16,6 +16,7 @@
 #include "draw/strip_figure_body.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
+#include "work_strip.hpp"
 
 namespace shigusa {
 namespace {
@@ -46,23 +47,46 @@ double page_extent(const std::vector<Transformd>& nodes) {
   return max(norm(high - low), 1e-3);
 }
 
-int pose_count(const Motion& motion) { return std::min(motion.clip.frames, kPagePoses); }
+// The poses of a motion on the page, evenly in so many of its frames; it stays at its end.
+struct PagePoses {
+  int count = 0;
+  int frames = 0;
+};
+PagePoses poses_of(const Candidate& candidate, const GenerateResult& generation) {
+  int frames = candidate.motion.clip.frames;
+  int most = kPagePoses;
+  if (is_work(generation)) {
+    for (const Candidate& each : generation.candidates) {
+      frames = std::max(frames, each.motion.clip.frames);
+      most = std::max(most, kPagePoses * static_cast<int>(each.actions.size()));
+    }
+  }
+  return {std::min(frames, most), frames};
+}
 
 // Frame position of a pose, between two frames if the motion has more frames than poses.
 struct FramePlace {
   int before = 0;
   double share = 0.0;  // fraction of the step to the next frame
 };
-FramePlace frame_of(const Motion& motion, int pose) {
-  const int poses = pose_count(motion);
-  if (poses < 2) return {};
-  const double place = static_cast<double>(pose) * (motion.clip.frames - 1) / (poses - 1);
-  const int before = std::min(static_cast<int>(place), motion.clip.frames - 1);
-  return {before, place - before};
+FramePlace frame_of(const Clip& clip, const PagePoses& poses, int pose) {
+  if (poses.count < 2) return {};
+  const int last = clip.frames - 1;
+  const double place = static_cast<double>(pose) * (poses.frames - 1) / (poses.count - 1);
+  const int before = std::min(static_cast<int>(place), last);
+  return {before, before == last ? 0.0 : place - before};
+}
+
+// Points of a thing in its own axes (see page_figures).
+std::vector<Vec3d> points_of(const Thing& thing) {
+  if (thing.shape == ThingShape::sphere) return {Vec3d{}};
+  if (thing.shape == ThingShape::box) return moving_thing({thing, {}}).corners;
+  const double half = 0.5 * thing.size.y;
+  return {{0, -half, 0}, {0, half, 0}};
 }
 
 // Figure of a body in all poses of a motion. Its points are the balls of its parts, followed by the
-// points that go to goals.
+// points that go to goals, or by those of things.
 struct PosedFigure {
   double size = 0.0;                           // m
   std::vector<strip::Part> parts;              // in the first pose
@@ -71,8 +95,11 @@ struct PosedFigure {
 
 class FigurePoser {
  public:
-  FigurePoser(const Task& task, const Candidate& candidate)
+  FigurePoser(const Task& task, const Candidate& candidate, const PagePoses& poses)
       : motion_(candidate.motion),
+        things_(candidate.things),
+        works_(!candidate.actions.empty()),
+        poses_(poses),
         moves_(skeleton_motion(task.body, motion_.clip)),
         body_(moves_.skeleton, strip_settings(task, candidate), {{0, 1, 0}, {0, 0, 1}}) {}
 
@@ -80,7 +107,9 @@ class FigurePoser {
     PosedFigure figure;
     figure.size = size_ = body_.stature() > 0.0 ? body_.stature() : page_extent(nodes(0));
     figure.parts = body_.parts(nodes(0), size_);
-    for (int pose = 0; pose < pose_count(motion_); ++pose) add(frame_of(motion_, pose), figure);
+    for (int pose = 0; pose < poses_.count; ++pose) {
+      add(frame_of(motion_.clip, poses_, pose), figure);
+    }
     return figure;
   }
 
@@ -93,7 +122,12 @@ class FigurePoser {
     for (const strip::Part& part : body_.parts(nodes(frame), size_)) {
       for (const strip::Ball& ball : part.balls) places.push_back(ball.centre);
     }
-    for (const auto& effector : motion_.effectors) places.push_back(effector[index(frame)]);
+    for (const auto& effector : motion_.effectors) {
+      if (!works_) places.push_back(effector[index(frame)]);
+    }
+    for (const auto& [thing, poses] : things_) {
+      for (const Vec3d& point : points_of(thing)) places.push_back(poses[index(frame)] * point);
+    }
     return places;
   }
   void add(const FramePlace& at, PosedFigure& figure) const {
@@ -109,6 +143,9 @@ class FigurePoser {
   }
 
   const Motion& motion_;
+  const std::vector<ThingMotion>& things_;
+  bool works_;
+  PagePoses poses_;
   SkeletonMotion moves_;
   strip::FigureBody body_;  // of the skeleton above
   double size_ = 0.0;
@@ -189,24 +226,26 @@ class FigureWriter {
     return text;
   }
 
-  // Call after parts().
-  [[nodiscard]] std::string paths() {
+  // So many points more; call after parts().
+  [[nodiscard]] std::string points(std::size_t count) {
     std::string text;
-    for (; next_ < number_.size(); ++next_) {
-      text += fmt::format("{}{}", text.empty() ? "" : ",", number_[next_]);
+    for (std::size_t k = 0; k < count; ++k) {
+      text += fmt::format("{}{}", k == 0 ? "" : ",", number_[next_++]);
     }
     return text;
   }
 
-  [[nodiscard]] std::string motions() const {
+  // `more`: further members of each.
+  [[nodiscard]] std::string motions(const std::vector<std::string>& more) const {
     std::string text;
-    for (const PosedFigure& figure : figures_) {
+    for (std::size_t m = 0; m < figures_.size(); ++m) {
+      const PosedFigure& figure = figures_[m];
       std::string code;
       for (const std::size_t i : kept_) {
         for (std::size_t axis = 0; axis < 3; ++axis) append_series(figure.points[i], axis, code);
       }
-      text += fmt::format("{}{{\"poses\":{},\"code\":\"{}\"}}", text.empty() ? "\n" : ",\n",
-                          figure.points.front().size(), code);
+      text += fmt::format("{}{{\"poses\":{}{},\"code\":\"{}\"}}", text.empty() ? "\n" : ",\n",
+                          figure.points.front().size(), more[m], code);
     }
     return text;
   }
@@ -219,13 +258,36 @@ class FigureWriter {
   std::size_t next_ = 0;  // next point to write
 };
 
-std::string goals_json(const Task& task) {
+std::string goals_json(const std::vector<Vec3d>& goals) {
   std::string text;
-  for (const Goal& goal : task.goals) {
-    const PagePoint at = to_millimetres(goal.position);
+  for (const Vec3d& goal : goals) {
+    const PagePoint at = to_millimetres(goal);
     text += fmt::format("{}[{},{},{}]", text.empty() ? "" : ",", at[0], at[1], at[2]);
   }
   return text;
+}
+
+// Member "actions" of a motion; empty if it has none.
+std::string actions_json(const Candidate& candidate) {
+  std::string text;
+  for (const StripAction& action : work_actions(candidate)) {
+    const double step = candidate.motion.clip.frame_time;
+    text += fmt::format("{}[\"{}\",{:.4f},{:.4f},[{}]]", text.empty() ? "" : ",", action.name,
+                        action.first * step, action.last * step, goals_json(action.goals));
+  }
+  return text.empty() ? text : fmt::format(",\"actions\":[{}]", text);
+}
+
+// Member "things" of a piece of work.
+std::string things_json(const Candidate& candidate, FigureWriter& writer) {
+  std::string text;
+  for (const auto& [thing, poses] : candidate.things) {
+    const bool round = thing.shape != ThingShape::box;
+    text += fmt::format("{}[{},[{}]]", text.empty() ? "" : ",",
+                        round ? to_millimetres(0.5 * thing.size.x) : 0,
+                        writer.points(points_of(thing).size()));
+  }
+  return fmt::format(",\"things\":[{}]", text);
 }
 
 // Soles of the planted feet in the first frame.
@@ -268,22 +330,45 @@ std::string boxes_json(const Task& task) {
 
 }  // namespace
 
+bool is_work(const GenerateResult& generation) {
+  const auto& all = generation.candidates;
+  return std::any_of(all.begin(), all.end(),
+                     [](const Candidate& candidate) { return !candidate.actions.empty(); });
+}
+
+double page_seconds(const GenerateResult& generation) {
+  double seconds = generation.duration;
+  for (const Candidate& candidate : generation.candidates) {
+    if (!candidate.actions.empty()) seconds = max(seconds, candidate.motion.clip.duration());
+  }
+  return seconds;
+}
+
 std::string page_figures(const Task& task, const GenerateResult& generation) {
   std::vector<PosedFigure> figures;
+  std::vector<std::string> actions;
   for (const Candidate& candidate : generation.candidates) {
-    figures.push_back(FigurePoser(task, candidate).figure());
+    const PagePoses poses = poses_of(candidate, generation);
+    actions.push_back(actions_json(candidate));
+    figures.push_back(FigurePoser(task, candidate, poses).figure());
   }
   const bool left =
       !task.goals.empty() &&
       parse_joint_name(task.goals.front().effector).side.value_or(Side::right) == Side::left;
   FigureWriter writer(figures);
+  const Candidate& first = generation.candidates.front();
+  const bool works = is_work(generation);
   const std::string parts = writer.parts();
+  const std::string paths = writer.points(works ? 0 : first.motion.effectors.size());
+  const std::string things = works ? things_json(first, writer) : std::string();
+  std::vector<Vec3d> goals;
+  for (const Goal& goal : task.goals) goals.push_back(goal.position);
   return fmt::format(
       "{{\"size\":{},\"side\":{},\"seconds\":{:.4f},\"parts\":[{}],\"paths\":[{}],\n"
-      "\"goals\":[{}],\"soles\":[{}],\"boxes\":[{}],\"motions\":[{}]}}",
-      to_millimetres(figures.front().size), left ? -1 : 1, generation.duration, parts,
-      writer.paths(), goals_json(task), soles_json(task, generation.candidates.front()),
-      boxes_json(task), writer.motions());
+      "\"goals\":[{}],\"soles\":[{}],\"boxes\":[{}]{},\"motions\":[{}]}}",
+      to_millimetres(figures.front().size), left ? -1 : 1, page_seconds(generation), parts, paths,
+      goals_json(goals), soles_json(task, first), boxes_json(task), things,
+      writer.motions(actions));
 }
 
 }  // namespace shigusa

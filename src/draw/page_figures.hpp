@@ -19,10 +19,24 @@ namespace shigusa {
 //   boxes    per obstacle and seat the eight corners and the radius, mm
 //   motions  per candidate its poses and its code
 //
+// Of a piece of work there are also
+//
+//   things   [radius, [point, …]] per thing, mm: eight corners of a box, the ends of a cylinder's
+//            axis, the middle of a sphere
+//   actions  in each of the motions [name, start, end, [goal, …]], s
+//
+// Its motions have the same times: a shorter one stays at its end. They have no paths.
+//
 // The code holds the positions of all points: per point and coordinate its values in mm over the
 // poses, as the first value, then the changes of its increments. Each number is a base64 VLQ as in
 // source maps, with the sign in the lowest bit: a digit has five bits and a continuation bit,
 // lowest first.
 [[nodiscard]] std::string page_figures(const Task& task, const GenerateResult& generation);
+
+// Whether a result is of a piece of work.
+[[nodiscard]] bool is_work(const GenerateResult& generation);
+
+// Duration of its motions; of a piece of work the longest (s).
+[[nodiscard]] double page_seconds(const GenerateResult& generation);
 
 }  // namespace shigusa

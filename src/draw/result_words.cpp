@@ -123,7 +123,11 @@ std::string actions_title(std::span<const Action> actions) {
   for (std::size_t i = 0; i < std::min(actions.size(), kTold); ++i) {
     Action brief = actions[i];
     brief.position.reset();
-    title += fmt::format("{}{}", i == 0 ? "" : ", ", action_words(brief));
+    std::string words;
+    for (const Goal& goal : brief.goals) {
+      words += fmt::format("{} the {}", words.empty() ? "move" : " and", part_words(goal.effector));
+    }
+    title += (i == 0 ? "" : ", ") + (words.empty() ? action_words(brief) : words);
   }
   if (actions.size() > kTold) title += fmt::format(", and {} more", actions.size() - kTold);
   return capitalised(title);

@@ -20,9 +20,8 @@ constexpr const char* kAnimation = "shigusa";
 
 int node_of(const ExportedGlb& glb, const std::string& name) {
   const Json& nodes = glb.json().at("nodes");
-  const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const Json& node) {
-    return node.value("name", "") == name;
-  });
+  const auto found = std::find_if(nodes.begin(), nodes.end(),
+                                  [&](const Json& node) { return node.value("name", "") == name; });
   return found == nodes.end() ? -1 : static_cast<int>(found - nodes.begin());
 }
 
@@ -91,9 +90,9 @@ void expect_there(const ExportedGlb& glb, const std::string& animation, const Ca
 TEST(ThingExport, ThingsAreWhereTheCandidateHasThemAtAnyRate) {
   for (const double rate : {60.0, 24.0}) {
     const Candidate& first = work().generation.candidates.front();
-    const std::string bytes = export_candidate(work().file.character, work().task, first,
-                                               FileFormat::glb, {.rate = rate})
-                                  .value();
+    const std::string bytes =
+        export_candidate(work().file.character, work().task, first, FileFormat::glb, {.rate = rate})
+            .value();
     EXPECT_TRUE(parse_gltf_animation(bytes, "work.glb"));
     expect_there(ExportedGlb(bytes), kAnimation, first, {"box", "hips_2"}, rate);
   }

@@ -25,9 +25,8 @@ constexpr const char* kAnimation = "shigusa";
 
 int node_of(const ExportedGlb& glb, const std::string& name) {
   const Json& nodes = glb.json().at("nodes");
-  const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const Json& node) {
-    return node.value("name", "") == name;
-  });
+  const auto found = std::find_if(nodes.begin(), nodes.end(),
+                                  [&](const Json& node) { return node.value("name", "") == name; });
   return found == nodes.end() ? -1 : static_cast<int>(found - nodes.begin());
 }
 
@@ -91,13 +90,12 @@ TEST_P(ThingsOfCharacters, AreInTheHandThatHoldsThem) {
     forward_kinematics<double>(task.body, candidate.motion.clip.frame(f), placed);
     held.poses.push_back({placed.link_rotation(hand.link), placed.point(hand.link, hand.point)});
   }
-  const int grip =
-      file.character.rig->file_node.at(static_cast<std::size_t>(
-          rig_node(file.character, candidate.goals.front().node)));
+  const int grip = file.character.rig->file_node.at(
+      static_cast<std::size_t>(rig_node(file.character, candidate.goals.front().node)));
   const double unit = node_unit(file.character);
   for (const bool in_place : {false, true}) {
-    const auto bytes = export_candidate(file.character, task, candidate, FileFormat::glb,
-                                        {.in_place = in_place});
+    const auto bytes =
+        export_candidate(file.character, task, candidate, FileFormat::glb, {.in_place = in_place});
     ASSERT_TRUE(bytes) << bytes.error().to_string();
     EXPECT_TRUE(parse_gltf_animation(*bytes, "person.glb", {.animation = kAnimation}));
     const ExportedGlb out(*bytes);
