@@ -7,6 +7,7 @@
 
 #include "formats/gltf_animation.hpp"
 #include "support/exported_glb.hpp"
+#include "support/work.hpp"
 
 namespace shigusa {
 namespace {
@@ -27,34 +28,6 @@ int node_of(const ExportedGlb& glb, const std::string& name) {
 
 double turn_between(const Mat3d& a, const Mat3d& b) {
   return norm(rotation_vector(a * transpose(b)));
-}
-
-// A box is put up and a cup stands beside it.
-TaskFile box_task() {
-  TaskFile file;
-  file.things = {{.name = "box", .size = {0.4, 0.3, 0.3}, .mass = 4, .position = {0, 0.15, 0.42}},
-                 {.name = "hips",
-                  .shape = ThingShape::cylinder,
-                  .size = {0.08, 0.1, 0.08},
-                  .position = {-0.3, 0.9, 0.35}}};
-  file.actions = {{.grasp = "box"}, {.place = "box", .position = Vec3d{0, 0.9, 0.45}}};
-  file.evaluations = 200;
-  file.candidates = 2;
-  return file;
-}
-
-struct Work {
-  explicit Work(TaskFile asked) : file(std::move(asked)), task(make_task(file, {}).value()) {
-    generation = perform(task).value();
-  }
-  TaskFile file;
-  Task task;
-  GenerateResult generation;
-};
-
-const Work& work() {
-  static const Work made(box_task());
-  return made;
 }
 
 // Places and turns of things in a file against those of the candidate.
@@ -86,22 +59,21 @@ void expect_there(const ExportedGlb& glb, const std::string& animation, const Ca
   }
 }
 
-// "hips" is also a node of the mannequin.
 TEST(ThingExport, ThingsAreWhereTheCandidateHasThemAtAnyRate) {
   for (const double rate : {60.0, 24.0}) {
-    const Candidate& first = work().generation.candidates.front();
-    const std::string bytes =
-        export_candidate(work().file.character, work().task, first, FileFormat::glb, {.rate = rate})
-            .value();
+    const Candidate& first = box_work().generation.candidates.front();
+    const std::string bytes = export_candidate(box_work().file.character, box_work().task, first,
+                                               FileFormat::glb, {.rate = rate})
+                                  .value();
     EXPECT_TRUE(parse_gltf_animation(bytes, "work.glb"));
     expect_there(ExportedGlb(bytes), kAnimation, first, {"box", "hips_2"}, rate);
   }
 }
 
 TEST(ThingExport, ActionsAreMarkersOfTheirAnimation) {
-  const Candidate& first = work().generation.candidates.front();
+  const Candidate& first = box_work().generation.candidates.front();
   const ExportedGlb glb(
-      export_candidate(work().file.character, work().task, first, FileFormat::glb).value());
+      export_candidate(box_work().file.character, box_work().task, first, FileFormat::glb).value());
   const Json& list = glb.json().at("animations").at(0).at("extras").at("shigusa_actions");
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list.at(0).at("name"), "grasp");
@@ -112,9 +84,9 @@ TEST(ThingExport, ActionsAreMarkersOfTheirAnimation) {
 }
 
 TEST(ThingExport, ThingsOfAllCandidatesAreInAFileOnce) {
-  const auto& candidates = work().generation.candidates;
+  const auto& candidates = box_work().generation.candidates;
   ASSERT_EQ(candidates.size(), 2u);
-  const ExportedGlb glb(export_all(work().file.character, work().task, candidates).value());
+  const ExportedGlb glb(export_all(box_work().file.character, box_work().task, candidates).value());
   EXPECT_EQ(glb.json().at("meshes").size(), 3u);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     expect_there(glb, candidate_animation({}, k + 1), candidates[k], {"box", "hips_2"}, 60.0);

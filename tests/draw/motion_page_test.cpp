@@ -11,6 +11,7 @@
 #include "draw/page_figures.hpp"
 #include "draw/strip_figure_body.hpp"
 #include "kinematics/skeleton_motion.hpp"
+#include "support/work.hpp"
 #include "support/work_folder.hpp"
 
 namespace shigusa {
@@ -144,6 +145,53 @@ TEST(MotionPage, DrawsFiguresWhereTheyAreTold) {
       std::system(
           ("node '" SHIGUSA_SOURCE_DIR "/tests/draw/page_script.mjs' '" + page + "'").c_str()),
       0);
+}
+
+// Things are where the candidate has them, within the page's rounding and a step between poses.
+TEST(PageFigures, ThingsGoWithTheirMotions) {
+  const Work& work = box_work();
+  const Json json = Json::parse(page_figures(work.task, work.generation));
+  ASSERT_EQ(json.at("things").size(), 2u);
+  EXPECT_EQ(json.at("things").at(1).at(0), 40);
+  EXPECT_TRUE(json.at("paths").empty());
+  for (std::size_t k = 0; k < work.generation.candidates.size(); ++k) {
+    const Candidate& candidate = work.generation.candidates[k];
+    const Json& motion = json.at("motions").at(k);
+    EXPECT_EQ(motion.at("actions").size(), 2u);
+    EXPECT_EQ(motion.at("actions").at(0).at(0), "grasp");
+    const std::size_t poses = motion.at("poses");
+    const auto series = decoded(motion.at("code"), poses);
+    for (std::size_t pose = 0; pose < poses; ++pose) {
+      Vec3d middle{};
+      for (const std::size_t point : json.at("things").at(0).at(1)) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          middle[static_cast<int>(axis)] += series.at(3 * point + axis)[pose] / 8.0;
+        }
+      }
+      const double time = json.at("seconds").get<double>() * static_cast<double>(pose) /
+                          static_cast<double>(poses - 1);
+      const double frame =
+          min(time, candidate.motion.clip.duration()) / candidate.motion.clip.frame_time;
+      EXPECT_LE(norm(middle - pose_at(candidate.things[0], frame).translation * 1e3), 1.0);
+    }
+  }
+}
+
+TEST(MotionPage, OfAPieceOfWorkMovesThingsAndTellsTheAction) {
+  const Work& work = box_work();
+  const std::vector<ShownResult> shown{{work.task, work.generation}};
+  const std::string page = motion_page(shown).value();
+  EXPECT_THAT(page, HasSubstr("Grasp the box, place the box</h2>"));
+  EXPECT_THAT(page, HasSubstr("place the box at 0.9 m up, 0.45 m ahead"));
+  EXPECT_THAT(page, HasSubstr("</canvas><p class=\"label\">grasp</p>"));
+  EXPECT_THAT(motion_page({}).value(), testing::Not(HasSubstr("actionAt")));
+  if (std::system("command -v node > /dev/null") != 0) GTEST_SKIP() << "no Node.js here";
+  const WorkFolder folder;
+  folder.put("page.html", page);
+  const std::string file = (folder / "page.html").string();
+  EXPECT_EQ(std::system(
+                ("node '" SHIGUSA_SOURCE_DIR "/tests/draw/page_work.mjs' '" + file + "'").c_str()),
+            0);
 }
 
 TEST(MotionPage, MoreCandidatesThanItShowsAreRefused) {

@@ -32,6 +32,21 @@ TEST(ResultWords, RequestsWithoutGoalsTellTheFeetThatStand) {
   EXPECT_EQ(asked_words(request), "head to 1.7 m up; standing on the right foot");
 }
 
+TEST(ResultWords, ActionsTellWhatIsDoneWithWhat) {
+  const std::vector<Action> actions{{.grasp = "red_box"},
+                                    {.place = "red_box", .position = Vec3d{0, 0.9, 0.45}},
+                                    {.wait = 1.5},
+                                    {.goals = {{.effector = "left_hand", .position = {0.2, 1, 0}}}},
+                                    {.stand = Stance{}}};
+  EXPECT_EQ(action_words(actions[1]), "place the red box at 0.9 m up, 0.45 m ahead");
+  EXPECT_EQ(action_words(actions[2]), "wait for 1.5 s");
+  EXPECT_EQ(action_words(actions[3]), "left hand to 0.2 m left, 1 m up");
+  EXPECT_EQ(action_words({.look_at = Vec3d{0, 1, 1}}), "look");
+  EXPECT_EQ(action_words(actions[4]), "stand");
+  EXPECT_EQ(actions_title(actions),
+            "Grasp the red box, place the red box, wait for 1.5 s, move the left hand, and 1 more");
+}
+
 TEST(ResultWords, TitlesTellWhereGoalsAre) {
   const auto title = [](std::vector<Goal> goals) { return goals_title(goals, kStature); };
   EXPECT_EQ(title({{"right_hand", {0.25, 0.55, 0.5}}}), "Right hand low in front on the left");
