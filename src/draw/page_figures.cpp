@@ -47,7 +47,8 @@ double page_extent(const std::vector<Transformd>& nodes) {
   return max(norm(high - low), 1e-3);
 }
 
-// The poses of a motion on the page, evenly in so many of its frames; it stays at its end.
+// Numbers of the poses of a motion on the page and of the frames in which they stand evenly; a
+// shorter motion stays at its end.
 struct PagePoses {
   int count = 0;
   int frames = 0;

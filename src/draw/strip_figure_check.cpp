@@ -129,8 +129,7 @@ Result<void> check_things(const std::vector<StripThing>& things, int frames) {
 
 Result<void> check_text(const char* name, std::string_view text) {
   if (text.size() > kMaxCaption) {
-    return invalid(name,
-                   fmt::format("{} bytes given; up to {} allowed", text.size(), kMaxCaption));
+    return invalid(name, fmt::format("{} bytes given; up to {} allowed", text.size(), kMaxCaption));
   }
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text.substr(i));

@@ -165,9 +165,8 @@ void Painter::slot(const Slot& slot) {
   for (const SeenThing& each : slot.things) {
     if (each.moves) moving.push_back(&each);
   }
-  std::stable_sort(moving.begin(), moving.end(), [](const SeenThing* a, const SeenThing* b) {
-    return a->depth > b->depth;
-  });
+  std::stable_sort(moving.begin(), moving.end(),
+                   [](const SeenThing* a, const SeenThing* b) { return a->depth > b->depth; });
   const auto paint_before = [&](double depth) {
     for (; !moving.empty() && moving.back()->depth < depth; moving.pop_back()) {
       thing(slot, *moving.back());

@@ -105,9 +105,8 @@ std::string GltfAnimationLayout::add_mesh(const GltfMesh& mesh, std::size_t mate
   for (const std::uint16_t corner : mesh.corners) append_bytes(data, corner);
   add_view(fmt::format(R"(,"target":{})", kIndices));
   data.resize((data.size() + 3) / 4 * 4);
-  return fmt::format(
-      R"({{"attributes":{{"POSITION":{},"NORMAL":{}}},"indices":{},"material":{}}})", positions,
-      normals, corners, material);
+  return fmt::format(R"({{"attributes":{{"POSITION":{},"NORMAL":{}}},"indices":{},"material":{}}})",
+                     positions, normals, corners, material);
 }
 
 std::size_t GltfAnimationLayout::add_vertices(const std::vector<Vec3d>& vectors,

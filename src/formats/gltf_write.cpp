@@ -165,9 +165,9 @@ class AnimationAdder {
       const Quatd& r = thing.rotations.front();
       meshes += fmt::format(R"({}{{"name":{},"primitives":[{}]}})", comma, name,
                             layout.add_mesh(thing.mesh, material));
-      nodes += fmt::format(R"({}{{"name":{},"mesh":{},"translation":{},"rotation":{}}})", comma,
-                           name, mesh++, json_numbers({t.x, t.y, t.z}),
-                           json_numbers({r.x, r.y, r.z, r.w}));
+      nodes +=
+          fmt::format(R"({}{{"name":{},"mesh":{},"translation":{},"rotation":{}}})", comma, name,
+                      mesh++, json_numbers({t.x, t.y, t.z}), json_numbers({r.x, r.y, r.z, r.w}));
       roots += fmt::format("{}{}", comma, node++);
     }
     json_.append("meshes", meshes);

@@ -36,7 +36,7 @@ struct GltfThing {
   std::vector<Vec3d> translations;  // (frames) in the world of the file
 };
 
-// What happens in a part of an animation.
+// A named part of an animation.
 struct GltfMarker {
   std::string_view name;
   double start = 0.0;  // s
