@@ -217,7 +217,8 @@ struct WrittenResult {
 /// goals: BVH has the file's nodes and, for a character from BVH, its channels and unit; GLB is the
 /// character's file with the new animations ("shigusa candidate 1", …) before its own; VRMA suits
 /// any VRM character. GLB of a built-in body is the studio's mannequin, with hands that open and
-/// close.
+/// close. Things of a piece of work are root nodes of a GLB, each with a mesh of its shape; in GLB
+/// and VRMA its actions are "shigusa_actions" of the animation's extras.
 ///
 /// BVH, GLB and VRMA have the requested rate: frame k is the motion at k / rate, and the last
 /// frame, the first at or after the motion's end, is its final posture. Their bytes are read back

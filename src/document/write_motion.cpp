@@ -59,8 +59,9 @@ std::unique_ptr<GlbExporter> glb_exporter(const CharacterSpec& character, const 
 }
 
 GltfAnimation animation_of(const GlbExporter& exporter, const Task& task,
-                           const Candidate& candidate, const Clip& clip, const std::string& name) {
-  const std::vector<ThingMotion> things = things_at(candidate, 1.0 / clip.frame_time);
+                           const Candidate& candidate, const Clip& clip, double rate,
+                           const std::string& name) {
+  const std::vector<ThingMotion> things = things_at(candidate, rate);
   GltfAnimation animation = exporter.animation(task, clip, name, things);
   animation.markers = markers_of(candidate);
   return animation;
@@ -94,7 +95,8 @@ Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
   const std::string& name = request.settings.animation;
   const auto make = [&](const Clip& clip) {
     const auto& [character, task, candidate, settings] = request;
-    return exporter->glb(std::vector{animation_of(*exporter, task, candidate, clip, name)});
+    return exporter->glb(
+        std::vector{animation_of(*exporter, task, candidate, clip, settings.rate, name)});
   };
   return checked_file(request, make, [&](const ReadBackCheck& check, const std::string& bytes) {
     return check.glb(bytes, name);
@@ -128,7 +130,8 @@ Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
         settings.animation.empty()
             ? candidate_animation(character, i + 1)
             : free_animation(character, fmt::format("{} {}", settings.animation, i + 1));
-    animations.push_back(animation_of(*exporter, task, candidates[i], clips.back(), name));
+    animations.push_back(
+        animation_of(*exporter, task, candidates[i], clips.back(), settings.rate, name));
   }
   SHG_TRY_ASSIGN(std::string bytes, exporter->glb(animations));
   MadeGlb made{std::move(bytes), {}};

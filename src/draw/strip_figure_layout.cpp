@@ -8,35 +8,19 @@
 #include <shigusa/math.hpp>
 
 #include "core/index.hpp"
+#include "strip_figure_slot.hpp"
 
 namespace shigusa::strip {
 namespace {
 
 // Shares of the figure's size.
-constexpr double kGap = 0.08;          // between neighbouring poses, at least
-constexpr double kOverlayReach = 0.6;  // goals and paths further than this from the body are cut
 constexpr double kStaysWithin = 0.5;  // the root's travel up to which the figure counts as standing
 constexpr double kFloorGuess = 0.1;   // a lowest node within this of height 0 stands on floor 0
-constexpr double kStanding = 0.04;    // a foot whose lowest ball is within this of the floor
-constexpr double kMarkRoom = 0.06;    // around a goal
-constexpr double kThingRoom = 0.15;   // things further than this from all else are cut
 // Greatest height of a figure as a share of the page's width, however few the poses.
 constexpr double kMaxHeight = 0.5;
 // Greatest stretch of the steps: few poses on a wide page stand together rather than at its edges.
 constexpr double kMaxStretch = 1.5;
 constexpr int kPathPoints = 200;
-
-// Directions of the picture, and the floor, in the skeleton's world.
-struct View {
-  Vec3d right;
-  Vec3d above;
-  Vec3d toward;
-  Vec3d up;
-  double floor = 0.0;
-
-  [[nodiscard]] Point operator()(const Vec3d& p) const { return {dot(right, p), dot(above, p)}; }
-  [[nodiscard]] Vec3d on_floor(const Vec3d& p) const { return p + up * (floor - dot(up, p)); }
-};
 
 using Posture = std::vector<Transformd>;
 
@@ -135,154 +119,6 @@ std::vector<Vec3d> anchors(const std::vector<Posture>& all, const FigureBody& bo
   }
   if (travel <= kStaysWithin * size) std::fill(places.begin(), places.end(), stance);
   return places;
-}
-
-// Builder of a slot.
-class SlotBuilder {
- public:
-  SlotBuilder(const View& view, const Vec3d& anchor, double size)
-      : view_(view), origin_(view(anchor)), size_(size) {}
-
-  void add_parts(const std::vector<Part>& parts);
-  void add_goal(const Vec3d& goal);
-  void add_mass(const Vec3d& mass);
-  void add_path(const std::vector<Vec3d>& path, int first, int last, int step);
-  // Call last: the reach of things is limited by everything else.
-  void add_things(const std::vector<StripThing>& things);
-  // Shows or leaves out things that move as a whole.
-  void add_moving(const std::vector<StripThing>& things);
-
-  // Call between the body and the overlays, whose reach it limits.
-  void close_body() { body_ = slot.box; }
-
-  Slot slot;
-
- private:
-  [[nodiscard]] Point place(const Vec3d& p) const {
-    const Point q = view_(p);
-    return {q.x - origin_.x, q.y - origin_.y};
-  }
-  // The nearest point of the body's box, widened by `room`.
-  [[nodiscard]] Point nearest(Point p, double room) const {
-    return {clamp(p.x, body_.left - room, body_.right + room),
-            clamp(p.y, body_.bottom - room, body_.top + room)};
-  }
-  [[nodiscard]] bool near(Point p) const {
-    const Point q = nearest(p, kOverlayReach * size_);
-    return p.x == q.x && p.y == q.y;
-  }
-  void add_sole(const Part& part);
-  void add_thing(const std::vector<Vec3d>& at, double radius, const Box& window);
-
-  const View& view_;
-  Point origin_;
-  double size_;
-  Box body_;
-};
-
-void SlotBuilder::add_parts(const std::vector<Part>& parts) {
-  for (const Part& part : parts) {
-    Shape shape{{}, -part.setback, part.tone, part.joints};
-    for (const Ball& ball : part.balls) {
-      shape.discs.push_back({place(ball.centre), ball.radius});
-      shape.depth += dot(view_.toward, ball.centre) / static_cast<double>(part.balls.size());
-      slot.box.add(shape.discs.back().centre, ball.radius);
-    }
-    if (part.foot) add_sole(part);
-    slot.shapes.push_back(std::move(shape));
-  }
-  std::stable_sort(slot.shapes.begin(), slot.shapes.end(),
-                   [](const Shape& a, const Shape& b) { return a.depth < b.depth; });
-}
-
-void SlotBuilder::add_sole(const Part& part) {
-  double lowest = kFarthest;
-  for (const Ball& ball : part.balls) {
-    lowest = min(lowest, dot(view_.up, ball.centre) - ball.radius - view_.floor);
-  }
-  if (abs(lowest) > kStanding * size_) return;
-  for (const Ball& ball : part.balls) {
-    slot.soles.push_back({place(view_.on_floor(ball.centre)), 1.6 * ball.radius});
-    slot.box.add(slot.soles.back().centre, slot.soles.back().radius);
-  }
-}
-
-void SlotBuilder::add_goal(const Vec3d& goal) {
-  GoalMark mark{place(goal), false, {}};
-  if (!near(mark.at)) {
-    const Point edge = nearest(mark.at, kGap * size_);
-    const Vec3d away = normalized({mark.at.x - edge.x, mark.at.y - edge.y, 0.0});
-    mark = {edge, true, {away.x, away.y}};
-  }
-  slot.box.add(mark.at, kMarkRoom * size_);
-  slot.goals.push_back(mark);
-}
-
-void SlotBuilder::add_mass(const Vec3d& mass) {
-  slot.mass = {place(mass), place(view_.on_floor(mass))};
-  if (!near(slot.mass[0]) || !near(slot.mass[1])) slot.mass.clear();
-  for (const Point& p : slot.mass) slot.box.add(p, 0.0);
-}
-
-void SlotBuilder::add_path(const std::vector<Vec3d>& path, int first, int last, int step) {
-  bool broken = true;
-  for (int frame = first; frame <= last;
-       frame = frame < last ? std::min(frame + step, last) : last + 1) {
-    const Point p = place(path[index(frame)]);
-    if (!near(p)) {
-      broken = true;
-      continue;
-    }
-    if (broken) slot.path.emplace_back();
-    broken = false;
-    slot.path.back().push_back(p);
-    slot.box.add(p, 0.0);
-  }
-}
-
-void SlotBuilder::add_things(const std::vector<StripThing>& things) {
-  double depth = 0.0;  // of the figure
-  for (const Shape& shape : slot.shapes) {
-    depth += shape.depth / static_cast<double>(slot.shapes.size());
-  }
-  const double room = kThingRoom * size_;
-  const Box window{slot.box.left - room, slot.box.right + room, slot.box.bottom - room,
-                   slot.box.top + room};
-  for (const StripThing& thing : things) {
-    if (!thing.poses.empty()) continue;
-    add_thing(thing.corners, thing.radius, window);
-    SeenThing& seen = slot.things.back();
-    if (seen.face.empty()) {
-      slot.things.pop_back();
-    } else {
-      seen.near = seen.depth > depth;
-    }
-  }
-}
-
-void SlotBuilder::add_moving(const std::vector<StripThing>& things) {
-  constexpr Box kAll{-kFarthest, kFarthest, -kFarthest, kFarthest};
-  for (const StripThing& thing : things) {
-    if (thing.poses.empty()) continue;
-    const Transformd& pose = thing.poses[index(slot.frame)];
-    if (!near(place(pose.translation))) continue;
-    std::vector<Vec3d> corners;
-    for (const Vec3d& corner : thing.corners) corners.push_back(pose * corner);
-    add_thing(corners, thing.radius, kAll);
-    slot.things.back().moves = true;
-  }
-}
-
-void SlotBuilder::add_thing(const std::vector<Vec3d>& at, double radius, const Box& window) {
-  std::vector<SeenCorner> corners;
-  double mean = 0.0;
-  for (const Vec3d& corner : at) {
-    corners.push_back({place(corner), dot(view_.toward, corner)});
-    mean += corners.back().depth / static_cast<double>(at.size());
-  }
-  SeenThing& seen = slot.things.emplace_back(seen_thing(corners, radius, window));
-  seen.depth = mean;
-  for (const Point& p : seen.face) slot.box.add(p, 0.0);
 }
 
 // The action that a frame belongs to: its end does; nothing without actions.
