@@ -66,6 +66,7 @@ BEGIN {
   generates = "nlp paper problem search " motions
   allow("generate", generates)
   generates = "generate " generates
+  allow("work", generates)
   allow("robot", "kinematics motion " persons)
   allow("formats", "robot files motion " persons)
   allow("character", "formats robot files criteria dynamics kinematics motion " persons)
@@ -73,7 +74,7 @@ BEGIN {
   documents = "draw character formats robot files " generates
   allow("document", documents)
   allow("edit", "document " documents)
-  all = "dataset edit document " documents
+  all = "work dataset edit document " documents
   allow("dataset", "edit document " documents)
   allow("shigusa", all)  # the header that includes all others
   outside = "apps examples tests bindings bench research"
@@ -82,7 +83,7 @@ BEGIN {
 
   face("core", "error run")
   face("math", "math")
-  face("body", "body goal motion")
+  face("body", "body goal motion action")
   face("human", "human")
   face("criteria", "criteria habit")
   face("dynamics", "kinematics")

@@ -34,14 +34,18 @@ Facing facing_of(const BodyModel& body, const Kinematics<double>& placed) {
   return facing;
 }
 
-// Distance (m) of a hand's point from what its palm lies on: half its thickness.
-double palm_of(const BodyModel& body, int hand) {
+// Distance (m) of a hand's point from what its palm lies on, along the palm's direction (unit
+// vector in the hand's frame).
+double palm_of(const BodyModel& body, int hand, const Vec3d& palm) {
   constexpr double kUsual = 0.02;
-  const int link = body.effector(hand).link;
+  const Effector& effector = body.effector(hand);
+  double deep = 0.0;
   for (const Capsule& capsule : body.capsules()) {
-    if (capsule.link == link) return capsule.radius;
+    if (capsule.link != effector.link) continue;
+    deep = max(deep, dot(capsule.from - effector.point, palm) + capsule.radius);
+    deep = max(deep, dot(capsule.to - effector.point, palm) + capsule.to_radius);
   }
-  return kUsual;
+  return deep > 0.0 ? deep : kUsual;
 }
 
 // Distance (m) from the middle of a thing to its surface along a direction (unit vector, world).
@@ -123,7 +127,7 @@ class HoldFinder {
 
   [[nodiscard]] Goal at(const std::string& name, const Vec3d& side) const {
     const int hand = body_.find_effector(name).value();
-    const double off = extent(thing_, pose_, side) + palm_of(body_, hand) + kTouch;
+    const double off = extent(thing_, pose_, side) + palm_of(body_, hand, palm_axis(name)) + kTouch;
     return {.effector = name, .position = pose_.translation + side * off};
   }
 
@@ -136,7 +140,8 @@ class HoldFinder {
 
   void add(std::vector<Goal> goals) {
     for (const Goal& goal : goals) {
-      const double palm = palm_of(body_, body_.find_effector(goal.effector).value());
+      const int hand = body_.find_effector(goal.effector).value();
+      const double palm = palm_of(body_, hand, palm_axis(goal.effector));
       for (const PlacedBox& box : boxes_) {
         if (palm - box_distance(box, goal.position) > kHandClear) return;
       }

@@ -267,10 +267,11 @@ Task Line::rises() const {
   }
   // upright again: hips and head where they were
   for (const HumanoidBone bone : {HumanoidBone::hips, HumanoidBone::head}) {
-    const BodyNode* node = task_->body.find_node(humanoid_bone_name(bone));
-    if (node == nullptr || !task_->body.find_effector(node->name)) continue;
-    const Vec3d at = home.point(node->link, node->point);
-    task.goals.push_back({.effector = node->name, .position = at, .tolerance = kUpright});
+    const auto effector = task_->body.find_effector(humanoid_bone_name(bone));
+    if (!effector) continue;
+    const Effector& part = task_->body.effector(*effector);
+    const Vec3d at = home.point(part.link, part.point);
+    task.goals.push_back({.effector = part.name, .position = at, .tolerance = kUpright});
     if (bone == HumanoidBone::head) task.look_at = at + Vec3d{0, 0, kLooksAhead};
   }
   return task;

@@ -25,7 +25,7 @@ struct Piece {
   int way = 0;                           // which of the step's tasks it is for
 };
 
-// What an action asks for, one step after the other.
+// Parts of an action, one after the other.
 enum class StepKind {
   go,      // effectors go to the goals of the action
   reach,   // hands go to a thing

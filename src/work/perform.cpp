@@ -20,7 +20,7 @@ constexpr int kLiftMotions = 64;
 // Factor on them where none of the motions can be made.
 constexpr int kMoreTimes = 4;
 
-// What a step of one line has found.
+// Result of a step of one line.
 struct Found {
   std::optional<GenerateResult> result{};
   std::optional<BodyModel> body{};  // that its candidates were made with

@@ -109,6 +109,57 @@ inline void any_value(const FieldTraits<Request, std::vector<Goal>>&, std::vecto
   }
 }
 
+inline void any_value(const FieldTraits<Request, std::vector<Thing>>&, std::vector<Thing>& things) {
+  for (const char* name : {"box", "cup_2"}) {
+    if (!*rc::gen::arbitrary<bool>()) continue;
+    things.emplace_back();
+    for_each_field<Thing>([&](const auto& field) {
+      any_value(field.traits, things.back().*field.member);
+    });
+    things.back().name = name;
+  }
+}
+
+// An action of any kind with any values.
+inline Action any_action() {
+  const auto place = [](Action& action) {
+    action.position = any_point(kGoalRange);
+    action.turn_deg = any_number(-180.0, 180.0) + 0.0;
+  };
+  Action action;
+  switch (*rc::gen::inRange(0, 6)) {
+    case 0:
+      action.goals = {any_goal("right_hand"), any_goal("left_hand")};
+      action.via = *rc::gen::arbitrary<bool>();
+      break;
+    case 1:
+      action.look_at = any_point(kGoalRange);
+      break;
+    case 2:
+      action.grasp = "box";
+      if (*rc::gen::arbitrary<bool>()) action.with = {"left_hand", "right_hand"};
+      break;
+    case 3:
+      action.place = "cup_2";
+      place(action);
+      break;
+    case 4:
+      action.stand.emplace();
+      break;
+    default:
+      action.wait = any_number(0.0, kPauseMax) + 0.0;
+      break;
+  }
+  action.hold = any_number(0.0, kPauseMax) + 0.0;
+  return action;
+}
+
+inline void any_value(const FieldTraits<Request, std::vector<Action>>&,
+                      std::vector<Action>& actions) {
+  const int count = *rc::gen::inRange(0, 4);
+  for (int k = 0; k < count; ++k) actions.push_back(any_action());
+}
+
 inline void any_value(const FieldTraits<Request, std::vector<Obstacle>>&,
                       std::vector<Obstacle>& obstacles) {
   if (!*rc::gen::arbitrary<bool>()) return;
@@ -132,6 +183,9 @@ inline TaskFile any_task() {
   TaskFile task;
   task.character = any_character();
   for_each_field<Request>([&](const auto& field) { any_value(field.traits, task.*field.member); });
+  // things and actions are of version 2, which has no goals of its own
+  if (task.actions.empty()) task.things.clear();
+  else task.goals.clear();
   return task;
 }
 

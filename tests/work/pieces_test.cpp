@@ -25,7 +25,7 @@ constexpr double kExactTurn = radians(1.0);     // rad
 constexpr double kSmoothVelocity = 0.5;         // rad/s between two frames at a boundary
 constexpr double kMetShare = 0.97;
 
-// What is measured of a candidate of a piece of work.
+// Measures of a candidate of a piece of work.
 struct Measured {
   double place = 0.0;       // m, of placed things from where they were to be
   double turn = 0.0;        // rad

@@ -144,6 +144,65 @@ export interface Goal {
   tolerance_m?: Vec3;
 }
 
+/** A rigid body that hands can grasp, carry and put down. */
+export interface Thing {
+  /** box when not given, cylinder (upright) or sphere. */
+  shape?: 'box' | 'cylinder' | 'sphere';
+  /** Its sides along its own axes; of a cylinder diameter, height, diameter; of a sphere three times its diameter. */
+  size_m: Vec3;
+  /** Of even density. */
+  mass_kg?: number;
+  /** Its middle at the start. In the air it stays where it is until it is grasped. */
+  position_m: Vec3;
+  /** Its turn about +Y at the start, degrees to the left; 0, when not given, has its sides along the world's axes. */
+  turn_deg?: number;
+  /** From its middle, along its own axes; the middle when not given. */
+  centre_of_mass_m?: Vec3;
+  /** true: it stays upright in the hand, such as a cup. */
+  upright?: boolean;
+}
+
+/** A place on the floor and a direction there. */
+export interface Stance {
+  /** Degrees from +Z, growing to the left; 0 when not given. */
+  facing_deg?: number;
+  /** Of a seat above the floor; 0.45 when not given. */
+  height_m?: number;
+  position_m?: [number, number];
+}
+
+/** One of goals (or look_at_m alone), wait_s, grasp, place, release, stand and sit, with what belongs to it. */
+export interface Action {
+  /** The final places of effectors, as in a task of version 1. */
+  goals?: Goal[];
+  /** The point that the eyes are on. */
+  look_at_m?: Vec3;
+  /** The thing that the hands take, and lift by 5 cm. */
+  grasp?: string;
+  /** The hands that take it; when not given two for a box wider than a hand or a thing heavier than 3 kg, else one. */
+  with?: string[];
+  /** The thing in the hands that is put to position_m. */
+  place?: string;
+  /** Of place: where the middle of the thing is to be. */
+  position_m?: Vec3;
+  /** Of place: the thing's turn about +Y there, degrees to the left of the world's axes; 0 when not given. */
+  turn_deg?: number;
+  /** The thing in the hands that is let go where it is. */
+  release?: string;
+  /** Where to stand up straight: so far where the feet are. */
+  stand?: Stance;
+  /** Where to sit down: needs steps, which are not there yet. */
+  sit?: Stance;
+  /** Seconds for which the body stays as it is. */
+  wait_s?: number;
+  /** Seconds for which it stays at the action's end; 0 when not given. */
+  hold_s?: number;
+  /** true: goals are passed without a stop. */
+  via?: boolean;
+  /** Seconds of the action's main motion; from the distance when not given. */
+  duration_s?: number;
+}
+
 /** A box with round edges: without size_m a sphere, with size along one axis a capsule. */
 export interface Obstacle {
   /** For messages. */
@@ -255,7 +314,7 @@ export interface Criteria {
 /** A request: a body and the final places of its hands, feet or other joints. Metres, kilograms, seconds,
  * radians; +Y up, the body faces +Z, its left is +X, origin on the floor between the feet. */
 export interface Task {
-  version?: 1;
+  version?: number;
   /** human when not given, full_body, half_body, a person's BVH, GLB, glTF, VRM or FBX file, or a robot's URDF or
    * MJCF (.xml) file, relative to the task file. */
   character?: string | CharacterSpec;
@@ -263,6 +322,12 @@ export interface Task {
    * that `shigusa body` names: metres, +Y up, the body faces +Z, its left is +X. One for each effector at most;
    * one at least is given, or a foot is left out of contacts. */
   goals?: Goal[];
+  /** Of version 2: things by their names, which actions grasp; the command line knows boxes, by their middle, size
+   * and mass. */
+  things?: Record<string, Thing>;
+  /** Of version 2, in place of goals: actions that follow each other. On the command line goals, or stand, wait=S,
+   * grasp=THING, place=THING,X,Y,Z or release=THING, with hold=S, look=X,Y,Z or via, and semicolons between them. */
+  actions?: Action[];
   /** The point that the eyes are on; when not given, the first goal of a limb, or between two hands'. */
   look_at_m?: Vec3;
   /** Feet that stay on the floor, one at least; all without a goal when not given. A foot that is not named and has
