@@ -12,6 +12,8 @@ namespace {
 // peaks, as shares of the way's own.
 constexpr std::array kWaysUp{0.0, 0.06, 0.12, 0.18, 0.24, 0.32, 0.4};
 constexpr std::array kWaysBack{0.0, 0.08, 0.16, 0.24, 0.32};
+// Behind what is carried is the trunk.
+constexpr std::array kNoWayBack{0.0, 0.05, 0.1};
 constexpr std::array kWaysAside{0.12, -0.12, 0.24, -0.24, 0.36, -0.36};
 constexpr std::array kWayPeaks{0.3, 0.4, 0.5, 0.6};
 // Points of a way at which its distance is taken.
@@ -23,10 +25,16 @@ constexpr double kMissingCosts = 20.0;
 
 class Ways {
  public:
-  Ways(const CriteriaContext& context, EffectorPath& path)
-      : boxes_(placed_boxes(context.obstacles)), straight_(path), best_(path) {
-    at_start_ = distance(path.start);
-    at_goal_ = distance(path.goal);
+  // `points`: m, of what moves, from the path.
+  Ways(const CriteriaContext& context, const EffectorPath& path, std::span<const Vec3d> points,
+       double keeps_off)
+      : boxes_(placed_boxes(context.obstacles)),
+        keeps_off_(keeps_off),
+        straight_(path),
+        best_(path) {
+    for (const Vec3d& point : points) {
+      points_.push_back({point, distance(path.start + point), distance(path.goal + point)});
+    }
     least_ = kMissingCosts * missing(path);
     needed_ = least_ > 0.0;
   }
@@ -50,7 +58,7 @@ class Ways {
 
  private:
   [[nodiscard]] double distance(const Vec3d& point) const {
-    double least = kKeepsOff;
+    double least = keeps_off_;
     for (const PlacedBox& box : boxes_) least = min(least, box_distance(box, point));
     return least;
   }
@@ -60,36 +68,56 @@ class Ways {
     double most = 0.0;
     for (int k = 1; k < kPathPoints; ++k) {
       const Vec3d at = way.at(way.begin + (1.0 - way.begin) * k / kPathPoints);
-      const double keeps = min(kKeepsOff, min(at_start_ + kFromEnd * norm(at - way.start),
-                                              at_goal_ + kFromEnd * norm(at - way.goal)));
-      most = max(most, keeps - distance(at));
+      for (const Moving& point : points_) {
+        const double keeps = min(keeps_off_, min(point.at_start + kFromEnd * norm(at - way.start),
+                                                 point.at_goal + kFromEnd * norm(at - way.goal)));
+        most = max(most, keeps - distance(at + point.offset));
+      }
     }
     return most;
   }
 
+  struct Moving {
+    Vec3d offset{};         // m, from the path
+    double at_start = 0.0;  // m, distances from obstacles
+    double at_goal = 0.0;
+  };
+
   std::vector<PlacedBox> boxes_;
+  std::vector<Moving> points_{};
+  double keeps_off_;
   EffectorPath straight_;
   EffectorPath best_;
-  double at_start_ = 0.0;  // m, distances from obstacles
-  double at_goal_ = 0.0;
   double least_ = 0.0;  // m, cost of the best
   bool needed_ = false;
 };
+
+// Looks for the best way around; `out`: unit vector of the side to look at first, `backs`: sizes of
+// the ways back.
+EffectorPath best_way(Ways ways, const EffectorPath& path, const Vec3d& out,
+                      std::span<const double> backs) {
+  if (!ways.needed()) return path;
+  const Vec3d along = path.goal - path.start;
+  const Vec3d back = normalized(Vec3d{-along.x, 0.0, -along.z}, {0, 0, -1});
+  for (const double b : backs) {
+    for (const double u : kWaysUp) ways.look_at(back * b + Vec3d{0.0, u, 0.0});
+    for (const double a : kWaysAside) ways.look_at(back * b + out * a);
+  }
+  return ways.best();
+}
 
 }  // namespace
 
 void go_around_obstacles(const CriteriaContext& context, const Effector& hand, EffectorPath& path) {
   if (context.obstacles.empty()) return;
-  Ways ways(context, path);
-  if (!ways.needed()) return;
-  const Vec3d along = path.goal - path.start;
-  const Vec3d back = normalized(Vec3d{-along.x, 0.0, -along.z}, {0, 0, -1});
   const Vec3d out{hand.part.side == Side::left ? 1.0 : -1.0, 0.0, 0.0};
-  for (const double b : kWaysBack) {
-    for (const double u : kWaysUp) ways.look_at(back * b + Vec3d{0.0, u, 0.0});
-    for (const double a : kWaysAside) ways.look_at(back * b + out * a);
-  }
-  path = ways.best();
+  path = best_way(Ways(context, path, std::array{Vec3d{}}, kKeepsOff), path, out, kWaysBack);
+}
+
+void carry_around_obstacles(const CriteriaContext& context, std::span<const Vec3d> corners,
+                            EffectorPath& path) {
+  if (context.obstacles.empty()) return;
+  path = best_way(Ways(context, path, corners, kThingKeepsOff), path, {1.0, 0.0, 0.0}, kNoWayBack);
 }
 
 }  // namespace shigusa

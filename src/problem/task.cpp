@@ -193,6 +193,25 @@ void pass_by(const Vec3d& place, EffectorPath& path) {
       place - (path.start + (path.goal - path.start) * minimum_jerk(path.detour_peak));
 }
 
+// The way of the thing in the hands around the obstacles; `start`: the body at the start.
+EffectorPath way_around(const Task& task, const Kinematics<double>& start, const Carry& carry) {
+  std::vector<Vec3d> corners;
+  for (const HeldLoad& load : task.start.held) {
+    if (load.name.empty()) continue;
+    const Mat3d axes =
+        start.link_rotation(task.body.effector(load.effector).link) * to_matrix(load.turn);
+    const Vec3d half = load.size * 0.5 + Vec3d{load.radius, load.radius, load.radius};
+    for (const double x : {-half.x, half.x}) {
+      for (const double y : {-half.y, half.y}) {
+        for (const double z : {-half.z, half.z}) corners.push_back(axes * Vec3d{x, y, z});
+      }
+    }
+  }
+  EffectorPath way{.start = carry.from, .goal = carry.to};
+  carry_around_obstacles(criteria_context(task), corners, way);
+  return way;
+}
+
 // Corrections in a frame whose effector has left its path by more than kPathSlack, as limits hold
 // joints back.
 constexpr int kLimitCorrections = 2;
@@ -285,7 +304,11 @@ Result<ReachProblem> make_problem(const Task& task) {
       reach.path.haste = natural_haste(way);
       if (goal.via) {
         pass_by(*goal.via, reach.path);
-      } else if (!reach.carry) {
+      } else if (goal.carry) {
+        const EffectorPath around = way_around(task, kinematics, *goal.carry);
+        reach.path.detour = around.detour;
+        reach.path.detour_peak = around.detour_peak;
+      } else {
         go_around_obstacles(problem.context, body.effector(reach.effector), reach.path);
       }
     }

@@ -15,6 +15,13 @@ constexpr double kSideWays[] = {60.0, 90.0, 30.0};
 constexpr double kNearEdge = 0.05;
 // Depth (m) of a hand's point in an obstacle by which a way is left out.
 constexpr double kHandClear = 0.005;
+// Height (m) by which a thing is put higher from which two hands hold it so that wrists can do both:
+// with the fingers by these angles (deg) below level. Palms that face each other are turned in a
+// vertical plane by the wrists' deviation alone, which has some 50 deg.
+constexpr double kPutHigh = 0.4;
+constexpr double kFingersBelow[] = {25.0, 10.0, 40.0};
+// Share of the way to a thing's near edge at which it is held then: there is room to lift it.
+constexpr double kMiddle = 0.3;
 // Axes in a hand's frame, for the right hand; the palm of the left one is opposite.
 constexpr Vec3d kPalm{1, 0, 0};
 constexpr Vec3d kThumb{0, 0, 1};
@@ -66,12 +73,13 @@ double extent(const Thing& thing, const Transformd& pose, const Vec3d& direction
 class HoldFinder {
  public:
   HoldFinder(const BodyModel& body, const Kinematics<double>& placed, const Thing& thing,
-             const Transformd& pose, std::span<const Obstacle> obstacles)
+             const Transformd& pose, std::span<const Obstacle> obstacles, double higher)
       : body_(body),
         thing_(thing),
         pose_(pose),
         boxes_(placed_boxes({obstacles.begin(), obstacles.end()})),
-        facing_(facing_of(body, placed)) {}
+        facing_(facing_of(body, placed)),
+        higher_(higher) {}
 
   void add_two(const std::string& right, const std::string& left) {
     // the sides of a box face most nearly left and right
@@ -83,6 +91,9 @@ class HoldFinder {
     });
     for (const Vec3d& line : lines) {
       const Vec3d to_left = dot(line, facing_.left) < 0.0 ? -line : line;
+      if (higher_ > kPutHigh) {
+        add_pitched({on_palm(right, -to_left, kMiddle), on_palm(left, to_left, kMiddle)});
+      }
       add({on_palm(right, -to_left), on_palm(left, to_left)});
     }
   }
@@ -100,15 +111,32 @@ class HoldFinder {
  private:
   // The goal of a hand whose palm lies on the thing from a side (unit vector out of the thing): on
   // the near part of a deep one, so that the forearm does not pass along it.
-  [[nodiscard]] Goal on_palm(const std::string& name, const Vec3d& side) const {
+  [[nodiscard]] Goal on_palm(const std::string& name, const Vec3d& side,
+                             double share = 1.0) const {
     Goal goal = at(name, side);
     const Vec3d back = -facing_.ahead;
     if (thing_.shape == ThingShape::box && abs(dot(side, back)) < 0.5) {
       const Vec3d along = normalized(back - side * dot(side, back));
-      goal.position += along * max(extent(thing_, pose_, along) - kNearEdge, 0.0);
+      goal.position += along * max(extent(thing_, pose_, along) - kNearEdge, 0.0) * share;
     }
     goal.axis = GoalAxis{palm_axis(name), -side};
     return goal;
+  }
+
+  // The same hold with the fingers at given angles.
+  void add_pitched(const std::vector<Goal>& palms) {
+    for (const double degrees : kFingersBelow) {
+      const SinCos<double> pitch = sin_cos(radians(degrees));
+      const Vec3d thumb = Vec3d{0, pitch.cos, 0} + facing_.ahead * pitch.sin;
+      std::vector<Goal> goals = palms;
+      for (Goal& goal : goals) {
+        const auto turn = rotation_pointing(kThumb, thumb, goal.axis->axis, goal.axis->direction);
+        if (!turn) return;
+        goal.rotation = *turn;
+        goal.axis.reset();
+      }
+      add(std::move(goals));
+    }
   }
 
   void add_sides(const std::string& hand) {
@@ -154,6 +182,7 @@ class HoldFinder {
   Transformd pose_;
   std::vector<PlacedBox> boxes_;
   Facing facing_;
+  double higher_;
   Holds holds_;
 };
 
@@ -170,8 +199,8 @@ std::string hand_name(const BodyModel& body, Side side) {
 
 Holds holds_of(const BodyModel& body, const Kinematics<double>& placed, const Thing& thing,
                const Transformd& pose, std::span<const std::string> hands,
-               std::span<const Obstacle> obstacles) {
-  HoldFinder finder(body, placed, thing, pose, obstacles);
+               std::span<const Obstacle> obstacles, double higher) {
+  HoldFinder finder(body, placed, thing, pose, obstacles, higher);
   const std::string right = hand_name(body, Side::right);
   const std::string left = hand_name(body, Side::left);
   const bool two = hands.empty() ? takes_two(thing) : hands.size() > 1;

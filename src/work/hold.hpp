@@ -25,11 +25,11 @@ using Holds = std::vector<std::vector<Goal>>;
 // Ways to take a thing from a moment: by two hands from its sides with the palms facing each other,
 // by one hand from the side with the thumb up, or from above. Ways through an obstacle are left
 // out. `hands`: names of effectors that take it; empty: by its size and mass, two or the nearer
-// one.
+// one. `higher`: height (m) by which it will be put higher.
 [[nodiscard]] Holds holds_of(const BodyModel& body, const Kinematics<double>& placed,
                              const Thing& thing, const Transformd& pose,
                              std::span<const std::string> hands,
-                             std::span<const Obstacle> obstacles);
+                             std::span<const Obstacle> obstacles, double higher = 0.0);
 
 // Whether a thing is for two hands: wider than one spans, or heavier than one likes.
 [[nodiscard]] bool takes_two(const Thing& thing);

@@ -217,7 +217,7 @@ std::vector<Task> Line::reaches(const Action& action) const {
   std::erase_if(others, [&](const Obstacle& other) { return other.name == name; });
   std::vector<Task> tasks;
   for (std::vector<Goal>& goals : holds_of(task_->body, at, task_->things[thing],
-                                           now_.things[thing], action.with, others)) {
+                                           now_.things[thing], action.with, others, put_higher(action))) {
     const bool full = std::any_of(goals.begin(), goals.end(), [&](const Goal& goal) {
       return now_.in(task_->body.find_effector(goal.effector).value()).has_value();
     });
@@ -231,6 +231,15 @@ std::vector<Task> Line::reaches(const Action& action) const {
     if (!one.look_at) one.look_at = now_.things[thing].translation;
   }
   return tasks;
+}
+
+double Line::put_higher(const Action& grasp) const {
+  const auto first = task_->actions.begin() + (&grasp - task_->actions.data());
+  const auto put = std::find_if(first, task_->actions.end(), [&grasp](const Action& later) {
+    return later.place == grasp.grasp;
+  });
+  if (put == task_->actions.end()) return 0.0;
+  return put->position->y - now_.things[thing_of(grasp)].translation.y;
 }
 
 Vec3d Line::before_belly(const Thing& thing) const {

@@ -65,6 +65,8 @@ class Line {
   [[nodiscard]] std::size_t thing_of(const Action& action) const;
   [[nodiscard]] Task plain() const;
   [[nodiscard]] std::vector<Task> reaches(const Action& action) const;
+  // Height (m) by which the thing that is grasped is put higher later.
+  [[nodiscard]] double put_higher(const Action& grasp) const;
   [[nodiscard]] Task goes(std::size_t action) const;
   [[nodiscard]] Task carries(std::size_t thing, const Transformd& to, bool rigid) const;
   [[nodiscard]] Task rises() const;
