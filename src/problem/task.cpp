@@ -304,6 +304,7 @@ Result<ReachProblem> make_problem(const Task& task) {
       reach.path.haste = natural_haste(way);
       if (goal.via) {
         pass_by(*goal.via, reach.path);
+        reach.bow = reach.sway = {};  // which would lead past the place
       } else if (goal.carry) {
         const EffectorPath around = way_around(task, kinematics, *goal.carry);
         reach.path.detour = around.detour;
