@@ -174,7 +174,8 @@ Result<int> edit(const EditOptions& options) {
     const std::string hint = by_call ? comma_hint(place.substr(place.find('=') + 1)) : "";
     return fail(error.code, error.message.text + hint, (by_call ? "--set " : "") + place);
   }
-  if (!options.mirror && options.assignments.empty() && work.again.empty() && options.files == FileOptions{}) {
+  if (!options.mirror && options.assignments.empty() && work.again.empty() &&
+      options.files == FileOptions{}) {
     note("edit",
          "nothing was changed: --set NAME=VALUE changes a parameter, such as squat_deg=60; the "
          "result's " +

@@ -224,11 +224,12 @@ std::string headline(const FinishedRun& run) {
       fmt::format("{}: {}, {}", word_of(generation.status), task.body.name(), asked_words(task))));
   std::string found = fmt::format("{:.2f} s of motion", generation.duration);
   if (generation.log.evaluations > 0) {
-    found +=
-        fmt::format("; {} motions in {} generations{}, {:.0f} ms", generation.log.evaluations,
-                    generation.log.generations,
-                    generation.log.runs > 1 ? fmt::format(" of {} runs", generation.log.runs) : "",
-                    info.elapsed_ms);
+    found += fmt::format("; {} motions", generation.log.evaluations);
+    if (generation.log.generations > 0) {
+      found += fmt::format(" in {} generations", generation.log.generations);
+    }
+    if (generation.log.runs > 1) found += fmt::format(" of {} runs", generation.log.runs);
+    found += fmt::format(", {:.0f} ms", info.elapsed_ms);
   }
   if (generation.log.cells_searched > 0) {
     found += fmt::format("; {} cells of the limb library searched", generation.log.cells_searched);

@@ -288,8 +288,10 @@ bool add_part(const std::string& part, Action& action) {
   const auto at = parse_numbers(value, 3);
   if (!at) return false;
   const Vec3d place{(*at)[0], (*at)[1], (*at)[2]};
-  if (word == "look") action.look_at = place;
-  else action.goals.push_back({.effector = word, .position = place});
+  if (word == "look")
+    action.look_at = place;
+  else
+    action.goals.push_back({.effector = word, .position = place});
   return true;
 }
 

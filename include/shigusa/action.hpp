@@ -38,7 +38,7 @@ struct Thing {
   double mass = 0.0;                   ///< kg, 0..kLoadMax
   Vec3d position{};                    ///< m, world: its middle at the start
   double turn_deg = 0.0;               ///< degrees about +Y from the world's axes, at the start
-  Vec3d centre{};        ///< m, centre of mass from the middle, along its own axes
+  Vec3d centre{};                      ///< m, centre of mass from the middle, along its own axes
   bool upright = false;  ///< keeps its upright axis upright in the hand, such as a cup
   friend bool operator==(const Thing&, const Thing&) = default;
 };
@@ -65,8 +65,8 @@ enum class ActionKind {
 /// The words of ActionKind.
 template <>
 inline constexpr std::array kEnumWords<ActionKind>{
-    EnumWord{ActionKind::goals, "goals"}, EnumWord{ActionKind::wait, "wait_s"},
-    EnumWord{ActionKind::grasp, "grasp"}, EnumWord{ActionKind::place, "place"},
+    EnumWord{ActionKind::goals, "goals"},     EnumWord{ActionKind::wait, "wait_s"},
+    EnumWord{ActionKind::grasp, "grasp"},     EnumWord{ActionKind::place, "place"},
     EnumWord{ActionKind::release, "release"}, EnumWord{ActionKind::stand, "stand"},
     EnumWord{ActionKind::sit, "sit"},
 };

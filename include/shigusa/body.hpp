@@ -375,14 +375,14 @@ class BodyModel {
 
 /// A load that a hand holds: a mass at an effector's point, or its share of a rigid thing.
 struct HeldLoad {
-  int effector = 0;   ///< index of the effector, see BodyModel::effector
-  double mass = 0.0;  ///< kg, 0..kLoadMax
-  Vec3d centre{};     ///< m, link frame: centre of mass from the effector's point
-  Quatd turn{};       ///< R_LT, the thing's own axes in the link frame
-  Vec3d inertia{};    ///< kg·m², about the centre of mass, along the thing's axes
-  std::string name{};  ///< name of the thing in collisions; empty: none are tested
-  Vec3d middle{};      ///< m, link frame: middle of the thing from the effector's point
-  Vec3d size{};        ///< m, sides of the thing along its axes; with a radius without it
+  int effector = 0;     ///< index of the effector, see BodyModel::effector
+  double mass = 0.0;    ///< kg, 0..kLoadMax
+  Vec3d centre{};       ///< m, link frame: centre of mass from the effector's point
+  Quatd turn{};         ///< R_LT, the thing's own axes in the link frame
+  Vec3d inertia{};      ///< kg·m², about the centre of mass, along the thing's axes
+  std::string name{};   ///< name of the thing in collisions; empty: none are tested
+  Vec3d middle{};       ///< m, link frame: middle of the thing from the effector's point
+  Vec3d size{};         ///< m, sides of the thing along its axes; with a radius without it
   double radius = 0.0;  ///< m, added to the size on all sides
 
   /// Whether both are the same.

@@ -137,8 +137,8 @@ struct ResultFiles {
 
 /// A result read from its file: everything needed to generate its motions again and to edit them.
 struct StoredResult {
-  TaskFile task;                        ///< the task, with its measured character
-  std::vector<Parameters> candidates;   ///< parameters of the candidates, in rank order
+  TaskFile task;                       ///< the task, with its measured character
+  std::vector<Parameters> candidates;  ///< parameters of the candidates, in rank order
   /// Motions of the candidates' actions, for a task with actions.
   std::vector<std::vector<WorkMotion>> motions{};
   std::vector<CandidateFiles> files{};  ///< files of each candidate, without ReadBack

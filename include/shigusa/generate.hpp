@@ -260,13 +260,13 @@ struct PlacedThing {
 
 /// One of the actions of a motion.
 struct ActionResult {
-  ActionKind kind = ActionKind::goals;    ///< kind of the action
-  double start = 0.0;                     ///< s
-  double end = 0.0;                       ///< s, when it is done and its hold is over
-  std::vector<GoalResult> goals{};        ///< final states of its effectors
-  std::optional<PlacedThing> placed{};    ///< of place: the thing where it was put
-  Score score{};                          ///< mean over time of its motions
-  Judgement judgement{};                  ///< feasibility
+  ActionKind kind = ActionKind::goals;  ///< kind of the action
+  double start = 0.0;                   ///< s
+  double end = 0.0;                     ///< s, when it is done and its hold is over
+  std::vector<GoalResult> goals{};      ///< final states of its effectors
+  std::optional<PlacedThing> placed{};  ///< of place: the thing where it was put
+  Score score{};                        ///< mean over time of its motions
+  Judgement judgement{};                ///< feasibility
 };
 
 /// One of the motions of a piece of work, by which it is made again.
@@ -279,8 +279,8 @@ struct WorkMotion {
 
 /// The way of a thing, with its poses in the frames of the motion.
 struct ThingMotion {
-  Thing thing;                       ///< the thing, as the task has it
-  std::vector<Transformd> poses{};   ///< (frames) X_WT
+  Thing thing;                      ///< the thing, as the task has it
+  std::vector<Transformd> poses{};  ///< (frames) X_WT
 };
 
 /// One generated motion.

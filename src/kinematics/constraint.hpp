@@ -28,7 +28,7 @@ struct Constraint {
   double from = 0.0;
   double to = 1.0;
   double turn_counts = 1.0;  // share of a goal's turn error that counts before the end
-  S lag{};  // m, the goal's previous error: raises its damping
+  S lag{};                   // m, the goal's previous error: raises its damping
   // Known shortfall of a step, as joints move on arcs: added to the remaining error.
   Vec3<S> lead{};       // m
   Vec3<S> tilt_lead{};  // rad; used if turns() is true

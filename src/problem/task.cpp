@@ -189,8 +189,7 @@ void pass_by(const Vec3d& place, EffectorPath& path) {
     (minimum_jerk(middle) * whole < before ? low : high) = middle;
   }
   path.detour_peak = 0.5 * (low + high);
-  path.detour =
-      place - (path.start + (path.goal - path.start) * minimum_jerk(path.detour_peak));
+  path.detour = place - (path.start + (path.goal - path.start) * minimum_jerk(path.detour_peak));
 }
 
 // The way of the thing in the hands around the obstacles; `start`: the body at the start.
@@ -298,8 +297,8 @@ Result<ReachProblem> make_problem(const Task& task) {
     const bool hand = body.effector(reach.effector).part.limb == LimbKind::arm;
     if (hand && natural && task.start.velocities.empty()) {
       // a thing leaves at once, with all hands on it
-      const EffectorPath way = reach.carry ? EffectorPath{reach.carry->start, reach.carry->goal}
-                                           : reach.path;
+      const EffectorPath way =
+          reach.carry ? EffectorPath{reach.carry->start, reach.carry->goal} : reach.path;
       reach.path.begin = reach.carry ? 0.0 : natural_begin(way);
       reach.path.haste = natural_haste(way);
       if (goal.via) {

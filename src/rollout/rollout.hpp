@@ -376,8 +376,9 @@ class Rollout {
       if (learn) constraint.lead = select(follows, constraint.lead + error, Vec3<S>{});
       if (!constraint.counts) continue;
       if (!constraint.exact) {
-        const S off = constraint.turns() ? turn_miss(constraint, miss, last ? 1.0 : constraint.turn_counts, learn)
-                                           : miss;
+        const S off = constraint.turns()
+                          ? turn_miss(constraint, miss, last ? 1.0 : constraint.turn_counts, learn)
+                          : miss;
         missed.path_error = worse(missed.path_error, off);
         continue;
       }

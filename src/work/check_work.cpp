@@ -25,13 +25,11 @@ constexpr double kNoStep = 0.05;
 constexpr double kNoTurn = 10.0;
 
 tl::unexpected<Error> wrong(std::size_t action, Message message) {
-  return fail(ErrorCode::invalid_argument, std::move(message),
-              fmt::format("actions[{}]", action));
+  return fail(ErrorCode::invalid_argument, std::move(message), fmt::format("actions[{}]", action));
 }
 
 tl::unexpected<Error> wrong_thing(const Thing& thing, Message message) {
-  return fail(ErrorCode::invalid_argument, std::move(message),
-              "thing " + thing.name.substr(0, 80));
+  return fail(ErrorCode::invalid_argument, std::move(message), "thing " + thing.name.substr(0, 80));
 }
 
 bool is_finite_place(const Vec3d& place) {
@@ -45,7 +43,8 @@ Result<void> check_numbers(const Thing& thing) {
   }
   for (int k = 0; k < 3; ++k) {
     if (thing.size[k] >= kThingLeast && thing.size[k] <= kThingMost) continue;
-    return wrong_thing(thing, say("thing_size", "xyz"[k], Metres{thing.size[k]},
+    return wrong_thing(thing, say(
+                                  "thing_size", "xyz" [k], Metres { thing.size[k] },
                                   Metres{kThingLeast}, Metres{kThingMost}));
   }
   if (is_finite_place(thing.position) && is_finite_place(thing.centre) &&
@@ -74,8 +73,8 @@ double depth_in(const Obstacle& one, const PlacedBox& other) {
 
 Result<void> check_things(const Task& task) {
   if (task.things.size() > kThingsMax) {
-    return fail(ErrorCode::invalid_argument,
-                say("at_most", task.things.size(), kThingsMax), "things");
+    return fail(ErrorCode::invalid_argument, say("at_most", task.things.size(), kThingsMax),
+                "things");
   }
   std::set<std::string> names;
   std::vector<Obstacle> all = task.obstacles;
@@ -88,8 +87,8 @@ Result<void> check_things(const Task& task) {
     for (std::size_t k = 0; k < all.size(); ++k) {
       const double depth = max(depth_in(own, boxes[k]), depth_in(all[k], box));
       if (depth > kContactDepth) {
-        return wrong_thing(
-            thing, say("thing_in", thing.name, Millimetres{1e3 * depth}, all[k].name));
+        return wrong_thing(thing,
+                           say("thing_in", thing.name, Millimetres{1e3 * depth}, all[k].name));
       }
     }
     all.push_back(own);
@@ -155,9 +154,8 @@ class Hands {
     for (const Goal& goal : action.goals) {
       const auto own = in_.find(goal.effector);
       if (own == in_.end()) continue;
-      const auto holds = std::count_if(in_.begin(), in_.end(), [&](const auto& hand) {
-        return hand.second == own->second;
-      });
+      const auto holds = std::count_if(
+          in_.begin(), in_.end(), [&](const auto& hand) { return hand.second == own->second; });
       if (holds > 1) return wrong(at, say("hand_holds", goal.effector, own->second));
     }
     return {};
@@ -184,8 +182,8 @@ class Hands {
 };
 
 Result<void> check_stance(std::size_t at, const Task& task, const Stance& stance) {
-  const auto steps = fail(ErrorCode::unsupported, say("needs_steps"),
-                          fmt::format("actions[{}].stand", at));
+  const auto steps =
+      fail(ErrorCode::unsupported, say("needs_steps"), fmt::format("actions[{}].stand", at));
   if (sits(task.body)) return steps;
   const Kinematics<double> placed_home = placed(task.body, task.home);
   Vec3d middle{};
@@ -205,9 +203,8 @@ bool can_pass(const Task& task, std::size_t action) {
   if (action + 1 == task.actions.size() || via.goals.empty() || via.hold > 0.0) return false;
   const Action& next = task.actions[action + 1];
   return !next.via && std::all_of(via.goals.begin(), via.goals.end(), [&](const Goal& goal) {
-    return std::any_of(next.goals.begin(), next.goals.end(), [&](const Goal& after) {
-      return after.effector == goal.effector;
-    });
+    return std::any_of(next.goals.begin(), next.goals.end(),
+                       [&](const Goal& after) { return after.effector == goal.effector; });
   });
 }
 
@@ -238,15 +235,15 @@ const Action* via_before(const Task& task, std::size_t action) {
 
 std::size_t thing_named(const Task& task, std::string_view name) {
   const auto named = [name](const Thing& thing) { return thing.name == name; };
-  return static_cast<std::size_t>(
-      std::find_if(task.things.begin(), task.things.end(), named) - task.things.begin());
+  return static_cast<std::size_t>(std::find_if(task.things.begin(), task.things.end(), named) -
+                                  task.things.begin());
 }
 
 Result<void> check_work(const Task& task) {
   if (task.actions.empty()) return fail(ErrorCode::invalid_argument, say("no_actions"), "actions");
   if (task.actions.size() > kActionsMax) {
-    return fail(ErrorCode::invalid_argument,
-                say("actions_most", task.actions.size(), kActionsMax), "actions");
+    return fail(ErrorCode::invalid_argument, say("actions_most", task.actions.size(), kActionsMax),
+                "actions");
   }
   if (!task.goals.empty()) {
     return fail(ErrorCode::invalid_argument, say("goals_in_actions"), "goals");

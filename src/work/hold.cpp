@@ -15,9 +15,9 @@ constexpr double kSideWays[] = {60.0, 90.0, 30.0};
 constexpr double kNearEdge = 0.05;
 // Depth (m) of a hand's point in an obstacle by which a way is left out.
 constexpr double kHandClear = 0.005;
-// Height (m) by which a thing is put higher from which two hands hold it so that wrists can do both:
-// with the fingers by these angles (deg) below level. Palms that face each other are turned in a
-// vertical plane by the wrists' deviation alone, which has some 50 deg.
+// Height (m) by which a thing is put higher from which two hands hold it so that wrists can do
+// both: with the fingers by these angles (deg) below level. Palms that face each other are turned
+// in a vertical plane by the wrists' deviation alone, which has some 50 deg.
 constexpr double kPutHigh = 0.4;
 constexpr double kFingersBelow[] = {25.0, 10.0, 40.0};
 // Share of the way to a thing's near edge at which it is held then: there is room to lift it.
@@ -111,8 +111,7 @@ class HoldFinder {
  private:
   // The goal of a hand whose palm lies on the thing from a side (unit vector out of the thing): on
   // the near part of a deep one, so that the forearm does not pass along it.
-  [[nodiscard]] Goal on_palm(const std::string& name, const Vec3d& side,
-                             double share = 1.0) const {
+  [[nodiscard]] Goal on_palm(const std::string& name, const Vec3d& side, double share = 1.0) const {
     Goal goal = at(name, side);
     const Vec3d back = -facing_.ahead;
     if (thing_.shape == ThingShape::box && abs(dot(side, back)) < 0.5) {
@@ -211,11 +210,10 @@ Holds holds_of(const BodyModel& body, const Kinematics<double>& placed, const Th
   } else {
     Vec3d middle{};
     for (const Foot& foot : body.feet()) {
-      middle += placed.point(foot.link, foot.centre) *
-                (1.0 / static_cast<double>(body.feet().size()));
+      middle +=
+          placed.point(foot.link, foot.centre) * (1.0 / static_cast<double>(body.feet().size()));
     }
-    const bool by_left =
-        dot(pose.translation - middle, facing_of(body, placed).left) > 0.0;
+    const bool by_left = dot(pose.translation - middle, facing_of(body, placed).left) > 0.0;
     for (const std::string& hand : {by_left ? left : right, by_left ? right : left}) {
       if (!hand.empty()) finder.add_one(hand);
     }

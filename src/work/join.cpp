@@ -50,8 +50,10 @@ void add_measures(const MotionMeasures& measures, double start, bool first, Moti
   for (const LimitExcess& over : measures.over_limit) {
     const auto same = [&over](const LimitExcess& other) { return other.dof == over.dof; };
     const auto at = std::find_if(all.over_limit.begin(), all.over_limit.end(), same);
-    if (at == all.over_limit.end()) all.over_limit.push_back(over);
-    else at->excess = max(at->excess, over.excess);
+    if (at == all.over_limit.end())
+      all.over_limit.push_back(over);
+    else
+      at->excess = max(at->excess, over.excess);
   }
   if (measures.support) {
     SupportMargins margins = *measures.support;
@@ -127,8 +129,8 @@ class Joiner {
  public:
   Joiner(const Task& task, std::vector<int> effectors)
       : task_(task), effectors_(std::move(effectors)) {
-    joined_.motion.clip = {.dofs = task.body.dof_count(), .frames = 0, .frame_time = 0.0,
-                           .angles = {}};
+    joined_.motion.clip = {
+        .dofs = task.body.dof_count(), .frames = 0, .frame_time = 0.0, .angles = {}};
     joined_.motion.effectors.resize(effectors_.size());
     for (const Thing& thing : task.things) joined_.things.push_back({thing, {}});
   }
@@ -148,8 +150,8 @@ class Joiner {
       const auto angles = piece.clip.frame(f);
       clip.angles.insert(clip.angles.end(), angles.begin(), angles.end());
       ++clip.frames;
-      const auto torques = std::span(motion.torques).subspan(index(f) * angles.size(),
-                                                             angles.size());
+      const auto torques =
+          std::span(motion.torques).subspan(index(f) * angles.size(), angles.size());
       joined_.motion.torques.insert(joined_.motion.torques.end(), torques.begin(), torques.end());
       joined_.motion.centre_of_mass.push_back(motion.centre_of_mass[index(f)]);
       forward_kinematics<double>(task_.body, angles, placed);
@@ -220,8 +222,7 @@ Candidate Line::joined() const {
     add_measures(own.measures, start, first, whole.measures);
     add_contacts(own.contacts, whole.contacts);
     action.goals = own.goals;
-    whole.motions.push_back(
-        {piece.action, piece.way, own.motion.clip.duration(), own.parameters});
+    whole.motions.push_back({piece.action, piece.way, own.motion.clip.duration(), own.parameters});
     whole.path_error = max(whole.path_error, own.path_error);
     whole.final_posture = own.final_posture;
     if (first) whole.parameters = own.parameters;

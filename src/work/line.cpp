@@ -57,10 +57,8 @@ std::vector<Step> steps_of(const Action& action) {
       steps = {{StepKind::pause, *action.wait}};
       break;
     case ActionKind::grasp:
-      steps = {{StepKind::reach},
-               {StepKind::pause, kGraspPause},
-               {StepKind::take},
-               {StepKind::lift}};
+      steps = {
+          {StepKind::reach}, {StepKind::pause, kGraspPause}, {StepKind::take}, {StepKind::lift}};
       break;
     case ActionKind::place:
       steps = {{StepKind::carry}, {StepKind::pause, kReleasePause}, {StepKind::let_go}};
@@ -160,8 +158,8 @@ std::vector<Goal> Line::carried(std::size_t thing, const Transformd& to, bool ri
     goal.position = link * hand.point;
     goal.rotation = to_quat(link.rotation);
     if (!rigid) continue;
-    goal.carry = Carry{from.translation, to_quat(from.rotation), to.translation,
-                       to_quat(to.rotation)};
+    goal.carry =
+        Carry{from.translation, to_quat(from.rotation), to.translation, to_quat(to.rotation)};
   }
   return goals;
 }
@@ -216,8 +214,9 @@ std::vector<Task> Line::reaches(const Action& action) const {
   const std::string& name = task_->things[thing].name;
   std::erase_if(others, [&](const Obstacle& other) { return other.name == name; });
   std::vector<Task> tasks;
-  for (std::vector<Goal>& goals : holds_of(task_->body, at, task_->things[thing],
-                                           now_.things[thing], action.with, others, put_higher(action))) {
+  for (std::vector<Goal>& goals :
+       holds_of(task_->body, at, task_->things[thing], now_.things[thing], action.with, others,
+                put_higher(action))) {
     const bool full = std::any_of(goals.begin(), goals.end(), [&](const Goal& goal) {
       return now_.in(task_->body.find_effector(goal.effector).value()).has_value();
     });

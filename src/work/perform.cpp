@@ -80,7 +80,8 @@ Found played(std::vector<Task> tasks, const WorkMotion& motion) {
   Found found;
   const auto way = static_cast<std::size_t>(motion.way);
   if (way >= tasks.size()) {
-    found.error = fail(ErrorCode::invalid_argument, say("no_such_way", motion.way, tasks.size())).value();
+    found.error =
+        fail(ErrorCode::invalid_argument, say("no_such_way", motion.way, tasks.size())).value();
     return found;
   }
   Task& task = tasks[way];
@@ -92,8 +93,10 @@ Found played(std::vector<Task> tasks, const WorkMotion& motion) {
     return player.play(motion.values);
   };
   Result<GenerateResult> result = play();
-  if (result) found.result = std::move(*result);
-  else found.error = result.error();
+  if (result)
+    found.result = std::move(*result);
+  else
+    found.error = result.error();
   found.way = motion.way;
   return found;
 }

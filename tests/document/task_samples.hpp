@@ -113,9 +113,8 @@ inline void any_value(const FieldTraits<Request, std::vector<Thing>>&, std::vect
   for (const char* name : {"box", "cup_2"}) {
     if (!*rc::gen::arbitrary<bool>()) continue;
     things.emplace_back();
-    for_each_field<Thing>([&](const auto& field) {
-      any_value(field.traits, things.back().*field.member);
-    });
+    for_each_field<Thing>(
+        [&](const auto& field) { any_value(field.traits, things.back().*field.member); });
     things.back().name = name;
   }
 }
@@ -184,8 +183,10 @@ inline TaskFile any_task() {
   task.character = any_character();
   for_each_field<Request>([&](const auto& field) { any_value(field.traits, task.*field.member); });
   // things and actions are of version 2, which has no goals of its own
-  if (task.actions.empty()) task.things.clear();
-  else task.goals.clear();
+  if (task.actions.empty())
+    task.things.clear();
+  else
+    task.goals.clear();
   return task;
 }
 

@@ -1,38 +1,36 @@
 // SPDX-License-Identifier: MIT
-// Pieces of work, drawn at random: places and grips are exact, feet stay, velocities are continuous.
+// Pieces of work, drawn at random: places and grips are exact, feet stay, velocities are
+// continuous.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <optional>
-#include <fmt/format.h>
-#include <shigusa/generate.hpp>
 #include <shigusa/character.hpp>
+#include <shigusa/generate.hpp>
 #include <shigusa/kinematics.hpp>
 #include <shigusa/run.hpp>
 #include <string>
 #include <vector>
 
-
 namespace shigusa {
 namespace {
 
-
-
-constexpr double kExact = 1e-3;                 // m
-constexpr double kExactTurn = radians(1.0);     // rad
-constexpr double kSmoothVelocity = 0.5;         // rad/s between two frames at a boundary
+constexpr double kExact = 1e-3;              // m
+constexpr double kExactTurn = radians(1.0);  // rad
+constexpr double kSmoothVelocity = 0.5;      // rad/s between two frames at a boundary
 constexpr double kMetShare = 0.97;
 
 // Measures of a candidate of a piece of work.
 struct Measured {
-  double place = 0.0;       // m, of placed things from where they were to be
-  double turn = 0.0;        // rad
-  double grip = 0.0;        // m, of a hand from its place on the thing while that moves
-  double grip_turn = 0.0;   // rad
-  double slide = 0.0;       // m, of feet
-  double jump = 0.0;        // rad/s, change of a joint's velocity at a boundary of actions
+  double place = 0.0;      // m, of placed things from where they were to be
+  double turn = 0.0;       // rad
+  double grip = 0.0;       // m, of a hand from its place on the thing while that moves
+  double grip_turn = 0.0;  // rad
+  double slide = 0.0;      // m, of feet
+  double jump = 0.0;       // rad/s, change of a joint's velocity at a boundary of actions
 };
 
 double angle_between(const Mat3d& a, const Mat3d& b) {
@@ -150,9 +148,9 @@ TEST(Pieces, DrawnWorkIsExact) {
       EXPECT_LE(m.grip_turn, kExactTurn) << k;
       EXPECT_LE(m.slide, kExact) << k;
       EXPECT_LE(m.jump, kSmoothVelocity) << k;
-      worst = {max(worst.place, m.place),         max(worst.turn, m.turn),
-               max(worst.grip, m.grip),           max(worst.grip_turn, m.grip_turn),
-               max(worst.slide, m.slide),         max(worst.jump, m.jump)};
+      worst = {max(worst.place, m.place), max(worst.turn, m.turn),
+               max(worst.grip, m.grip),   max(worst.grip_turn, m.grip_turn),
+               max(worst.slide, m.slide), max(worst.jump, m.jump)};
     }
     if (result->candidates.front().judgement.verdict == Verdict::impossible) {
       told += fmt::format("{}: {}\n", k,

@@ -32,7 +32,9 @@ inline constexpr std::array kTasks{
     MessageText{"too_heavy_thing", "{} of {:g} kg is beyond any strength: allowed are {:g} kg"},
     MessageText{"thing_size", "side along {} is {}; allowed are {} to {:g} m"},
     MessageText{"actions_by_flat", "are of the preset flat, without pareto"},
-    MessageText{"via_where", "via is of goals, without hold_s, that goals of the same effectors without via follow"},
+    MessageText{
+        "via_where",
+        "via is of goals, without hold_s, that goals of the same effectors without via follow"},
     MessageText{"no_action", "no action {}; the task has {}"},
     MessageText{"action_at_rest", "action {} has no motion to edit"},
     MessageText{"no_such_way", "way {} of {} to take the thing"},
