@@ -47,6 +47,22 @@ Json goals_to_json(const CharacterSpec& character, const std::vector<GoalResult>
   return list;
 }
 
+// The goals that are met in the last frame: of work those of the last action that moves, without
+// the boxes of standing up.
+std::vector<GoalResult> met_at_end(const Candidate& candidate) {
+  if (candidate.actions.empty()) return candidate.goals;
+  std::vector<GoalResult> goals;
+  for (auto action = candidate.actions.rbegin(); action != candidate.actions.rend(); ++action) {
+    if (action->goals.empty()) continue;
+    goals = action->goals;
+    if (action->kind == ActionKind::stand) {
+      std::erase_if(goals, [](const auto& goal) { return goal.asked.tolerance != Vec3d{}; });
+    }
+    break;
+  }
+  return goals;
+}
+
 Json paths_to_json(const Candidate& candidate) {
   Json list = Json::array();
   for (const GoalResult& goal : candidate.goals) {
@@ -151,7 +167,7 @@ Json candidate_to_json(const FinishedRun& run, std::size_t index, const ResultFi
   if (candidate.judgement.possible_in) json["possible_in_s"] = *candidate.judgement.possible_in;
   json["score"] = candidate.score.total;
   json["criteria"] = penalties_to_json(candidate.score);
-  json["reached"] = goals_to_json(character, candidate.goals);
+  json["reached"] = goals_to_json(character, met_at_end(candidate));
   json["paths"] = paths_to_json(candidate);
   json["path_error_mm"] = candidate.path_error * kMillimetres;
   json["contacts"] = contacts_to_json(character, candidate);

@@ -61,7 +61,7 @@ Result<TaskFile> task_from_json(const Json& json, const std::string& place) {
   read_fields<Request>(reader, task);
   if (version == 1) {
     for (const char* key : {"actions", "things"}) {
-      if (reader.has(key)) reader.wrong(key, say("of_version_2"));
+      if (reader.has(key)) reader.wrong(key, say("of_version_two"));
     }
   } else {
     reader.require("actions");

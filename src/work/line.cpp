@@ -26,7 +26,7 @@ constexpr double kBellyAbove = 0.08;
 // Distance (m) of a hand from where it hangs up to which it stays there.
 constexpr double kHangs = 0.12;
 // Tolerance (m) of hips and head in standing, and distance (m) at which the eyes look.
-constexpr Vec3d kUpright{0.02, 0.015, 0.02};
+constexpr Vec3d kUpright{0.02, 0.008, 0.02};
 constexpr double kLooksAhead = 3.0;
 // Lean (rad) from which the first low posture tells the habit of the knees.
 constexpr double kTellsHabit = radians(30.0);

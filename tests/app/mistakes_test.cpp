@@ -465,7 +465,7 @@ TEST_F(Mistaken, TextsOfTaskFilesAreTold) {
   const std::pair<std::string, Words> table[] = {
       {"[]", {"task.json: must be an object"}},
       {"{}", {"task.json", "no goal"}},
-      {R"({"version": 2})", {"version", "is 2", "allowed is 1"}},
+      {R"({"version": 3})", {"version", "is 3", "from 1 to 2"}},
       {R"({"gaols": []})", {"'gaols'", "did you mean 'goals'?"}},
       // before that a key is missing
       {R"({"goals": [{"effector": "right_hand", "position": [0, 1, 0.4]}]})",

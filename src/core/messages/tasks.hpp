@@ -12,7 +12,7 @@ inline constexpr std::array kTasks{
     MessageText{"thing_name",
                 "the name {} of a thing; allowed are up to 64 letters, digits, - and _"},
     MessageText{"floor_place", "must be [x, z] with finite numbers up to {:g} m"},
-    MessageText{"of_version_2", "is of tasks with \"version\": 2"},
+    MessageText{"of_version_two", "is of tasks with \"version\": 2"},
     MessageText{"no_actions", "is empty; a task of version 2 has 1 to 64 actions"},
     MessageText{"goals_in_actions", "of a task of version 2 are in its actions"},
     MessageText{"actions_most", "{} actions; allowed are {}"},

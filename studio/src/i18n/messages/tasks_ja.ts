@@ -5,7 +5,7 @@ export const tasks: Readonly<Record<string, string>> = {
   no_unit_quaternion: '回転 ({0}, {1}, {2}, {3}) の長さが {4} です。長さ 1 の四元数 x, y, z, w にしてください。',
   thing_name: '物の名前は {0} です。使えるのは英字、数字、-、_ で 64 文字までです。',
   floor_place: '[x, z] で、有限の数（{0} m まで）でなければなりません。',
-  of_version_2: '"version": 2 の課題のものです。',
+  of_version_two: '"version": 2 の課題のものです。',
   no_actions: '空です。バージョン 2 の課題には 1～64 の動作が要ります。',
   goals_in_actions: 'バージョン 2 の課題では動作の中に書きます。',
   actions_most: '動作が {0} あります。使えるのは {1} までです。',
