@@ -157,6 +157,8 @@ void go_about_hips(ReachProblem& problem) {
 // The approaches of a person who begins bent and stands up, and their best start: the hips alone,
 // with the neck, or turned upright go up on ways of their own. No approaches where the goals cannot
 // be met like that, or where the user fixes knees that no standing person has.
+// A way up that is there is found soon.
+constexpr ReachabilitySettings kRisingReach{.starts = 4, .iterations = 100};
 struct Rising {
   double start = std::numeric_limits<double>::infinity();
   std::vector<ReachProblem> approaches{};
@@ -176,7 +178,7 @@ Rising rising(const Problem& problem, const ReachProblem& reach) {
   }
   if (level_hips(hips)) ways.push_back(std::move(hips));
   for (const ReachProblem& up : ways) {
-    const ClosestReach closest = closest_reach(up);
+    const ClosestReach closest = closest_reach(up, kRisingReach);
     if (!closest.reached()) continue;
     std::vector<ReachProblem> approaches = approaches_to_goal(up, closest, true);
     const double start = best_start(problem, approaches.front());

@@ -14,8 +14,10 @@
 namespace shigusa {
 namespace {
 
-// Least motions of a search after the first one, and those of a lift.
-constexpr int kLeastMotions = 192;
+// Share of a search's motions that each candidate of a later motion gets, their least number, and
+// those of a lift.
+constexpr double kLaterShare = 0.1;
+constexpr int kLeastMotions = 96;
 constexpr int kLiftMotions = 64;
 // Factor on them where none of the motions can be made.
 constexpr int kMoreTimes = 4;
@@ -29,21 +31,9 @@ struct Found {
   std::optional<Error> error{};
 
   [[nodiscard]] bool succeeds() const { return result && result->meets_goals(); }
+  // Whether the motion can be made as well.
+  [[nodiscard]] bool is_steady() const { return result && result->status == ReachStatus::reached; }
 };
-
-// A search that has found no motion that can be made is repeated with more motions.
-Result<GenerateResult> searched(const PreparedTask& prepared, const Progress& progress) {
-  Result<GenerateResult> found = generate(prepared, progress);
-  const Task& task = prepared.task();
-  if (!found || found->status != ReachStatus::unsteady || !task.evaluations) return found;
-  Task more = task;
-  more.evaluations = kMoreTimes * *task.evaluations;
-  SHG_TRY_ASSIGN(GenerateResult other, generate(more, progress));
-  const int spent = found->log.evaluations + other.log.evaluations;
-  if (other.status == ReachStatus::reached) found = std::move(other);
-  found->log.evaluations = spent;
-  return found;
-}
 
 // The first way of a step that succeeds and is possible, else the best of those that do not.
 Found first_of(std::span<const Task> tasks, const Progress& progress) {
@@ -55,7 +45,7 @@ Found first_of(std::span<const Task> tasks, const Progress& progress) {
       if (!best.result && !best.error) best.error = prepared.error();
       continue;
     }
-    auto result = searched(*prepared, progress);
+    auto result = generate(*prepared, progress);
     if (!result) {
       if (!best.result && !best.error) best.error = result.error();
       continue;
@@ -126,67 +116,81 @@ class Performance {
       for (Line& line : lines_) line.make(action, step);
       return {};
     }
-    return branched_ ? go_on(action, step) : branch(action, step);
-  }
-
-  // Searches the first motion, each of whose candidates is a line.
-  Result<void> branch(std::size_t action, const Step& step) {
-    const std::vector<Task> tasks = lines_.front().tasks_of(action, step);
-    if (tasks.empty()) return {};
-    const WorkMotion* known = take_known(action);
-    Found found = known != nullptr ? played(tasks, *known) : first_of(tasks, progress_);
-    if (!found.result) return error_of(action, found);
-    result_.log.spend(found.result->log);
-    result_.parameters = found.result->parameters;
-    if (!found.succeeds()) return fail_at(action, found);
-    branched_ = known == nullptr;
-    const Line before = lines_.front();
-    lines_.clear();
-    for (const Candidate& candidate : found.result->candidates) {
-      lines_.emplace_back(before).add(action, *found.body, candidate, found.way);
-    }
-    single_ = motions_made_++ == 0 ? std::move(found.result) : std::nullopt;
-    return {};
+    return move(action, step);
   }
 
   // Searches the next motion of each line.
-  Result<void> go_on(std::size_t action, const Step& step) {
+  Result<void> move(std::size_t action, const Step& step) {
+    if (std::all_of(lines_.begin(), lines_.end(),
+                    [&](const Line& line) { return line.tasks_of(action, step).empty(); })) {
+      return {};
+    }
+    const WorkMotion* known = take_known(action);
     single_.reset();
-    ++motions_made_;
+    const bool first = motions_made_++ == 0;
+    std::vector<Found> found =
+        known != nullptr ? again(action, step, *known) : searched(action, step, first, 1);
+    for (const Found& one : found) spend(one);
+    const auto steady = [](const Found& one) { return one.idle || one.is_steady(); };
+    if (known == nullptr && !first && std::none_of(found.begin(), found.end(), steady)) {
+      found = searched(action, step, false, kMoreTimes);
+      for (const Found& one : found) spend(one);
+    }
+    // who can go on leaves behind who cannot
+    const bool some = std::any_of(found.begin(), found.end(), steady);
+    std::vector<Line> kept;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      if (found[k].idle) kept.push_back(lines_[k]);
+      if (found[k].idle || !(some ? found[k].is_steady() : found[k].succeeds())) continue;
+      for (const Candidate& candidate : found[k].result->candidates) {
+        kept.emplace_back(lines_[k]).add(action, *found[k].body, candidate, found[k].way);
+      }
+    }
+    if (kept.empty()) {
+      const auto told = std::find_if(found.begin(), found.end(),
+                                     [](const Found& f) { return f.result.has_value(); });
+      if (told == found.end()) return error_of(action, found.front());
+      return fail_at(action, *told);
+    }
+    if (first) single_ = std::move(found.front().result);
+    lines_ = std::move(kept);
+    return {};
+  }
+
+  // The motion that was made before; there is one line.
+  std::vector<Found> again(std::size_t action, const Step& step, const WorkMotion& known) const {
+    std::vector<Found> found;
+    for (const Line& line : lines_) {
+      found.push_back(played(line.tasks_of(action, step), known));
+    }
+    return found;
+  }
+
+  // One motion of each line, and of the best one as many as there are too few lines.
+  std::vector<Found> searched(std::size_t action, const Step& step, bool first, int times) const {
     std::vector<Found> found(lines_.size());
-    const bool moves = lines_.size() > 1 || !lines_.front().tasks_of(action, step).empty();
-    const WorkMotion* known = moves ? take_known(action) : nullptr;
     const int all = task_.evaluations.value_or(usual_evaluations(task_));
-    const int each = std::max(all / static_cast<int>(lines_.size()), kLeastMotions);
+    const int each = std::max(static_cast<int>(kLaterShare * all), kLeastMotions);
+    const int missing = std::max(task_.candidates - static_cast<int>(lines_.size()), 0);
     parallel_for(static_cast<int>(lines_.size()), task_.batch.threads, [&](int k, int) {
       std::vector<Task> tasks = lines_[index(k)].tasks_of(action, step);
       found[index(k)].idle = tasks.empty();
       if (tasks.empty()) return;
+      const bool lifts = step.kind == StepKind::lift;
       for (Task& task : tasks) {
-        task.candidates = 1;
-        task.batch.threads = 1;
-        if (task_.candidates > 1) task.evaluations = each;
-        if (step.kind == StepKind::lift) task.evaluations = kLiftMotions;
+        task.candidates = k == 0 && !lifts ? 1 + missing : 1;
+        if (lines_.size() > 1) task.batch.threads = 1;
+        if (!first) task.evaluations = times * (lifts ? kLiftMotions : task.candidates * each);
       }
-      found[index(k)] = known != nullptr ? played(tasks, *known) : first_of(tasks, {});
+      found[index(k)] = first_of(tasks, first ? progress_ : Progress{});
     });
-    std::vector<Line> kept;
-    for (std::size_t k = 0; k < lines_.size(); ++k) {
-      if (found[k].result) result_.log.spend(found[k].result->log);
-      if (found[k].idle) kept.push_back(std::move(lines_[k]));
-      if (!found[k].succeeds()) continue;
-      kept.push_back(std::move(lines_[k]));
-      kept.back().add(action, *found[k].body, std::move(found[k].result->candidates.front()),
-                      found[k].way);
-    }
-    if (kept.empty()) {
-      const auto some = std::find_if(found.begin(), found.end(),
-                                     [](const Found& f) { return f.result.has_value(); });
-      if (some == found.end()) return error_of(action, found.front());
-      return fail_at(action, *some);
-    }
-    lines_ = std::move(kept);
-    return {};
+    return found;
+  }
+
+  void spend(const Found& found) {
+    if (!found.result) return;
+    result_.log.spend(found.result->log);
+    result_.parameters = found.result->parameters;
   }
 
   // The next motion that the action had before, if it had one.
@@ -210,7 +214,7 @@ class Performance {
     result_.conflict = say("action_fails", action + 1, word_of(*kind_of(task_.actions[action])),
                            Millimetres{1e3 * found.result->remaining_distance},
                            degrees(found.result->remaining_turn));
-    if (lines_.size() == 1 && !branched_) {
+    if (lines_.size() == 1) {
       lines_.front().add(action, *found.body, found.result->candidates.front());
     }
     return {};
@@ -249,7 +253,6 @@ class Performance {
   std::span<const WorkMotion> known_;
   std::size_t next_known_ = 0;
   std::vector<Line> lines_{};
-  bool branched_ = false;
   int motions_made_ = 0;
   bool failed_ = false;
   std::optional<GenerateResult> single_{};  // of the only motion so far
