@@ -84,7 +84,7 @@ class Delivery {
   }
 
   void take_styles() {
-    if (!policy_.styles) return;
+    if (!policy_.styles || task_.candidates == 1) return;
     std::array<int, kStyles> tried{};
     for (const Archived& spare : selection_.spare) {
       if (spare.score > selection_.picked.front().score + kStyleSpread) break;
