@@ -248,7 +248,7 @@ Result<void> check_work(const Task& task) {
   if (!task.goals.empty()) {
     return fail(ErrorCode::invalid_argument, say("goals_in_actions"), "goals");
   }
-  if (task.preset != Preset::flat || task.pareto) {
+  if (task.preset != Preset::flat) {
     return fail(ErrorCode::invalid_argument, say("actions_by_flat"), "actions");
   }
   SHG_TRY(check_things(task));

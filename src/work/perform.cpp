@@ -8,6 +8,7 @@
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "generate/candidate.hpp"
+#include "generate/pareto.hpp"
 #include "work/check_work.hpp"
 #include "work/line.hpp"
 
@@ -180,6 +181,8 @@ class Performance {
       for (Task& task : tasks) {
         task.candidates = k == 0 && !lifts ? 1 + missing : 1;
         if (lines_.size() > 1) task.batch.threads = 1;
+        // the first motion spreads the front, the others are the best by the mixture
+        task.pareto = task.pareto && first;
         if (!first) task.evaluations = times * (lifts ? kLiftMotions : task.candidates * each);
       }
       found[index(k)] = first_of(tasks, first ? progress_ : Progress{});
@@ -225,6 +228,10 @@ class Performance {
       return one_action();
     }
     for (const Line& line : lines_) result_.candidates.push_back(line.joined());
+    if (task_.pareto) {
+      result_.candidates =
+          spread_over(not_dominated(std::move(result_.candidates)), task_.candidates);
+    }
     std::stable_sort(result_.candidates.begin(), result_.candidates.end(), ranks_of(task_));
     if (!failed_) result_.status = status_of(true, result_.candidates);
     result_.duration = result_.candidates.front().motion.clip.duration();

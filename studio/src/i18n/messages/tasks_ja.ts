@@ -22,7 +22,7 @@ export const tasks: Readonly<Record<string, string>> = {
   thing_in: '{0} が {2} に {1} mm 入っています。',
   too_heavy_thing: '{0}（{1} kg）は誰にも持てません。使えるのは {2} kg までです。',
   thing_size: '{0} 方向の大きさが {1} です。使えるのは {2}～{3} m です。',
-  actions_by_flat: 'プリセット flat（pareto なし）のものです。',
+  actions_by_flat: 'プリセット flat のものです。',
   via_where: 'via は、あとに同じ所の goals が続く goals のものです。',
   no_action: '動作 {0} はありません。この課題には {1} あります。',
   action_at_rest: '動作 {0} には変えられる動きがありません。',
