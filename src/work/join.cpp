@@ -227,6 +227,7 @@ Candidate Line::joined() const {
     whole.final_posture = own.final_posture;
     if (first) whole.parameters = own.parameters;
   }
+  whole.hands = hand_uses(*task_, pieces_, now_.grips);
   end_score(moving, whole.score);
   for (std::size_t a = 0; a < whole.actions.size(); ++a) {
     ActionResult& action = whole.actions[a];
