@@ -13,7 +13,7 @@
 
 namespace shigusa {
 
-// What moves beside a body, and the markers of its motion.
+// Things, fingers and markers beside the motion of a body.
 struct MotionExtras {
   std::span<const ThingMotion> things{};  // in the frames of the clip
   HandPlay hands{};
