@@ -71,7 +71,7 @@ BEGIN {
   allow("formats", "robot files motion " persons)
   allow("character", "formats robot files criteria dynamics kinematics motion " persons)
   allow("draw", "files " generates)
-  documents = "draw character formats robot files " generates
+  documents = "work draw character formats robot files " generates
   allow("document", documents)
   allow("edit", "document " documents)
   all = "work dataset edit document " documents

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <shigusa/error.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/score.hpp>
 
 #include "commands.hpp"
@@ -16,6 +18,7 @@ namespace {
 
 struct ScoreOptions {
   std::string clip;
+  std::optional<std::string> task;
   std::optional<std::string> character;  // the clip's own person when not given
   CharacterOptions person;
   std::string frames;  // FIRST:LAST, or empty for all
@@ -51,6 +54,55 @@ void print_score(const RecordedMotion& recorded, const ScoreSettings& settings,
   }
 }
 
+std::string action_words(const ActionScore& action) {
+  const ActionResult& own = action.result;
+  std::string words =
+      fmt::format("{:.2f} to {:.2f} s  {}: {}, score {:.4f}", own.start, own.end, word_of(own.kind),
+                  word_of(own.judgement.verdict), own.score.total);
+  for (const HandAtThing& hand : action.hands) {
+    words += fmt::format("; {} {:.0f} mm from the thing", hand.effector, 1e3 * hand.distance);
+  }
+  if (action.taken) words += fmt::format("; taken at {:.2f} s", *action.taken);
+  for (const GoalResult& goal : own.goals) {
+    words += fmt::format("; {} {:.0f} mm from its goal", goal.asked.effector, 1e3 * goal.error);
+  }
+  if (own.placed) {
+    words += fmt::format("; {} {:.0f} mm and {:.0f}° from its place", printable(own.placed->name),
+                         1e3 * own.placed->error, degrees(own.placed->turn_error));
+  }
+  for (const Reason& reason : own.judgement.reasons) words += "; " + reason_words(reason);
+  return words;
+}
+
+// Scores the clip as the actions of a task.
+Result<int> score_actions(const ScoreOptions& options, const ScoreSettings& settings) {
+  const std::filesystem::path path = *options.task;
+  SHG_TRY_ASSIGN(TaskFile file, read_task(path));
+  SHG_TRY_ASSIGN(const Task task, make_task(file, path.parent_path()));
+  CharacterSpec character;
+  if (options.character) {
+    character.source = *options.character;
+  } else {
+    character = file.character;
+  }
+  if (character.source == options.clip) character.frame = settings.first;
+  SHG_TRY_ASSIGN(const RecordedMotion recorded,
+                 read_clip(options.clip, options.person, std::move(character), settings.first));
+  const Result<WorkScore> score = score_work(recorded, task, settings);
+  if (!score) return fail(score.error().code, score.error().to_string(), options.clip);
+  for (const Message& doubt : recorded.doubts) note(recorded.body.name(), doubt.text);
+  for (const Message& doubt : score->doubts) note(options.clip, doubt.text);
+  if (options.json) {
+    print_out("{}", format_work_score(options.clip, recorded, settings, *score));
+    return kDone;
+  }
+  for (const ActionScore& action : score->actions) {
+    print_out("{}", hanging(action_words(action)));
+  }
+  print_out("{}, score {:.4f}\n", word_of(score->judgement.verdict), score->score.total);
+  return kDone;
+}
+
 Result<int> score(const ScoreOptions& options) {
   ScoreSettings settings;
   if (options.criteria) {
@@ -62,6 +114,7 @@ Result<int> score(const ScoreOptions& options) {
   SHG_TRY_ASSIGN(const FrameRange frames, parse_frames(options.frames));
   settings.first = frames.first;
   settings.last = frames.last;
+  if (options.task) return score_actions(options, settings);
   CharacterSpec character;
   character.source = options.character.value_or(options.clip);
   if (character.source == options.clip) character.frame = settings.first;
@@ -87,12 +140,20 @@ void add_score(CLI::App& app, int& exit_code) {
   CLI::App* c = app.add_subcommand("score", "Score a motion, recorded or made, by the criteria");
   c->group(kLook)->footer(
       "shigusa score out/candidate-1.bvh\n"
+      "shigusa score out/candidate-1.glb work.json\n"
       "shigusa score lift.bvh --frames 100:300 --criteria default");
   const std::string scoring = "The score";
   describe(
       c->add_option("clip", o.clip)->required(),
       {.brief = "Motion file: " + format_endings([](const FormatInfo& info) { return info.clip; }),
        .form = "FILE"});
+  describe(c->add_option("task", o.task),
+           {.brief = "Task of actions that the motion does, of which each is scored",
+            .full = "A task of actions: each of them is scored in its time, with what it reached. "
+                    "Times come from a GLB or VRMA file of this program, or else from the motion: "
+                    "hands are slow at a thing or its place. Things follow the hands that take "
+                    "them. The character is the task's.",
+            .form = "TASK.json"});
   describe(c->add_option("--character", o.character),
            {.group = heading(OptionGroup::body),
             .brief = "Who moves so (default: the clip's own person)",

@@ -243,9 +243,10 @@ struct FileSettings {
 };
 
 /// Transforms of all nodes relative to the parent, (frames × nodes), as node_motion for a body,
-/// with the task's finger play.
+/// with the task's finger play. `clip`: the candidate's motion at any rate.
 [[nodiscard]] std::vector<LocalTransform> node_motion(const CharacterSpec& character,
-                                                      const Task& task, const Clip& clip);
+                                                      const Task& task, const Candidate& candidate,
+                                                      const Clip& clip);
 
 /// Parses FileSettings from JSON such as {"fps": 24, "clip": "Reach", "joint_names": "mixamo",
 /// "in_place": true, "only_this_clip": true}; missing keys have the values of `usual`.

@@ -277,6 +277,18 @@ struct WorkMotion {
   Parameters values;       ///< parameters that generate it
 };
 
+/// A hand's way to a goal or a thing, and its time there, by which its fingers move.
+struct HandUse {
+  std::string effector{};       ///< name of the hand
+  std::string thing{};          ///< name of the thing that it holds; empty: it goes to a goal
+  double start = 0.0;           ///< s, when it leaves
+  double there = 0.0;           ///< s, when it is there, or holds the thing
+  std::optional<double> end{};  ///< s, when it lets the thing go; empty: not in this motion
+  /// Flexion of the fingers at the end of the way, relative to that of a relaxed hand: about a
+  /// thing as far as they go until they touch it.
+  double flexion = 1.0;
+};
+
 /// The way of a thing, with its poses in the frames of the motion.
 struct ThingMotion {
   Thing thing;                      ///< the thing, as the task has it
@@ -300,6 +312,7 @@ struct Candidate {
   std::vector<ActionResult> actions{};  ///< of a task with actions: each of them, in their order
   std::vector<WorkMotion> motions{};    ///< of a task with actions: motions, in their order
   std::vector<ThingMotion> things{};    ///< of a task with things: their ways
+  std::vector<HandUse> hands{};         ///< of a task with actions: ways of each hand, in order
 };
 
 /// Resamples a candidate's motion to a rate (Hz), as its files hold it: between the motion's

@@ -57,11 +57,18 @@ struct ClipScore {
 /// The relation of a skeleton to a body; opaque.
 struct Rig;
 
+/// The time of one of a motion's actions.
+struct ActionTime {
+  double start = 0.0;  ///< s, from the file's first frame
+  double end = 0.0;    ///< s
+};
+
 /// A motion file and the body that follows it.
 struct RecordedMotion : PosedBody {
   SkeletonMotion motion;  ///< motion as in the file
   /// Relation of the file's nodes to the body; set by read_recorded and parse_recorded.
   std::shared_ptr<const Rig> rig;
+  std::vector<ActionTime> actions{};  ///< times of its actions; empty: the file tells none
 };
 
 /// Reads a clip: .bvh, or an animation of a .glb, .gltf, .vrm or .vrma file, sampled at 60 Hz,
@@ -101,6 +108,40 @@ struct LearnedHabit {
 /// frame does not exist, or a criterion's setting is out of range.
 [[nodiscard]] Result<ClipScore> score_clip(const RecordedMotion& recorded,
                                            const ScoreSettings& settings = {});
+
+/// A hand at the thing that it takes.
+struct HandAtThing {
+  std::string effector{};  ///< name of the hand
+  double distance = 0.0;   ///< m, of the hand's point from the thing's surface
+};
+
+/// One action of a recorded piece of work.
+struct ActionScore {
+  ActionResult result{};             ///< times, what was reached, score and judgement
+  std::vector<HandAtThing> hands{};  ///< of a grasp: the hands that take the thing
+  std::optional<double> taken{};     ///< s, of a grasp: when the hands hold the thing
+};
+
+/// The score of a recorded clip as a piece of work.
+struct WorkScore {
+  std::vector<ActionScore> actions;  ///< in the order of the task
+  Score score;                       ///< mean over time
+  Judgement judgement;               ///< of all actions
+  ClipFit fit;                       ///< the fit before smoothing
+  std::vector<Message> doubts;       ///< warnings about the reliability of the score
+};
+
+/// Scores a clip of the actions of a task: each in its time, by the criteria, and what it reached.
+/// Things stand where the task has them, and follow the hands that take them until these let go;
+/// their masses count meanwhile. Times that the file does not tell are found from the motion: hands
+/// are slow at a thing or its place, effectors are at their goals. Fails as score_clip does, and
+/// where actions are wrong in themselves.
+[[nodiscard]] Result<WorkScore> score_work(const RecordedMotion& recorded, const Task& task,
+                                           const ScoreSettings& settings = {});
+
+/// Formats the score of a piece of work as JSON, as printed by `shigusa score --json`.
+[[nodiscard]] std::string format_work_score(const std::string& clip, const RecordedMotion& recorded,
+                                            const ScoreSettings& settings, const WorkScore& score);
 
 /// Formats the score as JSON, as printed by `shigusa score --json`; the names in `criteria` are
 /// those of summary.json.

@@ -9,11 +9,11 @@
 #include <shigusa/formats.hpp>
 #include <shigusa/motion.hpp>
 
-#include "body/joint_name.hpp"
 #include "character/character_rig.hpp"
 #include "core/say.hpp"
 #include "formats/gltf_write.hpp"
 #include "glb_things.hpp"
+#include "hand_play.hpp"
 #include "in_place.hpp"
 #include "measure/measure_person.hpp"
 
@@ -134,22 +134,10 @@ class VrmSkeleton {
 
 }  // namespace
 
-HandPlay hand_play(const Task& task) {
-  // the paper's model has no fingers
-  const bool plays = task.finger_play == FingerPlay::grip && traits_of(task.preset).natural;
-  HandPlay hands{plays, {}};
-  for (const Goal& goal : task.goals) {
-    const JointPlace part = parse_joint_name(goal.effector);
-    if (part.joint_kind != JointKind::hand || !part.side) continue;
-    hands.reaches[part.side == Side::left ? 0 : 1] = true;
-  }
-  return hands;
-}
-
 std::vector<LocalTransform> node_motion(const CharacterSpec& character, const Task& task,
-                                        const Clip& clip) {
+                                        const Candidate& candidate, const Clip& clip) {
   if (!character.rig) return node_motion(character, static_cast<const PosedBody&>(task), clip);
-  return rig_motion(task, clip, character.rig->rig, hand_play(task)).local;
+  return rig_motion(task, clip, character.rig->rig, hand_play(task, candidate)).local;
 }
 
 std::string vrma_bone(const CharacterRig& character, int node, bool fingers) {
@@ -179,17 +167,18 @@ std::string free_animation(const CharacterSpec& character, const std::string& pl
   return name;
 }
 
-RigMotion CharacterExporter::motion_of(const PosedBody& body, const Clip& clip,
-                                       const Rig& rig) const {
-  RigMotion motion = rig_motion(body, clip, rig, hands_);
+RigMotion CharacterExporter::motion_of(const PosedBody& body, const Clip& clip, const Rig& rig,
+                                       const HandPlay& hands) const {
+  RigMotion motion = rig_motion(body, clip, rig, hands);
   if (settings_.in_place) stay_in_place(rig, motion);
   return motion;
 }
 
-std::string CharacterExporter::bvh(const PosedBody& body, const Clip& clip) const {
+std::string CharacterExporter::bvh(const PosedBody& body, const Clip& clip,
+                                   const HandPlay& hands) const {
   const bool own = character_.format == FileFormat::bvh;
   const Rig rig = own ? character_.rig : unturned(character_);
-  const RigMotion moved = motion_of(body, clip, rig);
+  const RigMotion moved = motion_of(body, clip, rig, hands);
   const double unit = rig.placement.unit;
   SkeletonMotion motion{character_.skeleton, {moved.frame_time, moved.frames, moved.local}};
   for (SkeletonNode& node : motion.skeleton.nodes) node.offset = node.offset * unit;
@@ -200,12 +189,13 @@ std::string CharacterExporter::bvh(const PosedBody& body, const Clip& clip) cons
 
 GltfAnimation CharacterExporter::animation(const PosedBody& body, const Clip& clip,
                                            const std::string& name,
-                                           std::span<const ThingMotion> things) const {
+                                           const MotionExtras& extras) const {
   const Rig& rig = character_.rig;
-  RigMotion motion = rig_motion(body, clip, rig, hands_);
+  RigMotion motion = rig_motion(body, clip, rig, extras.hands);
   const auto kept = settings_.in_place ? stay_in_place(rig, motion) : std::vector<Vec3d>{};
   GltfAnimation animation = animation_of(rig, character_.places, motion, name);
-  animation.things = things_in_file(things, rig.placement, kept);
+  animation.things = things_in_file(extras.things, rig.placement, kept);
+  animation.markers = extras.markers;
   for (GltfTrack& track : animation.tracks) {
     track.node = character_.file_node[static_cast<std::size_t>(track.node)];
   }
@@ -220,14 +210,14 @@ Result<std::string> CharacterExporter::glb(std::span<const GltfAnimation> animat
 
 Result<std::string> CharacterExporter::vrma(const PosedBody& body, const Clip& clip,
                                             const std::string& name,
-                                            std::vector<GltfMarker> markers) const {
-  VrmSkeleton skeleton(character_, hands_.fingers);
+                                            const MotionExtras& extras) const {
+  VrmSkeleton skeleton(character_, extras.hands.fingers);
   if (!skeleton.beside.empty()) {
     return fail(ErrorCode::unsupported, say("vrma_one_root", skeleton.beside), "the format vrma");
   }
-  const RigMotion motion = motion_of(body, clip, skeleton.rig);
+  const RigMotion motion = motion_of(body, clip, skeleton.rig, extras.hands);
   GltfAnimation animation = animation_of(skeleton.rig, skeleton.rest, motion, name);
-  animation.markers = std::move(markers);
+  animation.markers = extras.markers;
   // bone lengths are constant: of the VRM bones only the hips translate
   for (GltfTrack& track : animation.tracks) {
     if (track.node > 0) track.translations.clear();

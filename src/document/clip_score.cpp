@@ -10,6 +10,7 @@
 #include "character/character_file.hpp"
 #include "character/character_heels.hpp"
 #include "character/humanoid_request.hpp"
+#include "clip_frames.hpp"
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "criteria/motion_frame.hpp"
@@ -36,6 +37,7 @@ struct MotionFile {
   SkeletonMotion motion;
   HumanoidMap given;  // bone map given by the file itself
   std::vector<Message> doubts;
+  std::vector<ActionTime> actions{};
 };
 
 Result<MotionFile> parse_motion(std::string_view bytes, const std::string& name,
@@ -46,7 +48,9 @@ Result<MotionFile> parse_motion(std::string_view bytes, const std::string& name,
     return MotionFile{std::move(motion), {}, {}};
   }
   SHG_TRY_ASSIGN(GltfMotion file, parse_gltf_animation(bytes, name, {.animation = animation}));
-  return MotionFile{std::move(file.motion), file.character.humanoid, std::move(file.doubts)};
+  MotionFile read{std::move(file.motion), file.character.humanoid, std::move(file.doubts)};
+  for (const GltfActionTime& time : file.actions) read.actions.push_back({time.start, time.end});
+  return read;
 }
 
 Result<void> check_clip_name(const std::string& name) {
@@ -192,7 +196,8 @@ Result<RecordedMotion> on_its_person(MotionFile file, const std::string& name,
   }
   auto rig = std::make_shared<const Rig>(rig_of(file.motion, frame, measured));
   SHG_TRY_ASSIGN(PosedBody body, build_character(character));
-  return RecordedMotion{std::move(body), std::move(file.motion), std::move(rig)};
+  return RecordedMotion{std::move(body), std::move(file.motion), std::move(rig),
+                        std::move(file.actions)};
 }
 
 // The motion on another body. The file is scaled to its stature, by the person measured in the
@@ -206,10 +211,10 @@ Result<RecordedMotion> on_another_body(MotionFile file, const std::string& name,
   Rig rig = rig_of(file.motion, first, measured);
   rig.start = start_of(character, posed);
   return RecordedMotion{std::move(posed), std::move(file.motion),
-                        std::make_shared<const Rig>(std::move(rig))};
+                        std::make_shared<const Rig>(std::move(rig)), std::move(file.actions)};
 }
 
-void doubt(const ScoreSettings& settings, ClipScore& result) {
+void doubt(const ScoreSettings& settings, SmoothClip& result) {
   const ClipFit& fit = result.fit;
   for (const FootTravel& foot : fit.feet) {
     if (foot.travel <= kFootSteps) continue;
@@ -275,7 +280,7 @@ Result<RecordedMotion> parse_recorded(std::string_view bytes, const std::string&
              : on_another_body(std::move(file), name, std::move(character), first);
 }
 
-Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings& settings) {
+Result<SmoothClip> smooth_clip(const RecordedMotion& recorded, const ScoreSettings& settings) {
   const SkeletonClip& clip = recorded.motion.clip;
   const int last = settings.last.value_or(clip.frames - 1);
   if (settings.first < 0 || last < settings.first || last >= clip.frames) {
@@ -289,23 +294,39 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
     return fail(ErrorCode::invalid_argument, say("smoothing_range", settings.cutoff), "smoothing");
   }
   const int around = static_cast<int>(min(kAround / clip.frame_time, 1000.0)) + 1;
+  SmoothClip smooth;
+  smooth.fit = fit_clip(recorded, *recorded.rig, recorded.motion, {settings.first, last, around});
+  smooth.clip = smooth.fit.clip;
+  if (settings.cutoff > 0.0) low_pass(smooth.clip, settings.cutoff);
+  smooth.first = smooth.fit.before;
+  smooth.last = smooth.first + last - settings.first;
+  doubt(settings, smooth);
+  return smooth;
+}
+
+ClipScore score_frames(const BodyModel& body, CriteriaContext context, const SmoothClip& smooth,
+                       const CriteriaSettings& criteria) {
+  if (context.effectors.empty()) {
+    context.effectors = reaching_hands(body, smooth.clip, smooth.first, smooth.last);
+  }
+  ClipPlayer player(body, context, criteria);
   ClipScore result;
-  result.fit = fit_clip(recorded, *recorded.rig, recorded.motion, {settings.first, last, around});
-  Clip smooth = result.fit.clip;
-  if (settings.cutoff > 0.0) low_pass(smooth, settings.cutoff);
-  const int first = result.fit.before;
-  const CriteriaContext context{
-      .start = recorded.home,
-      .effectors = reaching_hands(recorded.body, smooth, first, first + last - settings.first)};
-  ClipPlayer player(recorded.body, context, settings.criteria);
-  result.motion = player.play(smooth, first, first + last - settings.first);
-  result.score = summed(player.criteria(), recorded.body, result.motion, settings.criteria);
-  result.measures = measure_motion(recorded.body, result.motion, context);
+  result.motion = player.play(smooth.clip, smooth.first, smooth.last);
+  result.score = summed(player.criteria(), body, result.motion, criteria);
+  result.measures = measure_motion(body, result.motion, context);
   // the player's meter saw the surrounding frames too
   result.measures.support = player.support().margins();
+  return result;
+}
+
+Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings& settings) {
+  SHG_TRY_ASSIGN(SmoothClip smooth, smooth_clip(recorded, settings));
+  ClipScore result =
+      score_frames(recorded.body, {.start = recorded.home}, smooth, settings.criteria);
   PostureMeter meter(recorded.body, recorded.home, 0);
   result.final_posture = meter.measure(result.motion.clip.frame(result.motion.clip.frames - 1));
-  doubt(settings, result);
+  result.fit = std::move(smooth.fit);
+  result.doubts = std::move(smooth.doubts);
   return result;
 }
 

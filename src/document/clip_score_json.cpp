@@ -32,6 +32,31 @@ Json feet_to_json(const RecordedMotion& recorded, const ClipFit& fit) {
   return list;
 }
 
+Json action_to_json(const ActionScore& action) {
+  const ActionResult& own = action.result;
+  Json json{{"kind", word_of(own.kind)},
+            {"start_s", own.start},
+            {"end_s", own.end},
+            {"verdict", word_of(own.judgement.verdict)},
+            {"reasons", reasons_to_json(own.judgement)},
+            {"score", own.score.total},
+            {"criteria", penalties_to_json(own.score)}};
+  if (action.taken) json["taken_s"] = *action.taken;
+  for (const HandAtThing& hand : action.hands) {
+    json["hands"].push_back(
+        {{"effector", hand.effector}, {"distance_mm", hand.distance * kMillimetres}});
+  }
+  json["reached"] = Json::array();
+  for (const GoalResult& goal : own.goals) {
+    json["reached"].push_back({{"effector", goal.asked.effector},
+                               {"goal_m", to_json(goal.asked.position)},
+                               {"reached_m", to_json(goal.reached)},
+                               {"error_mm", goal.error * kMillimetres}});
+  }
+  if (own.placed) json["placed"] = placed_to_json(*own.placed);
+  return json;
+}
+
 }  // namespace
 
 Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view name) {
@@ -68,6 +93,27 @@ std::string format_clip_score(const std::string& clip, const RecordedMotion& rec
   json["follows"] = follows_to_json(score.fit, settings.first);
   json["feet"] = feet_to_json(recorded, score.fit);
   add_measures(recorded.body, score.measures, score.final_posture, json);
+  json["doubts"] = texts_to_json(recorded.doubts);
+  for (const Message& doubt : score.doubts) json["doubts"].push_back(doubt.text);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string format_work_score(const std::string& clip, const RecordedMotion& recorded,
+                              const ScoreSettings& settings, const WorkScore& score) {
+  Json json{{"version", 1},
+            {"clip", clip},
+            {"character", recorded.body.name()},
+            {"stature_m", recorded.body.stature()},
+            {"mass_kg", recorded.body.mass()},
+            {"smoothed_hz", settings.cutoff},
+            {"verdict", word_of(score.judgement.verdict)},
+            {"reasons", reasons_to_json(score.judgement)},
+            {"score", score.score.total}};
+  json["criteria"] = penalties_to_json(score.score);
+  json["follows"] = follows_to_json(score.fit, settings.first);
+  json["feet"] = feet_to_json(recorded, score.fit);
+  json["actions"] = Json::array();
+  for (const ActionScore& action : score.actions) json["actions"].push_back(action_to_json(action));
   json["doubts"] = texts_to_json(recorded.doubts);
   for (const Message& doubt : score.doubts) json["doubts"].push_back(doubt.text);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

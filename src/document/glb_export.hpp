@@ -6,10 +6,19 @@
 #include <shigusa/motion.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "formats/gltf_write.hpp"
+#include "kinematics/rig.hpp"
 
 namespace shigusa {
+
+// Things, fingers and markers beside the motion of a body.
+struct MotionExtras {
+  std::span<const ThingMotion> things{};  // in the frames of the clip
+  HandPlay hands{};
+  std::vector<GltfMarker> markers{};
+};
 
 // Writer of a body's motions as animations of one GLB.
 class GlbExporter {
@@ -19,10 +28,10 @@ class GlbExporter {
   GlbExporter& operator=(const GlbExporter&) = delete;
   virtual ~GlbExporter() = default;
 
-  // The animation to pass to glb(). `things`: their ways in the frames of the clip.
+  // The animation to pass to glb().
   [[nodiscard]] virtual GltfAnimation animation(const PosedBody& body, const Clip& clip,
                                                 const std::string& name,
-                                                std::span<const ThingMotion> things) const = 0;
+                                                const MotionExtras& extras) const = 0;
   // The GLB file with these animations.
   [[nodiscard]] virtual Result<std::string> glb(
       std::span<const GltfAnimation> animations) const = 0;

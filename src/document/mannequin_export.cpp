@@ -44,27 +44,24 @@ std::vector<Vec3d> skin_of(const CharacterSpec& character, const BodyModel& body
 }  // namespace
 
 MannequinExporter::MannequinExporter(const CharacterSpec& character, const BodyModel& body,
-                                     const HandPlay& hands, const FileSettings& settings)
+                                     const FileSettings& settings)
     : name_(body.name()),
       mannequin_(body_skeleton(body), mannequin_mesh(), body.stature()),
       skin_(skin_of(character, body)),
-      hands_(hands),
       settings_(settings) {
   named_ = named_nodes(mannequin_.skeleton(), settings.names);
 }
 
 GltfAnimation MannequinExporter::animation(const PosedBody& posed, const Clip& clip,
                                            const std::string& name,
-                                           std::span<const ThingMotion> things) const {
+                                           const MotionExtras& extras) const {
   const std::vector<LocalTransform>& rest = mannequin_.rest();
   SkeletonClip moved = skeleton_motion(posed, clip).clip;
   std::vector<Vec3d> kept;
   if (settings_.in_place) {
     kept = stay_in_place(0, {}, {0, 1, 0}, posed.body.nodes().size(), moved.local);
   }
-  const bool plays = hands_.fingers;
-  const std::vector<LocalTransform> local =
-      mannequin_.play(moved, {plays && hands_.reaches[0], plays && hands_.reaches[1]});
+  const std::vector<LocalTransform> local = mannequin_.play(moved, extras.hands);
   GltfAnimation animation{name, moved.frame_time, moved.frames, {}};
   for (std::size_t i = 0; i < rest.size(); ++i) {
     const auto& [place, turn] = rest[i];
@@ -74,7 +71,8 @@ GltfAnimation MannequinExporter::animation(const PosedBody& posed, const Clip& c
     const bool stays = track.rotations.empty() && track.translations.empty();
     if (!stays) animation.tracks.push_back(std::move(track));
   }
-  animation.things = things_in_file(things, {}, kept);
+  animation.things = things_in_file(extras.things, {}, kept);
+  animation.markers = extras.markers;
   return animation;
 }
 

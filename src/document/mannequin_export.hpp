@@ -6,7 +6,6 @@
 
 #include "draw/mannequin.hpp"
 #include "glb_export.hpp"
-#include "kinematics/rig.hpp"
 
 namespace shigusa {
 
@@ -14,13 +13,13 @@ namespace shigusa {
 // the requested convention, then the mannequin's additional ones, and last the mesh node.
 class MannequinExporter final : public GlbExporter {
  public:
-  MannequinExporter(const CharacterSpec& character, const BodyModel& body, const HandPlay& hands,
+  MannequinExporter(const CharacterSpec& character, const BodyModel& body,
                     const FileSettings& settings);
 
   // Animation tracks: rotations of the nodes that turn and the translation of the hips.
   [[nodiscard]] GltfAnimation animation(const PosedBody& body, const Clip& clip,
                                         const std::string& name,
-                                        std::span<const ThingMotion> things) const override;
+                                        const MotionExtras& extras) const override;
   [[nodiscard]] Result<std::string> glb(std::span<const GltfAnimation> animations) const override;
 
  private:
@@ -28,7 +27,6 @@ class MannequinExporter final : public GlbExporter {
   Skeleton named_;    // the mannequin's skeleton, by the names in the file
   Mannequin mannequin_;
   std::vector<Vec3d> skin_;  // m, vertex positions of the mesh
-  HandPlay hands_;
   FileSettings settings_;
 };
 

@@ -79,6 +79,14 @@ Json penalties_to_json(const Score& score) {
   return json;
 }
 
+Json placed_to_json(const PlacedThing& placed) {
+  return {{"thing", placed.name},
+          {"position_m", to_json(placed.position)},
+          {"rotation_xyzw", to_json(placed.turn)},
+          {"error_mm", placed.error * kMillimetres},
+          {"error_deg", degrees(placed.turn_error)}};
+}
+
 Json reasons_to_json(const Judgement& judgement) {
   Json json = Json::array();
   for (const Reason& reason : judgement.reasons) json.push_back(reason_to_json(reason));

@@ -20,4 +20,7 @@ void add_measures(const BodyModel& body, const MotionMeasures& measures, const F
 // Reasons why a candidate is not possible: counts of each kind, and the sentence that states them.
 [[nodiscard]] Json reasons_to_json(const Judgement& judgement);
 
+// Where a thing was put.
+[[nodiscard]] Json placed_to_json(const PlacedThing& placed);
+
 }  // namespace shigusa

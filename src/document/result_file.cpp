@@ -108,11 +108,7 @@ Json actions_to_json(const FinishedRun& run, const Candidate& candidate) {
     json["score"] = action.score.total;
     json["criteria"] = penalties_to_json(action.score);
     if (const auto& placed = action.placed) {
-      json["placed"] = {{"thing", placed->name},
-                        {"position_m", to_json(placed->position)},
-                        {"rotation_xyzw", to_json(placed->turn)},
-                        {"error_mm", placed->error * kMillimetres},
-                        {"error_deg", degrees(placed->turn_error)}};
+      json["placed"] = placed_to_json(*placed);
     }
   }
   return list;

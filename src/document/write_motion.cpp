@@ -9,6 +9,7 @@
 #include "core/say.hpp"
 #include "export_file.hpp"
 #include "glb_things.hpp"
+#include "hand_play.hpp"
 #include "in_place.hpp"
 #include "joint_names.hpp"
 #include "kinematics/skeleton_motion.hpp"
@@ -43,7 +44,7 @@ Result<MadeFile> checked_file(const WriteRequest& request, Make&& make, Check&& 
 }
 
 CharacterExporter exporter_of(const WriteRequest& request) {
-  return CharacterExporter(*request.character.rig, hand_play(request.task), request.settings);
+  return CharacterExporter(*request.character.rig, request.settings);
 }
 
 // GLB writer of a character. That of built-in bodies needs the mannequin, which a build may lack
@@ -52,19 +53,19 @@ std::unique_ptr<GlbExporter> glb_exporter(const CharacterSpec& character, const 
                                           const FileSettings& settings) {
 #ifdef SHIGUSA_HAS_MANNEQUIN
   if (!character.rig) {
-    return std::make_unique<MannequinExporter>(character, task.body, hand_play(task), settings);
+    return std::make_unique<MannequinExporter>(character, task.body, settings);
   }
 #endif
-  return std::make_unique<CharacterExporter>(*character.rig, hand_play(task), settings);
+  return std::make_unique<CharacterExporter>(*character.rig, settings);
 }
 
 GltfAnimation animation_of(const GlbExporter& exporter, const Task& task,
                            const Candidate& candidate, const Clip& clip, double rate,
                            const std::string& name) {
   const std::vector<ThingMotion> things = things_at(candidate, rate);
-  GltfAnimation animation = exporter.animation(task, clip, name, things);
-  animation.markers = markers_of(candidate);
-  return animation;
+  return exporter.animation(
+      task, clip, name,
+      {.things = things, .hands = hand_play(task, candidate), .markers = markers_of(candidate)});
 }
 
 }  // namespace
@@ -76,7 +77,8 @@ Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
   const PosedBody& body = request.task;
   const FileSettings& settings = request.settings;
   const auto make = [&](const Clip& clip) -> Result<std::string> {
-    if (rig) return exporter_of(request).bvh(body, clip);
+    if (rig)
+      return exporter_of(request).bvh(body, clip, hand_play(request.task, request.candidate));
     SkeletonMotion motion = skeleton_motion(body, clip);
     if (settings.in_place) {
       stay_in_place(0, {}, {0, 1, 0}, motion.skeleton.nodes.size(), motion.clip.local);
@@ -107,8 +109,9 @@ template <>
 Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request) {
   const CharacterExporter exporter = exporter_of(request);
   const auto make = [&](const Clip& clip) {
-    return exporter.vrma(request.task, clip, request.settings.animation,
-                         markers_of(request.candidate));
+    const auto& [character, task, candidate, settings] = request;
+    return exporter.vrma(task, clip, settings.animation,
+                         {.hands = hand_play(task, candidate), .markers = markers_of(candidate)});
   };
   return checked_file(request, make, [](const ReadBackCheck& check, const std::string& bytes) {
     return check.vrma(bytes);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/index.hpp"
+#include "kinematics/rig_fingers.hpp"
 
 namespace shigusa {
 
@@ -107,20 +108,36 @@ void Mannequin::bend(std::array<double, 2> closed, LocalTransform* local) const 
   }
 }
 
-std::vector<LocalTransform> Mannequin::play(const SkeletonClip& body,
-                                            std::array<bool, 2> reaches) const {
+double Mannequin::closed_at(const HandPlay& hands, std::size_t side, double share) const {
+  if (!hands.fingers || fingers_.empty()) return 0.0;
+  const std::vector<FingerKey>& keys = hands.keys[side];
+  if (keys.empty()) return hands.reaches[side] ? hand_closed(share) : 0.0;
+  const FingerKey now = finger_posture(keys, share);
+  // by the mean bend of all bones
+  std::array<double, 3> bends{};
+  for (const Finger& finger : fingers_) {
+    for (std::size_t k = 0; k < bends.size(); ++k) bends[k] += finger.bone->bends[k];
+  }
+  const double bend =
+      now.flexion * mean_flexion(HandPosture::relaxed) * static_cast<double>(fingers_.size());
+  const auto [open, relaxed, grip] = bends;
+  const double over = bend - relaxed;
+  const double closed = over / (over < 0.0 ? relaxed - open : grip - relaxed);
+  return (1.0 - now.start) * clamp(closed, -1.0, 1.0);
+}
+
+std::vector<LocalTransform> Mannequin::play(const SkeletonClip& body, const HandPlay& hands) const {
   std::vector<LocalTransform> all;
   all.reserve(index(body.frames) * rest_.size());
   for (int f = 0; f < body.frames; ++f) {
     const double share = body.frames > 1 ? static_cast<double>(f) / (body.frames - 1) : 0.0;
-    const double closed = hand_closed(share);
     all.insert(all.end(), rest_.begin(), rest_.end());
     LocalTransform* local = &all[all.size() - rest_.size()];
     std::copy_n(body.local.data() + index(f) * body_nodes_, body_nodes_, local);
     for (const auto& [node, follower] : followers_) {
       local[node].rotation = follower.follow(local[follower.joint].rotation);
     }
-    bend({reaches[0] ? closed : 0.0, reaches[1] ? closed : 0.0}, local);
+    bend({closed_at(hands, 0, share), closed_at(hands, 1, share)}, local);
   }
   return all;
 }

@@ -5,6 +5,7 @@
 #include <shigusa/motion.hpp>
 #include <vector>
 
+#include "kinematics/rig.hpp"
 #include "mannequin_fit.hpp"
 #include "mannequin_follower.hpp"
 
@@ -25,10 +26,9 @@ class Mannequin {
   [[nodiscard]] const std::vector<int>& joints() const { return joints_; }
   [[nodiscard]] const std::vector<Transformd>& inverses() const { return inverses_; }
 
-  // (frames × nodes) transforms relative to parents, from the body's motion. `reaches`: whether the
-  // left and the right hand open on the way and close at the end.
+  // (frames × nodes) transforms relative to parents, from the body's motion and the fingers' play.
   [[nodiscard]] std::vector<LocalTransform> play(const SkeletonClip& body,
-                                                 std::array<bool, 2> reaches) const;
+                                                 const HandPlay& hands) const;
 
  private:
   struct Follower {
@@ -43,6 +43,8 @@ class Mannequin {
   class Builder;
 
   void bend(std::array<double, 2> closed, LocalTransform* local) const;
+  // How far a hand is closed, see finger_bend: by its keys, or else by the motion's time.
+  [[nodiscard]] double closed_at(const HandPlay& hands, std::size_t side, double share) const;
 
   Skeleton skeleton_;
   std::size_t body_nodes_;

@@ -64,6 +64,7 @@ class AnimationReader {
     told_ = choice.gaps;
     SHG_TRY_ASSIGN(const GltfJson animation, choose(choice.animation));
     SHG_TRY(tracks(animation));
+    read_actions(animation);
     return sample(choice);
   }
 
@@ -105,6 +106,27 @@ class AnimationReader {
     if (names.size() > kTold) all += fmt::format(" and {} more", names.size() - kTold);
     return fail(ErrorCode::invalid_argument, say("no_such_animation", wanted.substr(0, 80), all),
                 name_);
+  }
+
+  // Times that are no numbers or out of order are as good as none.
+  void read_actions(const GltfJson& animation) {
+    const auto extras = animation.find("extras");
+    if (extras == animation.end() || !extras->is_object()) return;
+    const auto list = extras->find("shigusa_actions");
+    if (list == extras->end() || !list->is_array()) return;
+    std::vector<GltfActionTime> actions;
+    double before = 0.0;
+    for (const GltfJson& one : *list) {
+      const auto number = [&one](const char* key) {
+        return one.is_object() && one.contains(key) && one[key].is_number() ? one[key].get<double>()
+                                                                            : -1.0;
+      };
+      const GltfActionTime time{number("start_s"), number("end_s")};
+      if (!(time.start >= before && time.end >= time.start) || !is_finite(time.end)) return;
+      before = time.start;
+      actions.push_back(time);
+    }
+    result_.actions = std::move(actions);
   }
 
   Result<void> tracks(const GltfJson& animation) {

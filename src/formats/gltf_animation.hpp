@@ -30,6 +30,12 @@ struct GltfGap {
   int last = 0;
 };
 
+// The time of an action (s) that a file of shigusa's tells.
+struct GltfActionTime {
+  double start = 0.0;
+  double end = 0.0;
+};
+
 // A character's motion in an animation of its file.
 struct GltfMotion {
   GltfCharacter character;  // `humanoid` also by the map of a VRM animation
@@ -38,8 +44,9 @@ struct GltfMotion {
   SkeletonMotion motion;
   // (nodes) as character.places, in the requested frame; empty if there is no such frame
   std::vector<GltfPlace> posed;
-  std::vector<Message> doubts;  // the character's and the animation's
-  std::vector<GltfGap> gaps{};  // if requested
+  std::vector<Message> doubts;            // the character's and the animation's
+  std::vector<GltfGap> gaps{};            // if requested
+  std::vector<GltfActionTime> actions{};  // in their order; empty: none that can be read
 };
 
 // A pose of a character's nodes.

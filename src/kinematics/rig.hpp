@@ -35,10 +35,19 @@ struct Rig {
   bool at_ease = false;               // hands, too, are at ease in the start posture
 };
 
+// Posture of a hand's fingers at a share of the motion's time.
+struct FingerKey {
+  double share = 0.0;
+  double flexion = 1.0;  // relative to that of HandPosture::relaxed
+  double start = 0.0;    // share of the posture in which the motion starts, instead of that flexion
+};
+
 // Finger movement beside the motion of the body.
 struct HandPlay {
   bool fingers = false;           // fingers take a posture; otherwise they stay as in the rig
   std::array<bool, 2> reaches{};  // left, right: the hand opens on the way and closes at the end
+  // left, right: postures in the order of time, instead of `reaches`
+  std::array<std::vector<FingerKey>, 2> keys{};
 };
 
 // Motion of a rig's nodes.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "kinematics/rig.hpp"
@@ -15,6 +16,10 @@ namespace shigusa {
 // aperture is widest at 60 to 70 % of the transport.
 inline constexpr double kWidestAt = 0.65;
 [[nodiscard]] double openness(double share);
+
+// Posture at a share of the motion's time: minimum jerk from key to key, and as at the start
+// before them.
+[[nodiscard]] FingerKey finger_posture(std::span<const FingerKey> keys, double share);
 
 // Rotations of a rig's fingers, frame by frame.
 class FingerMover {
@@ -33,9 +38,12 @@ class FingerMover {
     double open = 0.0;  // rad, relative to the rig
     double relaxed = 0.0;
     double start = 0.0;  // in the first frame
+    double bent = 0.0;   // flexion in the rig
     bool reaches = false;
+    std::size_t hand = 0;  // index in keys_
   };
 
+  std::array<std::vector<FingerKey>, 2> keys_;
   std::vector<Bone> bones_;
   std::vector<int> bone_;  // (nodes) index in bones_, or -1
 };

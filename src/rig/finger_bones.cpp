@@ -45,7 +45,6 @@ constexpr std::array<double, kFingerJoints> kRelaxed{45.0, 30.0, 20.0};
 constexpr std::array<double, kFingerJoints> kRelaxedThumb{20.0, 15.0, 15.0};
 // Factors of the fingers, which increase towards the little one; their mean is 1.
 constexpr std::array<double, kFingerCount> kShare{1.0, 0.8, 0.93, 1.07, 1.2};
-constexpr double kOpenShare = 0.2;
 
 // Finger of a node's name, or its number ("Finger2", "finger3-1.L").
 struct FingerName {
@@ -318,6 +317,16 @@ double flexion(HandPosture posture, Finger finger, int joint) {
   const auto& mean = finger == Finger::thumb ? kRelaxedThumb : kRelaxed;
   const double relaxed = mean[index(joint - 1)] * kShare[static_cast<std::size_t>(finger)];
   return radians(posture == HandPosture::open ? kOpenShare * relaxed : relaxed);
+}
+
+double mean_flexion(HandPosture posture) {
+  double sum = 0.0;
+  for (int finger = 0; finger < kFingerCount; ++finger) {
+    for (int joint = 1; joint <= kFingerJoints; ++joint) {
+      sum += flexion(posture, static_cast<Finger>(finger), joint);
+    }
+  }
+  return sum / (kFingerCount * kFingerJoints);
 }
 
 std::vector<SkinVertex> relaxed_hands(const Skeleton& skeleton,

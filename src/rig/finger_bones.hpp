@@ -62,6 +62,10 @@ enum class HandPosture {
 // four fingers, which are "more and more flexed from index to little finger" (Taylor and Schwarz
 // 1955, "The anatomy and mechanics of the human hand"); the thumb is opposed. Open: a fifth of it.
 [[nodiscard]] double flexion(HandPosture posture, Finger finger, int joint);
+// Mean of all joints of a hand.
+[[nodiscard]] double mean_flexion(HandPosture posture);
+// The open posture's flexions relative to the relaxed one's.
+inline constexpr double kOpenShare = 0.2;
 
 // Vertices of the mesh with the hands' fingers in their relaxed posture; `fingers` and the mesh
 // belong to the posture `world` (nodes).

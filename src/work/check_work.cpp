@@ -120,7 +120,6 @@ class Hands {
  private:
   Result<void> grasp(std::size_t at, const Action& action) {
     SHG_TRY(known(at, action.grasp));
-    if (held_.contains(action.grasp)) return wrong(at, say("held_already", action.grasp));
     std::vector<std::string> hands;
     for (const Side side : {Side::right, Side::left}) {
       if (const std::string hand = hand_name(task_.body, side); !hand.empty())
@@ -131,9 +130,8 @@ class Hands {
         return wrong(at, say("not_a_hand", hand.substr(0, 80),
                              fmt::format("{}", fmt::join(hands, " and "))));
       }
-      const auto full = in_.find(hand);
-      if (full != in_.end()) return wrong(at, say("hand_full", hand, full->second));
     }
+    if (held_.contains(action.grasp)) return hand_over(at, action);
     const Thing& thing = task_.things[thing_named(task_, action.grasp)];
     std::vector<std::string> with = action.with;
     if (with.empty() && takes_two(thing)) with = hands;
@@ -146,6 +144,19 @@ class Hands {
     }
     held_.insert(action.grasp);
     for (const std::string& hand : with) in_[hand] = action.grasp;
+    return {};
+  }
+
+  // One empty hand takes a thing that another hand holds alone.
+  Result<void> hand_over(std::size_t at, const Action& action) {
+    const auto holds = [&](const auto& hand) { return hand.second == action.grasp; };
+    const bool one = std::count_if(in_.begin(), in_.end(), holds) == 1 && action.with.size() == 1;
+    if (!one) return wrong(at, say("held_already", action.grasp));
+    const std::string& taker = action.with.front();
+    const auto full = in_.find(taker);
+    if (full != in_.end()) return wrong(at, say("hand_full", taker, full->second));
+    std::erase_if(in_, holds);
+    in_[taker] = action.grasp;
     return {};
   }
 

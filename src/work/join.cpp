@@ -7,37 +7,10 @@
 #include "dynamics/clip_dynamics.hpp"
 #include "work/check_work.hpp"
 #include "work/line.hpp"
+#include "work/sum_scores.hpp"
 
 namespace shigusa {
 namespace {
-
-// Adds the penalties of a motion, weighted by its duration.
-void add_score(const Score& score, double seconds, Score& sum) {
-  sum.total += seconds * score.total;
-  for (const ScoreTerm& term : score.terms) {
-    const auto same = [&term](const ScoreTerm& other) { return other.name == term.name; };
-    auto at = std::find_if(sum.terms.begin(), sum.terms.end(), same);
-    if (at == sum.terms.end()) at = sum.terms.insert(at, {term.name, term.weight, 0.0});
-    at->penalty += seconds * term.penalty;
-  }
-}
-
-void end_score(double seconds, Score& sum) {
-  if (!(seconds > 0.0)) return;
-  sum.total /= seconds;
-  for (ScoreTerm& term : sum.terms) term.penalty /= seconds;
-}
-
-// Adds the reasons of a motion that begins at `start` (s).
-void add_judgement(const Judgement& judgement, double start, Judgement& all) {
-  all.verdict = std::max(all.verdict, judgement.verdict);
-  for (Reason reason : judgement.reasons) {
-    if (reason.time) *reason.time += start;
-    all.reasons.push_back(std::move(reason));
-  }
-  std::stable_sort(all.reasons.begin(), all.reasons.end(),
-                   [](const Reason& a, const Reason& b) { return a.verdict > b.verdict; });
-}
 
 // Adds the worst of the measures of a motion that begins at `start` (s).
 void add_measures(const MotionMeasures& measures, double start, bool first, MotionMeasures& all) {
@@ -227,6 +200,7 @@ Candidate Line::joined() const {
     whole.final_posture = own.final_posture;
     if (first) whole.parameters = own.parameters;
   }
+  whole.hands = hand_uses(*task_, pieces_, now_.grips);
   end_score(moving, whole.score);
   for (std::size_t a = 0; a < whole.actions.size(); ++a) {
     ActionResult& action = whole.actions[a];

@@ -95,12 +95,18 @@ void Line::make(std::size_t action, const Step& step) {
       const std::size_t thing = thing_of(asked);
       const Kinematics<double> placed_now =
           placed(task_->body, {.angles = now_.angles, .velocities = {}, .held = {}});
+      const std::vector<Grip> before = now_.on(thing);
       for (const GoalResult& goal : pieces_[pieces_.size() - 2].candidate->goals) {
         const int hand = task_->body.find_effector(goal.asked.effector).value();
+        if (now_.in(hand)) continue;
         const int link = task_->body.effector(hand).link;
         const Transformd place{placed_now.link_rotation(link), placed_now.link_origin(link)};
         now_.grips.push_back({hand, link, thing, inverse(place) * now_.things[thing]});
       }
+      // a hand that held it alone lets go
+      std::erase_if(now_.grips, [&](const Grip& grip) {
+        return grip.thing == thing && !before.empty() && grip.hand == before.front().hand;
+      });
       return;
     }
     case StepKind::let_go: {
@@ -223,6 +229,10 @@ std::vector<Task> Line::reaches(const Action& action) const {
     if (full) continue;
     Task& one = tasks.emplace_back(task);
     one.goals = std::move(goals);
+    // a hand that holds it meanwhile stays
+    for (Goal& goal : carried(thing, now_.things[thing], true)) {
+      one.goals.push_back(std::move(goal));
+    }
     for (Obstacle& obstacle : one.obstacles) {
       if (obstacle.name == name) give_way(obstacle);
     }

@@ -43,6 +43,10 @@ struct Step {
 };
 [[nodiscard]] std::vector<Step> steps_of(const Action& action);
 
+// Ways of the hands in a row of pieces; `grips`: those after the last one.
+[[nodiscard]] std::vector<HandUse> hand_uses(const Task& task, std::span<const Piece> pieces,
+                                             std::span<const Grip> grips);
+
 // A way to do a piece of work, as far as it has come.
 class Line {
  public:

@@ -245,6 +245,7 @@ class Performance {
       Candidate whole = lines_[k].joined();
       Candidate& own = one.candidates[k];
       own.motions = whole.motions;
+      own.hands = whole.hands;
       own.actions = std::move(whole.actions);
       if (task_.actions.front().hold > 0.0 || !task_.things.empty()) {
         whole.actions = std::move(own.actions);

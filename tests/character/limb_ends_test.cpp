@@ -126,7 +126,7 @@ TEST(LimbEnds, MotionsLeaveOnTheFileWithItsHands) {
   const GenerateResult generation = regenerate(task, uniform_parameters(task.body)).value();
   const Clip& clip = generation.candidates[0].motion.clip;
   const CharacterRig& rig = *file.character.rig;
-  const CharacterExporter exporter(rig, hand_play(task));
+  const CharacterExporter exporter(rig);
   const GltfAnimation animation = exporter.animation(task, clip, "motion", {});
   const std::string bytes = exporter.glb(std::span(&animation, 1)).value();
   const CharacterSpec again = loaded(bytes);

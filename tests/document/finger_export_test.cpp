@@ -98,6 +98,83 @@ TEST_P(FingerExport, ReachingHandsOpenAndCloseAndOthersAreRelaxed) {
   EXPECT_EQ(tips, 10);
 }
 
+// A cup of a width (m) is put elsewhere by the right hand.
+TaskFile cup_task(const CharacterSpec& character, double width) {
+  TaskFile file;
+  file.character = character;
+  const double unit = *character.stature / 1.7;
+  file.things = {{.name = "cup",
+                  .shape = ThingShape::cylinder,
+                  .size = {width, 0.1, width},
+                  .position = Vec3d{-0.2, 0.95, 0.4} * unit}};
+  file.actions = {{.grasp = "cup", .with = {"right_hand"}},
+                  {.place = "cup", .position = Vec3d{0.0, 0.95, 0.4} * unit},
+                  {.wait = 1.0}};
+  file.evaluations = 200;
+  file.candidates = 1;
+  return file;
+}
+
+// Distance (m) of each fingertip from the wrist's node in a frame.
+std::vector<double> reaches_of(const CharacterRig& rig, const ExportedGlb& glb, Side side,
+                               int frame) {
+  const auto file_node = [&](int node) { return rig.file_node[static_cast<std::size_t>(node)]; };
+  const bool left = side == Side::left;
+  const Vec3d wrist =
+      glb.at(file_node(rig.rig.bones[left ? HumanoidBone::left_hand : HumanoidBone::right_hand]),
+             "shigusa", frame);
+  std::vector<double> reaches;
+  for (const FingerBone& bone : rig.rig.fingers) {
+    if (bone.side != side || bone.joint != kFingerJoints || bone.finger == Finger::thumb) continue;
+    reaches.push_back(norm(glb.at(file_node(bone.node), "shigusa", frame) - wrist));
+  }
+  return reaches;
+}
+
+// Fingers open on the way to a thing, hold it by its width, open to let it go and relax.
+TEST_P(FingerExport, HandsCloseAboutAThingByItsWidthAndLetItGo) {
+  std::vector<double> wider;
+  for (const double width : {0.08, 0.03}) {
+    TaskFile file = cup_task(asked_.character, width);
+    const Task task = make_task(file, {}).value();
+    const GenerateResult result = perform(task).value();
+    ASSERT_TRUE(result.meets_goals()) << result.conflict.text;
+    const Candidate& best = result.candidates.front();
+    ASSERT_EQ(best.hands.size(), 1U);
+    const HandUse& use = best.hands.front();
+    EXPECT_EQ(use.effector, "right_hand");
+    EXPECT_EQ(use.thing, "cup");
+    ASSERT_TRUE(use.end);
+    EXPECT_NEAR(*use.end, best.actions[1].end, 1e-9);
+    EXPECT_LT(use.there, best.actions[0].end);
+    const auto glb_bytes = export_candidate(file.character, task, best, FileFormat::glb, {});
+    ASSERT_TRUE(glb_bytes) << glb_bytes.error().to_string();
+    const ExportedGlb glb(*glb_bytes);
+    const auto at = [&](double time, Side side = Side::right) {
+      const int frame = static_cast<int>(time / best.motion.clip.frame_time + 0.5);
+      return reaches_of(rig(), glb, side, frame);
+    };
+    const std::vector<double> open = at(use.there - 0.35);
+    const std::vector<double> taken = at(use.there);
+    const std::vector<double> held = at(*use.end - 0.12);
+    const std::vector<double> let_go = at(*use.end + 0.1);
+    const std::vector<double> after = at(*use.end + 0.7);
+    ASSERT_EQ(open.size(), 4U);
+    for (std::size_t f = 0; f < open.size(); ++f) {
+      EXPECT_GT(open[f], taken[f] + 0.001) << width;
+      EXPECT_NEAR(held[f], taken[f], kFloats) << width;
+      EXPECT_GT(let_go[f], held[f] + 0.001) << width;
+      EXPECT_NEAR(after[f], at(0.0)[f], kFloats) << width;
+      if (!wider.empty()) {
+        EXPECT_LT(taken[f], wider[f] - 0.001);
+      }
+      EXPECT_NEAR(at(use.there, Side::left)[f], at(0.0, Side::left)[f], kFloats);
+    }
+    wider = taken;
+    EXPECT_TRUE(export_candidate(file.character, task, best, FileFormat::vrma, {}));
+  }
+}
+
 // A hand whose goal turns it is compared by the hand, not by the finger that has the goal.
 TEST_P(FingerExport, FilesAreReadBackWithGoalsThatTurn) {
   asked_.goals[0].rotation = Quatd{0, 0, 0, 1};

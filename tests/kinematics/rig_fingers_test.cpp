@@ -128,6 +128,27 @@ TEST(FingerMover, StartsWhereAFrameHasTheFingers) {
   EXPECT_NEAR(hand.bent(idle, 0.5), 0.0, 1e-9);
 }
 
+TEST(FingerMover, TakesThePosturesOfItsKeys) {
+  Random random(3);
+  OneFinger hand(random);
+  HandPlay play{.fingers = true};
+  play.keys[0] = {{0.2, kOpenShare, 1.0}, {0.4, kOpenShare}, {0.5, 1.5}, {0.7, 1.5}};
+  for (const bool at_ease : {true, false}) {
+    hand.rig.at_ease = at_ease;
+    const FingerMover mover(hand.rig, play);
+    const double start = at_ease ? sum_of(HandPosture::relaxed) : 0.0;
+    const double open = sum_of(HandPosture::open);
+    // sum_of subtracts the rig's 0.6
+    const double grip = 1.5 * (sum_of(HandPosture::relaxed) + 0.6) - 0.6;
+    EXPECT_NEAR(hand.bent(mover, 0.0), start, 1e-9);
+    EXPECT_NEAR(hand.bent(mover, 0.2), start, 1e-9);
+    EXPECT_NEAR(hand.bent(mover, 0.3), 0.5 * (start + open), 1e-9);
+    EXPECT_NEAR(hand.bent(mover, 0.4), open, 1e-9);
+    EXPECT_NEAR(hand.bent(mover, 0.6), grip, 1e-9);
+    EXPECT_NEAR(hand.bent(mover, 1.0), grip, 1e-9);
+  }
+}
+
 TEST(FingerMover, LeavesWhatCarriesTheGripAndAllWhereNothingIsAsked) {
   Random random(3);
   OneFinger hand(random);

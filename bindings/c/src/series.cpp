@@ -21,9 +21,10 @@ struct NodeTables {
   std::vector<double> rotations;
 };
 
-NodeTables node_tables(const shigusa_result& result, const Clip& clip) {
+NodeTables node_tables(const shigusa_result& result, const Candidate& candidate, const Clip& clip) {
   NodeTables tables;
-  for (const LocalTransform& local : node_motion(result.file.character, result.task, clip)) {
+  for (const LocalTransform& local :
+       node_motion(result.file.character, result.task, candidate, clip)) {
     add(local.translation, tables.translations);
     const Quatd& q = local.rotation;
     tables.rotations.insert(tables.rotations.end(), {q.x, q.y, q.z, q.w});
@@ -103,7 +104,7 @@ extern "C" shigusa_status shigusa_result_series(const shigusa_result* result, in
     std::vector<std::vector<double>>& tables = kept[index];
     std::vector<double>& table = tables[static_cast<size_t>(series)];
     if (table.empty() && is_of_nodes(series)) {
-      NodeTables made = node_tables(*result, all[index].motion.clip);
+      NodeTables made = node_tables(*result, all[index], all[index].motion.clip);
       tables[SHIGUSA_NODE_TRANSLATIONS] = std::move(made.translations);
       tables[SHIGUSA_NODE_ROTATIONS] = std::move(made.rotations);
     } else if (table.empty()) {
@@ -129,12 +130,13 @@ extern "C" shigusa_status shigusa_result_series_at(const shigusa_result* result,
                   "series " + std::to_string(series) + " is of the motion's own frames alone");
     }
     const auto index = static_cast<size_t>(candidate - 1);
-    const Clip clip = motion_at(result->task.body, result->generation.candidates[index], fps);
+    const Candidate& of = result->generation.candidates[index];
+    const Clip clip = motion_at(result->task.body, of, fps);
     std::vector<double> values;
     if (series == SHIGUSA_TIME) add_times(clip, values);
     if (series == SHIGUSA_ANGLES) values = clip.angles;
     if (is_of_nodes(series)) {
-      NodeTables tables = node_tables(*result, clip);
+      NodeTables tables = node_tables(*result, of, clip);
       values = std::move(series == SHIGUSA_NODE_ROTATIONS ? tables.rotations : tables.translations);
     }
     *frames = static_cast<size_t>(clip.frames);

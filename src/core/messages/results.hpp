@@ -36,6 +36,9 @@ inline constexpr std::array kResults{
                 "the body's joints are {:.1f} cm from the recorded ones on average: another motion "
                 "is scored"},
     MessageText{"frames_too_few", "{:.1f} frames a second are too few to smooth at {:g} Hz"},
+    MessageText{"times_found",
+                "the file tells times of {} actions, and the task has {}: they are found from the "
+                "motion"},
     MessageText{"robot_not_scored", "{} is a robot; recorded motion is scored on people"},
     MessageText{"frames_none", "the frames {} to {} are none; the file has 0 to {}"},
     MessageText{"no_speeds", "a frame time of {:g} s has no speeds; allowed is more than 0"},
