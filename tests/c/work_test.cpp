@@ -100,6 +100,21 @@ TEST(CInterfaceOfWork, AnEditAndAMirrorImageAreWhole) {
   expect_at(table_of(made, 1, SHIGUSA_THINGS), 0, 1, {0.3, 0.9, 0.35});
 }
 
+// Nothing moves, so that there are no parameters of a search.
+TEST(CInterfaceOfWork, WaitingAloneIsWork) {
+  const Outcome result = outcome_of(nullptr, R"({"version": 2, "actions": [{"wait_s": 0.5}]})");
+  ASSERT_NE(result, nullptr);
+  const Json summary = json_of(result.get());
+  EXPECT_EQ(summary.at("status"), "reached");
+  EXPECT_EQ(summary.at("candidates").at(0).at("duration_s"), 0.5);
+  EXPECT_FALSE(text_of(shigusa_result_parameters, result.get(), 1).empty());
+  shigusa_result* again = nullptr;
+  ASSERT_EQ(shigusa_restore(nullptr, summary.dump().c_str(), &again), SHIGUSA_OK)
+      << shigusa_message();
+  EXPECT_EQ(table_of(Outcome(again).get(), 1, SHIGUSA_ANGLES).values,
+            table_of(result.get(), 1, SHIGUSA_ANGLES).values);
+}
+
 TEST(CInterfaceOfWork, WrongActionsAreTold) {
   shigusa_result* none = nullptr;
   EXPECT_EQ(shigusa_generate(nullptr, R"({"version": 2, "actions": [{"release": "box"}]})", 1,
