@@ -220,7 +220,8 @@ constexpr std::string_view kConventions = R"(
 - Metres, seconds, kilograms, radians, newton metres.
 - World: right-handed, y up. At the start the body faces +z, and its left is +x.
 - A motion has 61 frames at equal times: frame k is at `duration_s` · k / 60. Frame 0 is the start
-  posture, frame 60 the end.
+  posture, frame 60 the end. A piece of work has 241, and `actions` and `things` name what it does
+  with what.
 - Quaternions are x, y, z, w, and unit. That of a node is its turn in its parent.
 - The attributes `joints`, `nodes`, `node_parents`, `parameters`, `criteria` and `feet` of a table of
   motions name what its columns have side by side.

@@ -178,12 +178,19 @@ class Drawer {
     if (form.is_object()) return object(form, place);
     if (!form.is_array()) return form;
     Json list = Json::array();
+    const bool goals = are_goals(place);
+    if (goals) goals_.clear();
     for (std::size_t k = 0; k < form.size(); ++k) {
       SHG_TRY_ASSIGN(Json item, value(form[k], fmt::format("{}[{}]", place, k), Json::object()));
-      if (place == "goals") goals_.push_back(item);
+      if (goals) goals_.push_back(item);
       list.push_back(std::move(item));
     }
     return list;
+  }
+
+  // Whether a place is that of a list of goals: the task's, or an action's.
+  static bool are_goals(const std::string& place) {
+    return place == "goals" || place.ends_with(".goals");
   }
 
   // Members that others depend on are drawn first.
@@ -269,7 +276,7 @@ class Drawer {
                                        : random.below(static_cast<std::uint32_t>(values.size()));
     }
     // draws of an alternative have a place of their own, but one under "goals" is still a goal's
-    const bool goals = place == "goals";
+    const bool goals = are_goals(place);
     return value(values[chosen], goals ? place : fmt::format("{}={}", place, chosen), beside);
   }
 
@@ -359,7 +366,7 @@ class Drawer {
   const DrawSource& source_;
   const TaskOfDraws& task_of_;
   Json character_;           // as drawn
-  std::vector<Json> goals_;  // as drawn so far
+  std::vector<Json> goals_;  // of a list, as drawn so far
 };
 
 }  // namespace

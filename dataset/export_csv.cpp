@@ -29,6 +29,10 @@ std::vector<std::string> names_of(const Table& table, const Column& column) {
   if (column.name == "nodes") return all("nodes", {".qx", ".qy", ".qz", ".qw"});
   if (column.name == "positions") return all("nodes", {".x [m]", ".y [m]", ".z [m]"});
   if (column.name == "contacts") return all("feet", {" stands on"});
+  if (column.name == "actions") return {"action"};
+  if (column.name == "things") {
+    return all("things", {".x [m]", ".y [m]", ".z [m]", ".qx", ".qy", ".qz", ".qw"});
+  }
   if (column.name == "pressure") return {"pressure.x [m]", "pressure.z [m]"};
   if (column.name == "root_m") return {"root.x [m]", "root.y [m]", "root.z [m]"};
   if (column.name == "centre_of_mass") {

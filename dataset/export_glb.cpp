@@ -88,6 +88,10 @@ class GlbWriter : public DataWriter {
     SHG_TRY_ASSIGN(DrawnAgain again,
                    drawn_again(job_.data.plan, motion, person_ ? &*person_ : nullptr));
     SHG_TRY(check_formats(again.file.character, {FileFormat::glb}));
+    if (!again.task.actions.empty()) {
+      return fail(ErrorCode::unsupported,
+                  "is a piece of work, whose GLB `shigusa dataset` writes by --task", motion.id());
+    }
     if (!made_ || made_->number != motion.number()) {
       SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(again.task));
       made_.emplace(Made{motion.number(), std::move(again), std::move(player)});

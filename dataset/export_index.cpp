@@ -32,6 +32,8 @@ constexpr std::array kGoalFields{GoalColumn{"position_m", 3},    GoalColumn{"loa
 // List of names of a column's numbers; empty if it has none.
 std::string list_of(const Column& column) {
   if (column.name == "penalties") return "criteria";
+  if (column.name.starts_with("action_")) return "actions";
+  if (column.name == "thing_mass_kg") return "things";
   return column.name == "parameters" ? column.name : std::string();
 }
 

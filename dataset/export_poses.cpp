@@ -115,6 +115,9 @@ Result<Table> made_again(const DatasetPlan& plan, const DataMotion& motion,
     candidate.parameters = again.parameters;
     candidate.motion.clip = *std::move(clip);
     generation.candidates.push_back(std::move(candidate));
+  } else if (!again.task.actions.empty()) {
+    return fail(ErrorCode::unsupported, "is a piece of work whose plan keeps no angles",
+                motion.id());
   } else {
     SHG_TRY_ASSIGN(generation, regenerate(again.task, again.parameters));
   }

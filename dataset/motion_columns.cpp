@@ -13,61 +13,98 @@ std::size_t size_of_list(const Table& table, std::string_view list) {
 
 void add_series_columns(DatasetSeries series, Table& table) {
   const std::size_t nodes = size_of_list(table, "nodes");
+  const std::size_t frames = frames_of(table);
   const std::string name(word_of(series));
   switch (series) {
     case DatasetSeries::angles:
-      table.columns.push_back({name,
-                               ElementType::f32,
-                               {kDataFrames, size_of_list(table, "joints")},
-                               "rad",
-                               "of `joints`"});
+      table.columns.push_back(
+          {name, ElementType::f32, {frames, size_of_list(table, "joints")}, "rad", "of `joints`"});
       break;
     case DatasetSeries::torques:
-      table.columns.push_back({name,
-                               ElementType::f32,
-                               {kDataFrames, size_of_list(table, "joints")},
-                               "N m",
-                               "of `joints`"});
+      table.columns.push_back(
+          {name, ElementType::f32, {frames, size_of_list(table, "joints")}, "N m", "of `joints`"});
       break;
     case DatasetSeries::nodes:
       table.columns.push_back(
           {name,
            ElementType::f32,
-           {kDataFrames, nodes, 4},
+           {frames, nodes, 4},
            "",
            "quaternions xyzw of `nodes`, each in its parent; 0, 0, 0, 1 where the body stands "
            "upright with arms hanging"});
       table.columns.push_back(
-          {"root_m", ElementType::f32, {kDataFrames, 3}, "m", "place of the first node"});
+          {"root_m", ElementType::f32, {frames, 3}, "m", "place of the first node"});
       table.columns.push_back(
           {"offsets_m", ElementType::f32, {nodes, 3}, "m", "of `nodes`, each in its parent"});
       break;
     case DatasetSeries::positions:
       table.columns.push_back(
-          {name, ElementType::f32, {kDataFrames, nodes, 3}, "m", "of `nodes`, in the world"});
+          {name, ElementType::f32, {frames, nodes, 3}, "m", "of `nodes`, in the world"});
       break;
     case DatasetSeries::centre_of_mass:
-      table.columns.push_back({name, ElementType::f32, {kDataFrames, 3}, "m", "in the world"});
+      table.columns.push_back({name, ElementType::f32, {frames, 3}, "m", "in the world"});
       break;
     case DatasetSeries::pressure:
       table.columns.push_back({name,
                                ElementType::f32,
-                               {kDataFrames, 2},
+                               {frames, 2},
                                "m",
                                "x and z of the centre of pressure on the floor"});
       break;
     case DatasetSeries::contacts:
       table.columns.push_back({name,
                                ElementType::u8,
-                               {kDataFrames, size_of_list(table, "feet")},
+                               {frames, size_of_list(table, "feet")},
                                "",
                                "of `feet`, what it stands on",
                                {"air", "sole", "forefoot"}});
       break;
+    case DatasetSeries::actions:
+      if (!is_of_work(table)) break;
+      table.columns.push_back(
+          {name, ElementType::u8, {frames, 1}, "", "of `actions`, which is done, from 0"});
+      break;
+    case DatasetSeries::things:
+      if (size_of_list(table, "things") == 0) break;
+      table.columns.push_back({name,
+                               ElementType::f32,
+                               {frames, size_of_list(table, "things"), kPoseNumbers},
+                               "m",
+                               "of `things`, in the world: the middle, and the quaternion xyzw of "
+                               "the turn"});
+      break;
   }
 }
 
+void add_work_columns(Table& table) {
+  const std::size_t actions = size_of_list(table, "actions");
+  const std::size_t things = size_of_list(table, "things");
+  table.columns.push_back({.name = "action_start_s",
+                           .shape = {actions},
+                           .unit = "s",
+                           .says = "of `actions`; NaN of those that the work did not come to"});
+  table.columns.push_back({.name = "action_end_s",
+                           .shape = {actions},
+                           .unit = "s",
+                           .says = "of `actions`, when each is done and its hold is over"});
+  table.columns.push_back({.name = "action_verdict",
+                           .type = ElementType::u8,
+                           .shape = {actions},
+                           .says = "of `actions`, whether the body could make the motion",
+                           .words = all_words<Verdict>()});
+  if (things == 0) return;
+  table.columns.push_back({.name = "thing_mass_kg", .shape = {things}, .unit = "kg"});
+  table.columns.push_back({.name = "thing_size_m",
+                           .shape = {things, 3},
+                           .unit = "m",
+                           .says = "of `things`, along their own axes"});
+}
+
 }  // namespace
+
+bool is_of_work(const Table& table) { return table.names_of("actions") != nullptr; }
+
+std::size_t frames_of(const Table& table) { return is_of_work(table) ? kWorkFrames : kDataFrames; }
 
 void add_motion_columns(std::span<const DatasetSeries> all, Table& table) {
   table.columns.push_back({.name = "task", .type = ElementType::u64, .says = "number of the task"});
@@ -113,6 +150,7 @@ void add_motion_columns(std::span<const DatasetSeries> all, Table& table) {
       {.name = "parameters",
        .shape = {size_of_list(table, "parameters")},
        .says = "of `parameters`, which the motion is made from; NaN where locked"});
+  if (is_of_work(table)) add_work_columns(table);
   for (const DatasetSeries series : all) add_series_columns(series, table);
 }
 

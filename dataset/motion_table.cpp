@@ -9,6 +9,7 @@
 #include "core/index.hpp"
 #include "motion_columns.hpp"
 #include "task_rows.hpp"
+#include "work_rows.hpp"
 
 namespace shigusa {
 namespace {
@@ -87,6 +88,10 @@ void MotionTable::describe() {
                   {"nodes", nodes},
                   {"node_parents", node_parents(task_.body, nodes)},
                   {"feet", feet_}};
+  if (!task_.actions.empty()) {
+    table_.names.emplace_back("actions", action_names(task_));
+    if (!task_.things.empty()) table_.names.emplace_back("things", thing_names(task_));
+  }
   Fnv1a hash;
   for (const auto& [what, list] : table_.names) {
     for (const std::string& name : list) hash.add(name + "\n");
@@ -105,7 +110,9 @@ std::uint64_t MotionTable::row_size() const {
 }
 
 void MotionTable::add(std::uint64_t number, std::size_t rank, const GenerateResult& generation) {
-  const Candidate& candidate = generation.candidates[rank - 1];
+  const bool works = is_of_work(table_);
+  const Candidate candidate = works ? in_frames(generation.candidates[rank - 1], kWorkFrames)
+                                    : generation.candidates[rank - 1];
   double error = 0.0;
   double turn = 0.0;
   for (const GoalResult& goal : candidate.goals) {
@@ -137,6 +144,7 @@ void MotionTable::add(std::uint64_t number, std::size_t rank, const GenerateResu
   const auto& support = candidate.measures.support;
   table_["balance_m"].push(support ? support->centre_of_mass.distance : kNoNumber);
   add_parameters(candidate);
+  if (works) add_work(task_, candidate, table_);
   for (const DatasetSeries series : series_) add_series(series, candidate);
 }
 
@@ -149,15 +157,14 @@ void MotionTable::add_parameters(const Candidate& candidate) {
 
 void MotionTable::add_series(DatasetSeries series, const Candidate& candidate) {
   const Motion& motion = candidate.motion;
-  Column& into = table_[word_of(series)];
   switch (series) {
     case DatasetSeries::angles:
     case DatasetSeries::torques: {
       const auto count = index(motion.clip.dofs);
       const auto& numbers = series == DatasetSeries::angles ? motion.clip.angles : motion.torques;
-      for (std::size_t f = 0; f < kDataFrames; ++f) {
+      for (std::size_t f = 0; f < frames_of(table_); ++f) {
         for (const DataDof& dof : dofs_) {
-          into.push(dof.sign * numbers[f * count + index(dof.dof)]);
+          into(series).push(dof.sign * numbers[f * count + index(dof.dof)]);
         }
       }
       break;
@@ -169,13 +176,19 @@ void MotionTable::add_series(DatasetSeries series, const Candidate& candidate) {
       add_nodes(candidate, false);
       break;
     case DatasetSeries::centre_of_mass:
-      for (const Vec3d& point : motion.centre_of_mass) into.push(point);
+      for (const Vec3d& point : motion.centre_of_mass) into(series).push(point);
       break;
     case DatasetSeries::pressure:
       add_pressure(candidate);
       break;
     case DatasetSeries::contacts:
       add_contacts(candidate);
+      break;
+    case DatasetSeries::actions:
+      if (is_of_work(table_)) add_present_actions(candidate, into(series));
+      break;
+    case DatasetSeries::things:
+      if (!task_.things.empty()) add_poses(candidate, into(series));
       break;
   }
 }

@@ -31,6 +31,7 @@ class MotionTable {
 
  private:
   void describe();
+  [[nodiscard]] Column& into(DatasetSeries series) { return table_[word_of(series)]; }
   void add_series(DatasetSeries series, const Candidate& candidate);
   void add_nodes(const Candidate& candidate, bool turns);
   void add_pressure(const Candidate& candidate);

@@ -128,6 +128,12 @@ Result<Table> motion_form(const Table& table) {
     if (names == nullptr) return fail(ErrorCode::parse, fmt::format("has no list `{}`", list), "");
     if (!are_texts(*names)) return fail(ErrorCode::parse, "has names that are no text", list);
   }
+  for (const char* list : kWorkLists) {
+    const std::vector<std::string>* const names = table.names_of(list);
+    if (names != nullptr && !are_texts(*names)) {
+      return fail(ErrorCode::parse, "has names that are no text", list);
+    }
+  }
   std::vector<DatasetSeries> series;
   for (const auto& [one, word] : kEnumWords<DatasetSeries>) {
     if (table.find(word) != nullptr) series.push_back(one);

@@ -158,6 +158,7 @@ void add_task(const MadeTask& made, const TaskOutcome& outcome, Table& tasks) {
 }
 
 bool is_kept(const Candidate& candidate, const GenerateResult& generation, KeptMotions kept) {
+  if (candidate.motion.clip.frames < 2) return false;  // of work that began with nothing
   if (kept == KeptMotions::all) return true;
   if (!generation.meets_goals()) return false;
   return kept == KeptMotions::reached || candidate.judgement.verdict != Verdict::impossible;
@@ -180,7 +181,8 @@ void generate_rows(const DatasetPlan& plan, SimdSet simd, MadeTask& made) {
   task->layers.store = limb_store();
   outcome.task = &*task;
   const auto begin = Clock::now();
-  const Result<GenerateResult> generation = generate(*task);
+  const Result<GenerateResult> generation =
+      task->actions.empty() ? generate(*task) : perform(*task);
   made.search_seconds = seconds_since(begin);
   if (!generation) return refuse(generation.error());
   outcome.generation = &*generation;

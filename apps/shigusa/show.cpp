@@ -33,17 +33,10 @@ struct PlayedResult {
   GenerateResult generation;
 };
 
-// Motions of a stored result; pieces of work are made anew, which gives the same ones.
-Result<GenerateResult> motions_of(StoredResult& stored, const Task& task) {
-  if (!task.actions.empty()) return perform(task, terminal_progress());
-  SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(task));
-  return replay_all(player, stored, terminal_progress());
-}
-
 Result<PlayedResult> played(const std::string& path) {
   SHG_TRY_ASSIGN(StoredResult stored, read_result(path));
   SHG_TRY_ASSIGN(Task task, make_task(stored.task, {}));
-  Result<GenerateResult> generation = motions_of(stored, task);
+  Result<GenerateResult> generation = replay_all(task, stored, terminal_progress());
   end_progress_line();
   if (!generation) return fail(generation.error().code, generation.error().to_string(), path);
   return PlayedResult{std::move(task), std::move(*generation)};

@@ -77,6 +77,11 @@ struct EditableParameter {
 [[nodiscard]] Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,
                                                 const Progress& progress = {});
 
+/// Generates the motions of all candidates again, in the result's order, of a task (make_task) with
+/// or without actions. Otherwise as above.
+[[nodiscard]] Result<GenerateResult> replay_all(const Task& task, StoredResult& stored,
+                                                const Progress& progress = {});
+
 /// A change of one candidate of a result whose task has actions.
 struct WorkEdit {
   int action = 1;                          ///< the action whose motion is edited, from 1

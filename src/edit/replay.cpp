@@ -14,6 +14,29 @@ namespace {
 
 int count_of(const StoredResult& stored) { return static_cast<int>(stored.candidates.size()); }
 
+// The candidates 1 to `count`, each made by `replayed`.
+template <class Replayed>
+Result<GenerateResult> each_of(int count, const Progress& progress, Replayed&& replayed) {
+  Result<GenerateResult> all = replayed(1);
+  for (int k = 2; all && k <= count; ++k) {
+    if (progress.report) {
+      progress.report({"replay", static_cast<double>(k - 1) / count, k - 1,
+                       all->candidates.front().score.total});
+    }
+    if (progress.cancelled()) {
+      return fail(ErrorCode::cancelled, say("stopped_after", k - 1, count));
+    }
+    Result<GenerateResult> next = replayed(k);
+    if (!next) return next;
+    all->candidates.push_back(std::move(next->candidates.front()));
+    // a goal missed by one candidate is missed; a motion possible for one is possible
+    const bool meets = all->meets_goals() && next->meets_goals();
+    const ReachStatus either = std::min(all->status, next->status);
+    all->status = meets ? either : ReachStatus::unreachable;
+  }
+  return all;
+}
+
 }  // namespace
 
 Result<std::vector<std::string>> parse_assignments(std::string_view text, std::string_view name) {
@@ -75,24 +98,21 @@ Result<GenerateResult> replay_work(const Task& task, StoredResult& stored, int c
 
 Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,
                                   const Progress& progress) {
-  Result<GenerateResult> all = replay(player, stored, 1);
-  for (int k = 2; all && k <= count_of(stored); ++k) {
-    if (progress.report) {
-      progress.report({"replay", static_cast<double>(k - 1) / count_of(stored), k - 1,
-                       all->candidates.front().score.total});
-    }
-    if (progress.cancelled()) {
-      return fail(ErrorCode::cancelled, say("stopped_after", k - 1, count_of(stored)));
-    }
-    Result<GenerateResult> next = replay(player, stored, k);
-    if (!next) return next;
-    all->candidates.push_back(std::move(next->candidates.front()));
-    // a goal missed by one candidate is missed; a motion possible for one is possible
-    const bool meets = all->meets_goals() && next->meets_goals();
-    const ReachStatus either = std::min(all->status, next->status);
-    all->status = meets ? either : ReachStatus::unreachable;
+  return each_of(count_of(stored), progress, [&](int k) { return replay(player, stored, k); });
+}
+
+Result<GenerateResult> replay_all(const Task& task, StoredResult& stored,
+                                  const Progress& progress) {
+  if (task.actions.empty()) {
+    SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(task));
+    return replay_all(player, stored, progress);
   }
-  return all;
+  return each_of(count_of(stored), progress, [&](int k) -> Result<GenerateResult> {
+    SHG_TRY_ASSIGN(GenerateResult one, replay_work(task, stored, k));
+    // an action that the result has no motion of was searched
+    one.candidates.erase(one.candidates.begin() + 1, one.candidates.end());
+    return one;
+  });
 }
 
 Result<void> mirror_result(StoredResult& stored) {

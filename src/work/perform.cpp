@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <memory>
 #include <shigusa/generate.hpp>
 #include <shigusa/run.hpp>
 #include <span>
@@ -232,10 +233,19 @@ class Performance {
       result_.candidates =
           spread_over(not_dominated(std::move(result_.candidates)), task_.candidates);
     }
+    if (!result_.parameters) SHG_TRY(add_parameters());
     std::stable_sort(result_.candidates.begin(), result_.candidates.end(), ranks_of(task_));
     if (!failed_) result_.status = status_of(true, result_.candidates);
     result_.duration = result_.candidates.front().motion.clip.duration();
     return std::move(result_);
+  }
+
+  // Adds the parameters of work in which nothing moves.
+  Result<void> add_parameters() {
+    SHG_TRY_ASSIGN(ParameterList list, parameter_list(task_.body, task_.start, task_));
+    for (Candidate& candidate : result_.candidates) candidate.parameters = list.start();
+    result_.parameters = std::make_shared<const ParameterList>(std::move(list));
+    return {};
   }
 
   // The motions of one action are those of the search.

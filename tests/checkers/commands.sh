@@ -126,7 +126,7 @@ fails_with 'exit status 5' 'a program that fails' recorded
 project
 write tests/fuzz/io_fuzz.cpp ''
 write tests/fuzz/io_corpus/a 'seed'
-for other in bvh gltf fbx urdf mjcf task result door; do write "tests/fuzz/${other}_corpus/a" 'seed'; done
+for other in bvh gltf fbx urdf mjcf task work result door; do write "tests/fuzz/${other}_corpus/a" 'seed'; done
 fuzz() { in_project "$tree/scripts/fuzz" 1 io_fuzz; }
 program build/clang-asan/fuzz/io_fuzz 'true'
 passes 'a target that finds nothing' fuzz
@@ -137,6 +137,12 @@ fails_with '' 'a target whose finds cannot be kept' fuzz
 rm -r "$tree/tests/fuzz/io_corpus"
 program build/clang-asan/fuzz/io_fuzz 'true'
 fails_with 'io_corpus' 'a target without a corpus' fuzz
+
+# pieces of work
+project
+program build/gcc/bin/shigusa_work '[ "$1" = 300 ]'
+passes 'pieces of work of which all holds' in_project "$tree/scripts/check_work"
+fails_with '' 'pieces of work of which something fails' in_project "$tree/scripts/check_work" 20
 
 # reports of users
 project

@@ -7,6 +7,7 @@
 
 #include "document/schema_check.hpp"
 #include "document/task_samples.hpp"
+#include "support/work.hpp"
 
 namespace shigusa {
 namespace {
@@ -83,6 +84,13 @@ TEST(ResultSchema, TakesResultsOfSearchesAndEdits) {
   EXPECT_EQ(result_judge().judge(result_of(person)), "");
 }
 
+TEST(ResultSchema, TakesWork) {
+  const auto& work = box_work();
+  const Json json = Json::parse(format_result({work.file, work.task, work.generation}));
+  EXPECT_EQ(json.at("candidates").at(0).at("actions").size(), 2U);
+  EXPECT_EQ(result_judge().judge(json), "");
+}
+
 // Every value of a JSON tree, by its place.
 void places(const Json& json, const Json::json_pointer& here,
             std::vector<Json::json_pointer>& all) {
@@ -154,6 +162,7 @@ TEST(ResultSchema, HasTheWordsOfTheTables) {
   EXPECT_EQ(words("/properties/search_detail/properties/end"), all_words<SearchEnd>());
   EXPECT_EQ(words(candidate + "verdict"), all_words<Verdict>());
   EXPECT_EQ(words(candidate + "paths/items/properties/kind"), all_words<PathKind>());
+  EXPECT_EQ(words("/$defs/action/properties/kind"), all_words<ActionKind>());
   EXPECT_EQ(words("/$defs/reason/properties/kind"), all_words<ReasonKind>());
 }
 

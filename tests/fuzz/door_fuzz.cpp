@@ -27,6 +27,7 @@ using Json = nlohmann::json;
 // Budgets that the readers allow, but that would take seconds per input, are left to other tests.
 constexpr int kMostEvaluations = 20;
 constexpr std::size_t kMostCandidates = 2;
+constexpr std::size_t kMostActions = 2;
 constexpr double kLongest = 1.5;  // s
 constexpr std::size_t kMostSummary = std::size_t{64} << 10;
 constexpr std::size_t kMostClip = std::size_t{256} << 10;
@@ -71,10 +72,22 @@ bool at_most(const Json& object, const char* name, double most) {
   return found == object.end() || !found->is_number() || found->get<double>() <= most;
 }
 
+// Whether all actions of a task are few and short.
+bool works_quickly(const Json& task) {
+  const auto actions = task.find("actions");
+  if (actions == task.end()) return true;
+  return actions->size() <= kMostActions && at_most(task, "candidates", 1) &&
+         task.contains("candidates") &&
+         std::all_of(actions->begin(), actions->end(), [](const Json& action) {
+           return action.is_object() && at_most(action, "duration_s", kLongest) &&
+                  at_most(action, "wait_s", kLongest) && at_most(action, "hold_s", kLongest);
+         });
+}
+
 bool is_quick(const Json& task) {
   return task.is_object() && task.contains("evaluations") &&
          at_most(task, "evaluations", kMostEvaluations) && at_most(task, "duration_s", kLongest) &&
-         !task.contains("generator");
+         !task.contains("generator") && works_quickly(task);
 }
 
 // The formats in which motions are written.
@@ -99,7 +112,7 @@ void look_through(const shigusa_character* character, const shigusa_result* resu
       (void)text_of(shigusa_result_export, result, k, format.c_str());
     }
     require(!text_of(shigusa_result_parameters, result, k).empty());
-    for (shigusa_series series = SHIGUSA_TIME; series <= SHIGUSA_NODE_ROTATIONS; ++series) {
+    for (shigusa_series series = SHIGUSA_TIME; series <= SHIGUSA_THINGS; ++series) {
       const double* values = nullptr;
       std::size_t frames = 0, columns = 0;
       require(done(shigusa_result_series(result, k, series, &values, &frames, &columns)));
@@ -134,7 +147,9 @@ void restore(const std::string& summary) {
   const Json told = shallow(summary);
   if (!told.is_object() || !told.contains("task") || !told.contains("candidates")) return;
   if (told["candidates"].size() > kMostCandidates || !told["task"].is_object()) return;
-  if (!at_most(told["task"], "duration_s", kLongest) || told["task"].contains("generator")) return;
+  if (!at_most(told["task"], "duration_s", kLongest) || !works_quickly(told["task"]) ||
+      told["task"].contains("generator"))
+    return;
   shigusa_result* result = nullptr;
   if (!done(shigusa_restore(nullptr, summary.c_str(), &result))) return;
   const Outcome held(result);

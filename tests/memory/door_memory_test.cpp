@@ -82,8 +82,7 @@ shigusa_status all_series(const Hands& hands) {
   // made anew: a result keeps its tables
   shigusa_result* made = nullptr;
   shigusa_status status = shigusa_replay(hands.result, 1, nullptr, &made);
-  for (shigusa_series one = SHIGUSA_TIME; status == SHIGUSA_OK && one <= SHIGUSA_UPPER_LIMITS;
-       ++one) {
+  for (shigusa_series one = SHIGUSA_TIME; status == SHIGUSA_OK && one <= SHIGUSA_THINGS; ++one) {
     const double* values = nullptr;
     size_t frames = 0;
     size_t columns = 0;

@@ -32,7 +32,9 @@ enum class MujocoBase { fixed, on_the_floor };
 // which share a point and of which only the last has mass, become the hinges of one MuJoCo body.
 class MjcfWriter {
  public:
-  explicit MjcfWriter(const BodyModel& body, MujocoBase base = MujocoBase::fixed)
+  // `beside`: further bodies of the world. `constraints`: elements after the world.
+  explicit MjcfWriter(const BodyModel& body, MujocoBase base = MujocoBase::fixed,
+                      const std::string& beside = {}, const std::string& constraints = {})
       : body_(body), free_(base == MujocoBase::on_the_floor) {
     text_ = "<mujoco><compiler angle=\"radian\" inertiafromgeom=\"false\"/>";
     text_ += fmt::format("<option gravity=\"0 {:.17g} 0\" timestep=\"{}\"/><worldbody>", -kGravity,
@@ -45,7 +47,7 @@ class MjcfWriter {
     add_inertial(body.link_mass(kBaseLink));
     add_soles(kBaseLink);
     add_children(kBaseLink);
-    text_ += "</body></worldbody></mujoco>";
+    text_ += "</body>" + beside + "</worldbody>" + constraints + "</mujoco>";
   }
 
   [[nodiscard]] const std::string& text() const { return text_; }
@@ -129,8 +131,9 @@ class MjcfWriter {
 
 class MujocoBody {
  public:
-  explicit MujocoBody(const BodyModel& body, MujocoBase base = MujocoBase::fixed) {
-    const std::string xml = MjcfWriter(body, base).text();
+  explicit MujocoBody(const BodyModel& body, MujocoBase base = MujocoBase::fixed,
+                      const std::string& beside = {}, const std::string& constraints = {}) {
+    const std::string xml = MjcfWriter(body, base, beside, constraints).text();
     const auto files = std::make_unique<mjVFS>();  // too large for the stack
     mj_defaultVFS(files.get());
     const int size = static_cast<int>(xml.size());
@@ -205,7 +208,10 @@ class MujocoBody {
     return result;
   }
 
-  [[nodiscard]] Vec3d centre_of_mass() const { return vector(data_->subtree_com); }
+  // Of the body alone.
+  [[nodiscard]] Vec3d centre_of_mass() const {
+    return vector(data_->subtree_com + 3 * body_of(kBaseLink));
+  }
 
   // (dofs) N·m
   [[nodiscard]] std::vector<double> inverse_torques() const {

@@ -46,6 +46,12 @@ TEST(WrongWork, AnActionThatCannotBeIsToldByItsNumber) {
   expect_told(work_of({{.grasp = "box"}, {.grasp = "cup", .with = {"right_hand"}}}), "actions[1]",
               "holds box");
   expect_told(work_of({{.grasp = "cup"}, {.grasp = "cup"}}), "actions[1]", "cup");
+  expect_told(work_of({{.grasp = "cup", .with = {"right_hand"}},
+                       {.grasp = "box", .with = {"right_hand", "left_hand"}}}),
+              "actions[1]", "holds cup");
+  expect_told(work_of({{.grasp = "cup"}, {.release = "cup"}, {.release = "cup"}}), "actions[2]",
+              "cup");
+  expect_told(work_of({{.grasp = "cup"}, put("cup"), put("cup")}), "actions[2]", "cup");
   expect_told(work_of({{.grasp = "cup", .with = {"head"}}}), "actions[0]", "hand");
   expect_told(work_of({{.grasp = "cup"}, {.place = "cup"}}), "actions[1]", "position_m");
   expect_told(work_of({{}}), "actions[0]", "");
@@ -79,6 +85,26 @@ TEST(WrongWork, ThingsThatCannotBeAreTold) {
   task = work_of({{.grasp = "box"}});
   task.things[0].position.x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(told(task), "nothing");
+}
+
+// Things that are in each other in a ring are told by the first pair.
+TEST(WrongWork, ThingsInARingAreTold) {
+  Task task = work_of({{.grasp = "box"}});
+  task.things = {{.name = "a", .size = {0.3, 0.1, 0.1}, .position = {0, 0.9, 0.4}},
+                 {.name = "b", .size = {0.1, 0.1, 0.3}, .position = {0.12, 0.9, 0.5}},
+                 {.name = "c", .size = {0.3, 0.1, 0.1}, .position = {0, 0.9, 0.6}}};
+  EXPECT_NE(told(task).find("mm in a"), std::string::npos) << told(task);
+}
+
+TEST(WrongWork, APlaceInMidAirIsAllowedAndNoted) {
+  Task task = work_of({{.grasp = "cup"}, put("cup")});
+  task.things.erase(task.things.begin());
+  const std::vector<Message> notes = goal_notes(task);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].text, "cup is put in mid-air, where it stays");
+  EXPECT_TRUE(perform(task).value().meets_goals());
+  task.actions.back().position = Vec3d{0, 0.05, 0.4};
+  EXPECT_TRUE(goal_notes(task).empty()) << "on the floor";
 }
 
 TEST(WrongWork, AThousandActionsAreTooMany) {

@@ -141,8 +141,9 @@ typedef struct shigusa_watch {
 
 /** Searches motions. `task`: text of a task file. `character`: replaces the task's; null: the
  * task's own, which must need no file. `watch` may be null. A goal out of reach is no failure: it
- * is the status of the result, whose only candidate ends as near as possible. `threads`: 0 for one
- * per core; does not change results. */
+ * is the status of the result, whose only candidate ends as near as possible. Of a task with
+ * actions (version 2) candidates are whole pieces of work; where an action fails they hold what
+ * came before it. `threads`: 0 for one per core; does not change results. */
 SHIGUSA_API shigusa_status shigusa_generate(const shigusa_character* character, const char* task,
                                             int32_t threads, const shigusa_watch* watch,
                                             shigusa_result** result);
@@ -162,7 +163,8 @@ SHIGUSA_API shigusa_status shigusa_restore_watched(const shigusa_character* char
 
 /** Generates a candidate's motion again with changed parameters, as a result of one candidate.
  * `assignments`: JSON list of assignments as in `shigusa edit --set`, ["squat_deg=60", …]; empty
- * or null changes nothing. Candidates count from 1. */
+ * or null changes nothing. In a task with actions the first motion is changed, and the others go on
+ * from where it now ends. Candidates count from 1. */
 SHIGUSA_API shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
                                           const char* assignments, shigusa_result** edited);
 
@@ -218,7 +220,10 @@ enum {
   SHIGUSA_NODE_TRANSLATIONS = 6, /**< x, y, z of each node in its parent: units of node_unit_m */
   SHIGUSA_NODE_ROTATIONS = 7,    /**< x, y, z, w of each node in its parent */
   /** upper limit of each degree of freedom in the frame: rad; hips flex further with bent knees */
-  SHIGUSA_UPPER_LIMITS = 8
+  SHIGUSA_UPPER_LIMITS = 8,
+  /** pose of each thing of the task, in its order: x, y, z of its middle (m, world) and x, y, z, w
+   * of its rotation from the world's axes; no columns without things */
+  SHIGUSA_THINGS = 9
 };
 
 /** Table of frames × columns, row by row; `values` is valid until the result is freed. */
@@ -226,9 +231,9 @@ SHIGUSA_API shigusa_status shigusa_result_series(const shigusa_result* result, i
                                                  shigusa_series series, const double** values,
                                                  size_t* frames, size_t* columns);
 
-/** The series of time, angles and nodes at a rate of `fps` (Hz, 1 to 240), as in exported files:
- * `table` holds frames × columns doubles, row by row. Other series exist only at the motion's own
- * frames (SHIGUSA_UNSUPPORTED). */
+/** The series of time, angles, nodes and things at a rate of `fps` (Hz, 1 to 240), as in exported
+ * files: `table` holds frames × columns doubles, row by row. Other series exist only at the
+ * motion's own frames (SHIGUSA_UNSUPPORTED). */
 SHIGUSA_API shigusa_status shigusa_result_series_at(const shigusa_result* result, int32_t candidate,
                                                     shigusa_series series, double fps,
                                                     shigusa_bytes** table, size_t* frames,

@@ -8,12 +8,23 @@ using namespace shigusa::door;
 
 namespace {
 
-constexpr size_t kSeries = SHIGUSA_UPPER_LIMITS + 1;
+constexpr size_t kSeries = SHIGUSA_THINGS + 1;
 
 void add(const Vec3d& v, std::vector<double>& table) { table.insert(table.end(), {v.x, v.y, v.z}); }
 
 void add_times(const Clip& clip, std::vector<double>& table) {
   for (int f = 0; f < clip.frames; ++f) table.push_back(f * clip.frame_time);
+}
+
+void add_poses(const std::vector<ThingMotion>& things, size_t frames, std::vector<double>& table) {
+  for (size_t f = 0; f < frames; ++f) {
+    for (const ThingMotion& thing : things) {
+      if (thing.poses.size() != frames) continue;
+      add(thing.poses[f].translation, table);
+      const Quatd q = to_quat(thing.poses[f].rotation);
+      table.insert(table.end(), {q.x, q.y, q.z, q.w});
+    }
+  }
 }
 
 struct NodeTables {
@@ -70,6 +81,9 @@ std::vector<double> table_of(const shigusa_result& result, const Candidate& cand
         }
       }
       break;
+    case SHIGUSA_THINGS:
+      add_poses(candidate.things, frames, table);
+      break;
     default:
       break;
   }
@@ -125,7 +139,8 @@ extern "C" shigusa_status shigusa_result_series_at(const shigusa_result* result,
     SHG_TRY(need("result", result, "table", table, "frames", frames, "columns", columns));
     SHG_TRY(check_series(*result, candidate, series));
     SHG_TRY(check_rate(fps, "fps"));
-    if (series != SHIGUSA_TIME && series != SHIGUSA_ANGLES && !is_of_nodes(series)) {
+    if (series != SHIGUSA_TIME && series != SHIGUSA_ANGLES && series != SHIGUSA_THINGS &&
+        !is_of_nodes(series)) {
       return fail(ErrorCode::unsupported,
                   "series " + std::to_string(series) + " is of the motion's own frames alone");
     }
@@ -135,6 +150,9 @@ extern "C" shigusa_status shigusa_result_series_at(const shigusa_result* result,
     std::vector<double> values;
     if (series == SHIGUSA_TIME) add_times(clip, values);
     if (series == SHIGUSA_ANGLES) values = clip.angles;
+    if (series == SHIGUSA_THINGS) {
+      add_poses(things_at(of, fps), static_cast<size_t>(clip.frames), values);
+    }
     if (is_of_nodes(series)) {
       NodeTables tables = node_tables(*result, of, clip);
       values = std::move(series == SHIGUSA_NODE_ROTATIONS ? tables.rotations : tables.translations);

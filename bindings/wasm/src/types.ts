@@ -94,6 +94,34 @@ export interface Reason {
   words: string;
 }
 
+/** Where a goal's effector is at the end. Rotations are from standing upright with arms hanging; the error is of goals that
+ *  ask for one. */
+export interface ReachedGoal {
+  effector: string;
+  joint: string;
+  goal_m: Vec3;
+  reached_m: Vec3;
+  error_mm: number;
+  start_rotation_xyzw: Quat;
+  rotation_xyzw: Quat;
+  rotation_error_deg?: number;
+}
+
+/** One of the actions of a piece of work. */
+export interface ActionSummary {
+  kind: 'goals' | 'wait_s' | 'grasp' | 'place' | 'release' | 'stand' | 'sit';
+  start_s: number;
+  end_s: number; // it is done, and its hold is over
+  reached: ReachedGoal[];
+  steps: number;
+  verdict: CandidateSummary['verdict'];
+  reasons: Reason[];
+  score: number;
+  criteria: Record<string, number>;
+  /** Of place: the thing where it was put. */
+  placed?: { thing: string; position_m: Vec3; rotation_xyzw: Quat; error_mm: number; error_deg: number };
+}
+
 export interface CandidateSummary {
   rank: number;
   /** Whether the body could make the motion, and why not. */
@@ -103,11 +131,12 @@ export interface CandidateSummary {
   most_loaded?: { joint: string; share: number; torque_nm: number; time_s: number };
   score: number;
   criteria: Record<string, number>;
-  /** Rotations are from standing upright with arms hanging; the error is of goals that ask for one. */
-  reached: {
-    effector: string; joint: string; goal_m: Vec3; reached_m: Vec3; error_mm: number;
-    start_rotation_xyzw: Quat; rotation_xyzw: Quat; rotation_error_deg?: number;
-  }[];
+  /** Of work: of its last action that moves. */
+  reached: ReachedGoal[];
+  /** Of a task with actions: each of them, in their order, as far as the work has come. */
+  actions?: ActionSummary[];
+  /** Of a task with actions: its motions, by which it is made again. */
+  motions?: { action: number; way: number; duration_s: number; parameters: object }[];
   final_posture: { words: string; knee_flexion_deg: number; trunk_turn_deg: number };
   support?: { centre_of_mass: { least_mm: number; time_s: number }; pressure: { least_mm: number; time_s: number } };
   collision?: { depth_mm: number; limb: string; other: string; time_s: number };
@@ -174,6 +203,7 @@ export interface Series {
 
 export const seriesNames = [
   'time', 'angles', 'torques', 'centre_of_mass', 'support', 'effectors', 'node_translations', 'node_rotations', 'upper_limits',
+  'things', // x, y, z, qx, qy, qz, qw of each of the task's things, in its order
 ] as const;
 export type SeriesName = (typeof seriesNames)[number];
 
@@ -274,7 +304,7 @@ export interface ExportOptions {
 }
 
 /** The series that can be had at any rate, as files have them. */
-export type SampledName = 'time' | 'angles' | 'node_translations' | 'node_rotations';
+export type SampledName = 'time' | 'angles' | 'node_translations' | 'node_rotations' | 'things';
 
 /** A refusal of the engine: a code of the C interface and a sentence for a person, in English. */
 export interface EngineFailure {

@@ -46,6 +46,26 @@ test('a character tells its joints, places and nodes', () => {
   for (const { sole_m, floor_m, least_m } of said.feet) assert.ok(Math.abs(Math.min(...sole_m.map(([, y]) => y)) + least_m - floor_m) < 1e-9);
 });
 
+test('a piece of work tells its actions and the ways of its things', () => {
+  const result = door.generate(human, {
+    version: 2, seed: 3, evaluations: 64, candidates: 1,
+    things: { cup: { shape: 'cylinder', size_m: [0.08, 0.1, 0.08], mass_kg: 0.3, position_m: [-0.3, 1.0, 0.35] } },
+    actions: [{ grasp: 'cup' }, { place: 'cup', position_m: [-0.1, 1.1, 0.4] }],
+  });
+  const { summary, candidates: [first] } = result.read();
+  assert.equal(summary.status, 'reached');
+  assert.deepEqual(first.summary.actions.map(({ kind }) => kind), ['grasp', 'place']);
+  assert.equal(first.summary.actions[0].end_s, first.summary.actions[1].start_s);
+  assert.ok(first.summary.actions[1].placed.error_mm <= 1);
+  const { frames, columns, values } = first.series.things;
+  assert.equal(columns, 7);
+  for (const [k, at] of [-0.3, 1.0, 0.35].entries()) near(values[k], at, 1e-9);
+  for (const [k, at] of [-0.1, 1.1, 0.4].entries()) near(values[(frames - 1) * columns + k], at, 1e-3);
+  const again = door.restore(human, summary);
+  assert.deepEqual(again.series(1, 'things').values, values);
+  for (const one of [result, again]) one.free();
+});
+
 test('stature is as it was asked for', () => {
   const small = door.character({ source: 'human', stature_m: 1.5 });
   near(small.describe().stature_m, 1.5, 1e-9);

@@ -41,6 +41,8 @@ enum class DatasetSeries {
   centre_of_mass,  ///< centre of mass in the world
   pressure,        ///< centre of pressure on the floor
   contacts,        ///< support of each foot
+  actions,         ///< index of the present action, of tasks with actions
+  things,          ///< pose of each thing, of tasks with things
 };
 /// Words of DatasetSeries.
 template <>
@@ -52,6 +54,8 @@ inline constexpr std::array kEnumWords<DatasetSeries>{
     EnumWord{DatasetSeries::centre_of_mass, "centre_of_mass"},
     EnumWord{DatasetSeries::pressure, "pressure"},
     EnumWord{DatasetSeries::contacts, "contacts"},
+    EnumWord{DatasetSeries::actions, "actions"},
+    EnumWord{DatasetSeries::things, "things"},
 };
 
 /// Selection of motions that a data set keeps.
