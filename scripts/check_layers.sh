@@ -70,8 +70,9 @@ BEGIN {
   allow("robot", "kinematics motion " persons)
   allow("formats", "robot files motion " persons)
   allow("character", "formats robot files criteria dynamics kinematics motion " persons)
+  allow("scene", "formats robot files problem search " motions)
   allow("draw", "files " generates)
-  documents = "work draw character formats robot files " generates
+  documents = "work draw scene character formats robot files " generates
   allow("document", documents)
   allow("edit", "document " documents)
   all = "work dataset edit document " documents
@@ -92,6 +93,7 @@ BEGIN {
   face("problem", "request")
   face("generate", "generate")
   face("formats", "formats")
+  face("scene", "scene")
   face("draw", "draw")
   face("character", "character")
   face("document", "files score")

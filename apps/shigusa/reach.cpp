@@ -140,13 +140,16 @@ Result<int> reach(const ReachOptions& options) {
   SHG_TRY_ASSIGN(const BatchSettings batch, batch_settings(options));
   SHG_TRY_ASSIGN(TaskFile file, file_of(options));
   SHG_TRY(apply_options(options, file));
+  // files on the command line are relative to the working directory
+  if (options.asked.has("--scene")) file.scene = std::filesystem::absolute(file.scene).string();
   note_other_units(file);
-  // a character on the command line is relative to the working directory
   const auto folder = options.character || options.task.empty()
                           ? std::filesystem::path{}
                           : std::filesystem::path(options.task).parent_path();
   const std::filesystem::path character =
       is_complete(file.character) ? std::filesystem::path{} : folder / file.character.source;
+  SHG_TRY_ASSIGN(const std::vector<Message> scene_notes, add_scene(file, folder));
+  for (const Message& left_out : scene_notes) note("scene", left_out.text);
   SHG_TRY_ASSIGN(Task task, make_task(file, folder));
   SHG_TRY_ASSIGN(
       const ExportSettings settings,

@@ -30,6 +30,13 @@ inline constexpr std::array kEnumWords<ThingShape>{
     EnumWord{ThingShape::sphere, "sphere"},
 };
 
+/// A bar of a thing, around which a hand closes.
+struct ThingHandle {
+  Vec3d position{};      ///< m, middle of the bar from the thing's middle, along its own axes
+  Vec3d along{0, 1, 0};  ///< direction of the bar in the thing's own axes, non-zero
+  friend bool operator==(const ThingHandle&, const ThingHandle&) = default;
+};
+
 /// A rigid body that hands can grasp, carry and put down. Its density is even, but for `centre`.
 struct Thing {
   std::string name{};                  ///< "box"
@@ -40,6 +47,7 @@ struct Thing {
   double turn_deg = 0.0;               ///< degrees about +Y from the world's axes, at the start
   Vec3d centre{};                      ///< m, centre of mass from the middle, along its own axes
   bool upright = false;  ///< keeps its upright axis upright in the hand, such as a cup
+  std::optional<ThingHandle> handle{};  ///< a bar outside its shape, by which one hand takes it
   friend bool operator==(const Thing&, const Thing&) = default;
 };
 

@@ -61,8 +61,14 @@ struct TaskFile : Request {
 /// character must be measured or built in; fails as build_character does.
 [[nodiscard]] Result<PosedBody> build_body(const TaskFile& file);
 
-/// Measures the character if needed (see measure_character; `folder` is where relative paths start)
-/// and makes the Task for generate().
+/// Adds the obstacles and things of the task's scene (Request::scene, relative to `folder`) to the
+/// task, which then no longer names the file. Nodes that actions grasp are things, unless the task
+/// has a thing of that name. Returns notes on what was left out; fails as read_scene does.
+[[nodiscard]] Result<std::vector<Message>> add_scene(TaskFile& file,
+                                                     const std::filesystem::path& folder);
+
+/// Adds the scene (see add_scene), measures the character if needed (see measure_character;
+/// `folder` is where relative paths start) and makes the Task for generate().
 [[nodiscard]] Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder);
 
 /// Version of the result format that is written.

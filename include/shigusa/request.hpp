@@ -147,6 +147,9 @@ struct Request {
   std::vector<Action> actions{};
   /// Things that actions grasp and that nothing else passes through, at most kThingsMax.
   std::vector<Thing> things{};
+  /// Path of a GLB or glTF file whose meshes are further obstacles and things; add_scene adds them
+  /// and empties it.
+  std::string scene{};
   /// m, world: the point that the eyes look at; empty: the first goal of a limb, or the middle of
   /// two hands' goals.
   std::optional<Vec3d> look_at{};

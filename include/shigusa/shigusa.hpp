@@ -20,6 +20,7 @@
 #include <shigusa/parameters.hpp>
 #include <shigusa/request.hpp>
 #include <shigusa/run.hpp>
+#include <shigusa/scene.hpp>
 #include <shigusa/score.hpp>
 #include <shigusa/search.hpp>
 

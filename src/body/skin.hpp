@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <shigusa/error.hpp>
 #include <shigusa/math.hpp>
 #include <string>
@@ -19,7 +21,9 @@ struct SkinVertex {
 // A character's mesh from a reader of any file format.
 struct Skin {
   std::vector<SkinVertex> vertices;  // empty if the file has no readable mesh
-  std::vector<Message> doubts;       // parts that were not read, and why
+  // indices of vertices, where they are asked for in place of points on the faces
+  std::vector<std::array<std::size_t, 3>> triangles{};
+  std::vector<Message> doubts;  // parts that were not read, and why
 };
 
 }  // namespace shigusa

@@ -393,6 +393,9 @@ Result<StoredResult> parse_result(std::string_view text, std::string_view name) 
   SHG_TRY(check_version(json, place));
   StoredResult result;
   SHG_TRY_ASSIGN(result.task, task_from_json(json["task"], place + ": task"));
+  if (!result.task.scene.empty()) {
+    return fail(ErrorCode::parse, say("scene_in_result"), place + ": task.scene");
+  }
   if (json.contains("character_file") && json["character_file"].is_string()) {
     result.character = json["character_file"].get<std::string>();
   }

@@ -130,6 +130,7 @@ Result<PosedBody> build_body(const TaskFile& file) {
 }
 
 Result<Task> make_task(TaskFile& file, const std::filesystem::path& folder) {
+  SHG_TRY(add_scene(file, folder));
   SHG_TRY(measure_character(file.character, folder));
   if (file.character.landmarks && !file.character.extent) {
     file.character.extent = usual_extent(file.preset);

@@ -156,6 +156,10 @@ class Definitions {
     return map_schema(struct_schema<Thing>());
   }
   template <class Traits>
+  Json of(const Traits&, const ThingHandle&) {
+    return struct_schema<ThingHandle>();
+  }
+  template <class Traits>
   Json of(const Traits&, const Stance&) {
     Json stance = struct_schema<Stance>();
     all_["stance"]["properties"]["position_m"] =

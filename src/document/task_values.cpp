@@ -122,6 +122,13 @@ void read_composite(JsonReader& action, const char* key, Stance& stance) {
   action.absorb(reader.finish());
 }
 
+void read_composite(JsonReader& thing, const char* key, ThingHandle& handle) {
+  JsonReader reader = thing.object(key);
+  read_fields(reader, handle);
+  if (norm(handle.along) < kBarLeast) reader.wrong("along", say("bar_direction"));
+  thing.absorb(reader.finish());
+}
+
 void read_composite(JsonReader& character, const char* key, BoneRequest& map) {
   Result<BoneRequest> read = bone_request(character.value(key));
   if (!read) return character.wrong(key, read.error().message);

@@ -25,6 +25,7 @@ void read_composite(JsonReader& task, const char* key, Habit& habit);
 void read_composite(JsonReader& task, const char* key, std::vector<Thing>& things);
 // Reads a place on the floor, [x, z], with its facing and height.
 void read_composite(JsonReader& action, const char* key, Stance& stance);
+void read_composite(JsonReader& thing, const char* key, ThingHandle& handle);
 void read_composite(JsonReader& character, const char* key, BoneRequest& map);
 void read_composite(JsonReader& character, const char* key, std::optional<Landmarks>& person);
 using Places = decltype(CharacterSpec::places);

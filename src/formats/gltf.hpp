@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <shigusa/error.hpp>
 #include <shigusa/formats.hpp>
 #include <shigusa/motion.hpp>
@@ -35,6 +36,12 @@ struct GltfPlace {
   }
 };
 
+// Extras of a node that describe a thing.
+struct GltfExtras {
+  std::optional<double> mass;  // kg, as given
+  bool upright = false;
+};
+
 // A node that shows a mesh.
 struct GltfMeshNode {
   int mesh = 0;   // index in the file
@@ -55,8 +62,9 @@ struct GltfCharacter {
   // one frame, the rest pose: the nodes' own transforms, whatever the mesh's bind pose. Its
   // rotations are the identity: offsets are along the axes of the world.
   SkeletonMotion rest;
-  std::vector<int> file_node;     // (nodes) the index that each has in the file
-  std::vector<GltfPlace> places;  // (nodes) as the file has them; a matrix in its parts
+  std::vector<int> file_node;      // (nodes) the index that each has in the file
+  std::vector<GltfPlace> places;   // (nodes) as the file has them; a matrix in its parts
+  std::vector<GltfExtras> extras;  // (nodes)
   VrmVersion vrm = VrmVersion::none;
   HumanoidMap humanoid;  // bones stated by a VRM file; empty for others
   // all VRM bones by their VRM names, such as "leftUpperLeg": nodes of the skeleton

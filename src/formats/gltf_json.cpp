@@ -37,7 +37,7 @@ class SkeletonFilter {
       dropped_ = is_wanted ? std::numeric_limits<int>::max() : depth;
       return is_wanted;
     }
-    // only one member of extras is needed
+    // only some members of extras are needed
     if (event == Event::array_start && path_[1] == "nodes" && path_[level] == "extras") {
       dropped_ = depth;
       return false;
@@ -58,6 +58,7 @@ class SkeletonFilter {
     constexpr std::array<std::string_view, 4> kTop{"asset", "nodes", "skins", "extensions"};
     constexpr std::array<std::string_view, 9> kNode{
         "name", "children", "mesh", "skin", "translation", "rotation", "scale", "matrix", "extras"};
+    constexpr std::array<std::string_view, 3> kExtras{kAddedNode, kMassExtra, kUprightExtra};
     constexpr std::array<std::string_view, 2> kSkin{"joints", "inverseBindMatrices"};
     constexpr std::array<std::string_view, 2> kVrm{"VRM", "VRMC_vrm"};
     constexpr int kNodeDepth = 3;  // of a node's members, in the list of the root's
@@ -66,7 +67,7 @@ class SkeletonFilter {
     if (path_[1] == "asset") return depth > 2 || key == "version";
     if (path_[1] == "nodes") {
       return depth == kNodeDepth ? contains(kNode, key)
-                                 : path_[kNodeDepth] == "extras" && key == kAddedNode;
+                                 : path_[kNodeDepth] == "extras" && contains(kExtras, key);
     }
     if (path_[1] == "skins") return contains(kSkin, key);
     if (depth == 2) return contains(kVrm, key);

@@ -12,9 +12,9 @@ namespace shigusa {
 using GltfJson = nlohmann::json;
 
 // Parses a glTF, GLB or VRM file, keeping only the members that describe its skeleton:
-// asset.version; name, children, mesh, skin and transform of nodes; joints and inverse bind
-// matrices of skins; the humanoid bones of VRM. The size is bounded, but values may still be of any
-// kind. Errors name the file.
+// asset.version; name, children, mesh, skin, transform and some extras of nodes; joints and inverse
+// bind matrices of skins; the humanoid bones of VRM. The size is bounded, but values may still be
+// of any kind. Errors name the file.
 [[nodiscard]] Result<GltfJson> read_gltf_json(std::string_view bytes, std::string_view name);
 
 // Whether a value is that text. Unlike `==`, it takes no memory, so it may be used where nothing

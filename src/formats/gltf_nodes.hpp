@@ -14,6 +14,10 @@ namespace shigusa {
 // although no skin binds them.
 inline constexpr std::string_view kAddedNode = "shigusa_added";
 
+// Members of a node's extras that describe a thing of a scene.
+inline constexpr std::string_view kMassExtra = "mass_kg";
+inline constexpr std::string_view kUprightExtra = "upright";
+
 // A node to add below one of a glTF file.
 struct GltfNewNode {
   int parent = 0;  // index in the file

@@ -28,7 +28,8 @@ struct FileNode {
   Transformd place;     // in its parent; with the scale in its matrix
   GltfPlace parts;      // the same in parts
   bool uneven = false;  // scaled differently along its axes
-  bool mesh = false;    // shows a mesh, even if its index is invalid
+  GltfExtras extras;
+  bool mesh = false;  // shows a mesh, even if its index is invalid
   int mesh_index = -1;
   int skin_index = -1;
   bool joint = false;     // of a skin or of VRM
@@ -49,6 +50,16 @@ int index_or_none(const GltfJson& json, const char* key) {
   if (found == json.end() || !found->is_number_unsigned()) return -1;
   const auto index = found->get<std::uint64_t>();
   return index <= std::numeric_limits<int>::max() ? static_cast<int>(index) : -1;
+}
+
+GltfExtras read_extras(const GltfJson& json) {
+  GltfExtras extras;
+  const auto mass = json.find(kMassExtra);
+  if (mass != json.end() && mass->is_number()) extras.mass = mass->get<double>();
+  const auto upright = json.find(kUprightExtra);
+  // some programs write 1 for true
+  if (upright != json.end()) extras.upright = *upright == true || *upright == 1;
+  return extras;
 }
 
 // Reader of one file. Each step returns false after it has recorded an error.
@@ -124,7 +135,10 @@ class GltfReader {
     }
     read.mesh = json.contains("mesh");
     const auto extras = json.find("extras");
-    read.added = extras != json.end() && extras->is_object() && extras->contains(kAddedNode);
+    if (extras != json.end() && extras->is_object()) {
+      read.added = extras->contains(kAddedNode);
+      read.extras = read_extras(*extras);
+    }
     read.mesh_index = index_or_none(json, "mesh");
     read.skin_index = index_or_none(json, "skin");
     return indices(json, "children", described(index), read.children) && read_place(json, index);
@@ -314,6 +328,7 @@ class GltfReader {
   bool build() {
     result_.file_node.clear();
     result_.places.clear();
+    result_.extras.clear();
     result_.rest = {};
     std::vector<Transformd> world(nodes_.size());  // with scales, by the file's own index
     std::vector<int> place(nodes_.size(), -1);     // in the skeleton
@@ -332,6 +347,7 @@ class GltfReader {
       place[own] = static_cast<int>(result_.file_node.size());
       result_.file_node.push_back(i);
       result_.places.push_back(node(i).parts);
+      result_.extras.push_back(node(i).extras);
       const std::string name = node(i).name.empty() ? fmt::format("node {}", i) : node(i).name;
       result_.rest.skeleton.nodes.push_back({names.take(name), parent < 0 ? -1 : place[above],
                                              parent < 0 ? at : at - world[above].translation});

@@ -48,7 +48,7 @@ class SkinReader {
         world_(placed_nodes(character.rest.skeleton, places)),
         bound_(character.skins.size()) {}
 
-  Skin read() {
+  Skin read(SkinFaces faces) {
     for (Mesh& mesh : meshes()) {
       for (const Part& part : mesh.parts) {
         for (const GltfMeshNode* node : mesh.shown_by) {
@@ -62,7 +62,11 @@ class SkinReader {
         }
       }
     }
-    add_faces(skin_.vertices, triangles_);
+    if (faces == SkinFaces::points) {
+      add_faces(skin_.vertices, triangles_);
+    } else {
+      skin_.triangles = std::move(triangles_);
+    }
     tell_left_out();
     return std::move(skin_);
   }
@@ -327,11 +331,12 @@ class SkinReader {
 }  // namespace
 
 Skin read_gltf_skin(std::string_view bytes, std::string_view name, const GltfCharacter& character,
-                    std::span<const GltfPlace> places) {
+                    std::span<const GltfPlace> places, SkinFaces faces) {
   if (character.meshes.empty()) return {};
   const Result<GlbParts> parts = glb_parts(bytes, name);
-  if (!parts) return {{}, {say("at_place", say("mesh_was_not_read"), parts.error().to_message())}};
-  return SkinReader(*parts, name, character, places).read();
+  if (!parts)
+    return {{}, {}, {say("at_place", say("mesh_was_not_read"), parts.error().to_message())}};
+  return SkinReader(*parts, name, character, places).read(faces);
 }
 
 }  // namespace shigusa

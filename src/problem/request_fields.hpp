@@ -12,6 +12,8 @@ namespace shigusa {
 inline constexpr double kThingLeast = 0.005;
 inline constexpr double kThingMost = 5.0;
 inline constexpr double kTurnMost = 360.0;
+// Least length of the direction of a handle.
+inline constexpr double kBarLeast = 1e-6;
 
 // The fields of an obstacle.
 template <>
@@ -135,6 +137,28 @@ inline constexpr FieldTable kFields<Goal>{
                .brief = "Half the sides of a box about the goal where any place will do"}},
     }};
 
+// The fields of a handle.
+template <>
+inline constexpr FieldTable kFields<ThingHandle>{
+    "handle", "A bar of a thing, around which a hand closes.",
+    std::tuple{
+        Field{"position_m",
+              &ThingHandle::position,
+              "Its middle from the middle of the thing, along the thing's own axes.",
+              {.low = -kThingMost,
+               .high = kThingMost,
+               .required = true,
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+        Field{"along",
+              &ThingHandle::along,
+              "The bar's direction in the thing's own axes: [0, 1, 0], upright, when not given.",
+              {.low = -kGoalRange,
+               .high = kGoalRange,
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+    }};
+
 // The fields of a thing; its name is its key.
 template <>
 inline constexpr FieldTable kFields<Thing>{
@@ -168,6 +192,10 @@ inline constexpr FieldTable kFields<Thing>{
               "From its middle, along its own axes; the middle when not given.",
               {.low = -kThingMost, .high = kThingMost, .mirroring = Mirroring::other_side}},
         Field{"upright", &Thing::upright, "true: it stays upright in the hand, such as a cup."},
+        Field{"handle",
+              &Thing::handle,
+              "A bar outside its shape, by which one hand takes it: a mug's, or a bucket's.",
+              {.mirroring = Mirroring::other_side}},
     }};
 
 // The fields of a stance.
@@ -293,6 +321,14 @@ inline constexpr FieldTable kFields<Request>{
                .group = OptionGroup::around,
                .brief = "Box to grasp: its middle, its size in metres, and kilograms",
                .mirroring = Mirroring::other_side}},
+        Field{"scene",
+              &Request::scene,
+              "A GLB or glTF file, relative to the task file, whose meshes are further obstacles, "
+              "or things if an action names them. Results hold what was read of it instead.",
+              {.option = "--scene",
+               .form = "FILE",
+               .group = OptionGroup::around,
+               .brief = "GLB file whose meshes are obstacles, and things by name"}},
         Field{"actions",
               &Request::actions,
               "Of version 2, in place of goals: actions that follow each other. On the command "

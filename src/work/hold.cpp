@@ -22,6 +22,14 @@ constexpr double kPutHigh = 0.4;
 constexpr double kFingersBelow[] = {25.0, 10.0, 40.0};
 // Share of the way to a thing's near edge at which it is held then: there is room to lift it.
 constexpr double kMiddle = 0.3;
+// Directions (deg) from ahead out to a hand's own side from which a hand closes around an upright
+// bar, and from above to the body's side around another one.
+constexpr double kUprightBarWays[] = {60.0, 90.0, 30.0, 0.0, 120.0, -45.0, 165.0};
+constexpr double kLevelBarWays[] = {0.0, 35.0, -35.0, 70.0};
+// Upright part of a bar's direction from which it counts as upright.
+constexpr double kUprightBar = 0.7;
+// Cosine from a hand's other side within which a handle is left for what one hand takes otherwise.
+constexpr double kFarHandle = 0.5;
 // Axes in a hand's frame, for the right hand; the palm of the left one is opposite.
 constexpr Vec3d kPalm{1, 0, 0};
 constexpr Vec3d kThumb{0, 0, 1};
@@ -106,6 +114,35 @@ class HoldFinder {
     if (flat) add_sides(hand);
   }
 
+  // One hand around the bar of the thing's handle, with the thumb along it.
+  void add_bar(const std::string& hand) {
+    const Vec3d out = is_left(hand) ? facing_.left : -facing_.left;
+    Vec3d bar = normalized(pose_.rotation * thing_.handle->along);
+    const bool upright = abs(bar.y) > kUprightBar;
+    // thumbs point up, ahead or to the other side
+    if ((upright ? bar.y : dot(bar, facing_.ahead - out)) < 0.0) bar = -bar;
+    const Vec3d first = upright ? -facing_.ahead : Vec3d{0, 1, 0};
+    const Vec3d second = upright ? out : out * 0.5 - facing_.ahead;
+    const Vec3d from = normalized(first - bar * dot(first, bar));
+    Vec3d to = cross(bar, from);
+    if (dot(to, second) < 0.0) to = -to;
+    const std::span<const double> ways =
+        upright ? std::span<const double>(kUprightBarWays) : std::span<const double>(kLevelBarWays);
+    for (const double sign : {1.0, -1.0}) {
+      for (const double degrees : ways) {
+        const SinCos<double> turn = sin_cos(radians(degrees));
+        add_around(hand, bar * sign, from * turn.cos + to * turn.sin);
+      }
+    }
+  }
+
+  // Whether the handle is on the far side of the thing from the hand's own side.
+  [[nodiscard]] bool is_behind(const std::string& hand) const {
+    const Vec3d off = pose_.rotation * thing_.handle->position;
+    const double out = dot(off, is_left(hand) ? facing_.left : -facing_.left);
+    return -out > kFarHandle * norm(Vec3d{off.x, 0.0, off.z});
+  }
+
   [[nodiscard]] Holds take() { return std::move(holds_); }
 
  private:
@@ -136,6 +173,18 @@ class HoldFinder {
       }
       add(std::move(goals));
     }
+  }
+
+  // A hand on a side (unit vector) of the bar, clear of the thing's shape.
+  void add_around(const std::string& name, const Vec3d& thumb, const Vec3d& side) {
+    const double depth = palm_of(body_, body_.find_effector(name).value(), palm_axis(name));
+    const auto rotation = rotation_pointing(kThumb, thumb, palm_axis(name), -side);
+    if (!rotation) return;
+    const Vec3d at = pose_ * thing_.handle->position + side * (depth + kTouch);
+    const Obstacle own = obstacle_of(thing_, pose_);
+    const PlacedBox shape = placed_boxes(std::span(&own, 1)).front();
+    if (depth - box_distance(shape, at) > kHandClear) return;
+    add({{.effector = name, .position = at, .rotation = *rotation}});
   }
 
   void add_sides(const std::string& hand) {
@@ -188,6 +237,7 @@ class HoldFinder {
 }  // namespace
 
 bool takes_two(const Thing& thing) {
+  if (thing.handle) return thing.mass > kHandleMass;
   return min(thing.size.x, thing.size.z) > kOneHandWidth || thing.mass > kOneHandMass;
 }
 
@@ -202,22 +252,35 @@ Holds holds_of(const BodyModel& body, const Kinematics<double>& placed, const Th
   HoldFinder finder(body, placed, thing, pose, obstacles, higher);
   const std::string right = hand_name(body, Side::right);
   const std::string left = hand_name(body, Side::left);
-  const bool two = hands.empty() ? takes_two(thing) : hands.size() > 1;
-  if (two && !right.empty() && !left.empty()) {
+  const bool both = !right.empty() && !left.empty();
+  if (both && (hands.empty() ? takes_two(thing) : hands.size() > 1)) {
     finder.add_two(right, left);
-  } else if (!hands.empty()) {
-    finder.add_one(hands.front());
-  } else {
+    return finder.take();
+  }
+  std::vector<std::string> ones(hands.begin(), hands.end());
+  if (ones.empty()) {
+    const Vec3d at = thing.handle ? pose * thing.handle->position : pose.translation;
     Vec3d middle{};
     for (const Foot& foot : body.feet()) {
       middle +=
           placed.point(foot.link, foot.centre) * (1.0 / static_cast<double>(body.feet().size()));
     }
-    const bool by_left = dot(pose.translation - middle, facing_of(body, placed).left) > 0.0;
-    for (const std::string& hand : {by_left ? left : right, by_left ? right : left}) {
-      if (!hand.empty()) finder.add_one(hand);
-    }
+    const bool by_left = dot(at - middle, facing_of(body, placed).left) > 0.0;
+    ones = {by_left ? left : right, by_left ? right : left};
+    std::erase(ones, std::string());
+  } else {
+    ones.resize(1);
   }
+  Thing bare = thing;
+  bare.handle.reset();
+  const bool wide = both && hands.empty() && takes_two(bare);
+  for (const std::string& hand : ones) {
+    const bool far = thing.handle && finder.is_behind(hand);
+    if (thing.handle && !far) finder.add_bar(hand);
+    if (!wide) finder.add_one(hand);
+    if (far) finder.add_bar(hand);
+  }
+  if (wide) finder.add_two(right, left);
   return finder.take();
 }
 

@@ -76,6 +76,12 @@ inline Goal any_goal(const char* effector) {
   return goal;
 }
 
+// A place, or a direction of some length.
+inline void any_value(const FieldTraits<ThingHandle, Vec3d>& traits, Vec3d& into) {
+  into = any_point(traits.high);
+  if (norm(into) < 0.1) into.x = 1.0;
+}
+
 // Any value of a plain field, within its bounds.
 template <class Traits, class Value>
 void any_value(const Traits& traits, Value& into) {
@@ -95,6 +101,8 @@ void any_value(const Traits& traits, Value& into) {
     into = any_number(traits.low, traits.high) + 0.0;  // -0 counts as not given
   } else if constexpr (std::same_as<Value, Vec3d>) {
     for (int k = 0; k < 3; ++k) into[k] = any_number(traits.low, traits.high);
+  } else if constexpr (std::same_as<Value, std::string>) {
+    into = *rc::gen::element<std::string>("", "room 1.glb", "部屋 \"1\".glb");
   } else if constexpr (Tabled<Value>) {
     for_each_field<Value>([&](const auto& field) { any_value(field.traits, into.*field.member); });
   } else {

@@ -144,6 +144,14 @@ export interface Goal {
   tolerance_m?: Vec3;
 }
 
+/** A bar of a thing, around which a hand closes. */
+export interface Handle {
+  /** Its middle from the middle of the thing, along the thing's own axes. */
+  position_m: Vec3;
+  /** The bar's direction in the thing's own axes: [0, 1, 0], upright, when not given. */
+  along?: Vec3;
+}
+
 /** A rigid body that hands can grasp, carry and put down. */
 export interface Thing {
   /** box when not given, cylinder (upright) or sphere. */
@@ -160,6 +168,8 @@ export interface Thing {
   centre_of_mass_m?: Vec3;
   /** true: it stays upright in the hand, such as a cup. */
   upright?: boolean;
+  /** A bar outside its shape, by which one hand takes it: a mug's, or a bucket's. */
+  handle?: Handle;
 }
 
 /** A place on the floor and a direction there. */
@@ -325,6 +335,9 @@ export interface Task {
   /** Of version 2: things by their names, which actions grasp; the command line knows boxes, by their middle, size
    * and mass. */
   things?: Record<string, Thing>;
+  /** A GLB or glTF file, relative to the task file, whose meshes are further obstacles, or things if an action
+   * names them. Results hold what was read of it instead. */
+  scene?: string;
   /** Of version 2, in place of goals: actions that follow each other. On the command line goals, or stand, wait=S,
    * grasp=THING, place=THING,X,Y,Z or release=THING, with hold=S, look=X,Y,Z or via, and semicolons between them. */
   actions?: Action[];

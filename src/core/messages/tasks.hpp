@@ -31,6 +31,7 @@ inline constexpr std::array kTasks{
     MessageText{"thing_in", "{} is {:.0f} mm in {}"},
     MessageText{"too_heavy_thing", "{} of {:g} kg is beyond any strength: allowed are {:g} kg"},
     MessageText{"thing_size", "side along {} is {}; allowed are {} to {:g} m"},
+    MessageText{"bar_direction", "is no direction: its length is 0"},
     MessageText{"actions_by_flat", "are of the preset flat"},
     MessageText{
         "via_where",

@@ -19,6 +19,7 @@ export const tasks: Readonly<Record<string, string>> = {
   in_mid_air: '{0} は空中に置かれ、そこに留まります。',
   place_where: 'place には position_m（物の中心を置く所）が要ります。',
   needs_steps: '足を踏み出す必要がありますが、まだできません。',
+  bar_direction: '長さが 0 で、方向になりません。',
   thing_in: '{0} が {2} に {1} mm 入っています。',
   too_heavy_thing: '{0}（{1} kg）は誰にも持てません。使えるのは {2} kg までです。',
   thing_size: '{0} 方向の大きさが {1} です。使えるのは {2}～{3} m です。',
