@@ -10,6 +10,7 @@
 #include "core/index.hpp"
 #include "problem/rise.hpp"
 #include "work/check_work.hpp"
+#include "work/over.hpp"
 
 namespace shigusa {
 namespace {
@@ -25,6 +26,8 @@ constexpr double kBellyAhead = 0.16;
 constexpr double kBellyAbove = 0.08;
 // Distance (m) of a hand from where it hangs up to which it stays there.
 constexpr double kHangs = 0.12;
+// Half the sides (m) of the box above what is in the way in which any place will do.
+constexpr Vec3d kClearWithin{0.05, 0.05, 0.05};
 // Tolerance (m) of hips and head in standing, and distance (m) at which the eyes look.
 constexpr Vec3d kUpright{0.02, 0.008, 0.02};
 constexpr double kLooksAhead = 3.0;
@@ -57,8 +60,11 @@ std::vector<Step> steps_of(const Action& action) {
       steps = {{StepKind::pause, *action.wait}};
       break;
     case ActionKind::grasp:
-      steps = {
-          {StepKind::reach}, {StepKind::pause, kGraspPause}, {StepKind::take}, {StepKind::lift}};
+      steps = {{StepKind::clear},
+               {StepKind::reach},
+               {StepKind::pause, kGraspPause},
+               {StepKind::take},
+               {StepKind::lift}};
       break;
     case ActionKind::place:
       steps = {{StepKind::carry}, {StepKind::pause, kReleasePause}, {StepKind::let_go}};
@@ -232,6 +238,27 @@ std::vector<Task> Line::reaches(const Action& action) const {
   return tasks;
 }
 
+std::vector<Task> Line::clears(const Action& action) const {
+  if (is_new()) return {};
+  const std::vector<Task> tasks = reaches(action);
+  if (tasks.empty()) return {};
+  Task task = tasks.front();
+  const Kinematics<double> at = placed(task_->body, {.angles = now_.angles});
+  bool passes = false;
+  for (Goal& goal : task.goals) {
+    const Effector& hand = task_->body.effector(task_->body.find_effector(goal.effector).value());
+    const Vec3d from = at.point(hand.link, hand.point);
+    const auto place = place_over(task.obstacles, from, goal.position);
+    passes = passes || place;
+    goal = {.effector = goal.effector,
+            .position = place.value_or(from),
+            .tolerance = place ? kClearWithin : Vec3d{}};
+  }
+  task.duration.reset();
+  if (!passes) return {};
+  return {std::move(task)};
+}
+
 double Line::put_higher(const Action& grasp) const {
   const auto first = task_->actions.begin() + (&grasp - task_->actions.data());
   const auto put = std::find_if(first, task_->actions.end(), [&grasp](const Action& later) {
@@ -300,6 +327,8 @@ std::vector<Task> Line::tasks_of(std::size_t action, const Step& step) const {
   switch (step.kind) {
     case StepKind::go:
       return {goes(action)};
+    case StepKind::clear:
+      return clears(asked);
     case StepKind::reach:
       return reaches(asked);
     case StepKind::lift: {
