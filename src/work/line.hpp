@@ -79,6 +79,10 @@ class Line {
   [[nodiscard]] std::vector<Goal> carried(std::size_t thing, const Transformd& to,
                                           bool rigid) const;
   [[nodiscard]] Vec3d before_belly(const Thing& thing) const;
+  // Whether a thing hangs from its handle in a hand whose fingers point down.
+  [[nodiscard]] bool hangs_from(std::size_t thing, const Grip& grip) const;
+  // Middle of a thing that hangs from a hand beside the leg.
+  [[nodiscard]] Vec3d beside_leg(std::size_t thing, const Grip& grip) const;
   void keep(const Piece& piece);
 
   const Task* task_;
