@@ -23,9 +23,13 @@ constexpr double kFingersBelow[] = {25.0, 10.0, 40.0};
 // Share of the way to a thing's near edge at which it is held then: there is room to lift it.
 constexpr double kMiddle = 0.3;
 // Directions (deg) from ahead out to a hand's own side from which a hand closes around an upright
-// bar, and from above to the body's side around another one.
+// bar, and from above ahead and out around another one: an arm that hangs to a low bar has the
+// fingers down.
 constexpr double kUprightBarWays[] = {60.0, 90.0, 30.0, 0.0, 120.0, -45.0, 165.0};
-constexpr double kLevelBarWays[] = {0.0, 35.0, -35.0, 70.0};
+constexpr double kLevelBarWays[] = {0.0, 30.0, 60.0, -35.0, 90.0};
+constexpr double kLowBarWays[] = {90.0, 60.0, 30.0, 0.0, -35.0};
+// Height (m) above the hand up to which a bar is low.
+constexpr double kLowBar = 0.05;
 // Upright part of a bar's direction from which it counts as upright.
 constexpr double kUprightBar = 0.7;
 // Cosine from a hand's other side within which a handle is left for what one hand takes otherwise.
@@ -83,6 +87,7 @@ class HoldFinder {
   HoldFinder(const BodyModel& body, const Kinematics<double>& placed, const Thing& thing,
              const Transformd& pose, std::span<const Obstacle> obstacles, double higher)
       : body_(body),
+        placed_(placed),
         thing_(thing),
         pose_(pose),
         boxes_(placed_boxes({obstacles.begin(), obstacles.end()})),
@@ -122,12 +127,16 @@ class HoldFinder {
     // thumbs point up, ahead or to the other side
     if ((upright ? bar.y : dot(bar, facing_.ahead - out)) < 0.0) bar = -bar;
     const Vec3d first = upright ? -facing_.ahead : Vec3d{0, 1, 0};
-    const Vec3d second = upright ? out : out * 0.5 - facing_.ahead;
+    const Vec3d second = upright ? out : out * 0.5 + facing_.ahead;
     const Vec3d from = normalized(first - bar * dot(first, bar));
     Vec3d to = cross(bar, from);
     if (dot(to, second) < 0.0) to = -to;
-    const std::span<const double> ways =
-        upright ? std::span<const double>(kUprightBarWays) : std::span<const double>(kLevelBarWays);
+    const Effector& effector = body_.effector(body_.find_effector(hand).value());
+    const bool low = (pose_ * thing_.handle->position).y <
+                     placed_.point(effector.link, effector.point).y + kLowBar;
+    const std::span<const double> ways = upright ? std::span<const double>(kUprightBarWays)
+                                         : low   ? std::span<const double>(kLowBarWays)
+                                                 : std::span<const double>(kLevelBarWays);
     for (const double sign : {1.0, -1.0}) {
       for (const double degrees : ways) {
         const SinCos<double> turn = sin_cos(radians(degrees));
@@ -226,6 +235,7 @@ class HoldFinder {
   }
 
   const BodyModel& body_;
+  const Kinematics<double>& placed_;
   const Thing& thing_;
   Transformd pose_;
   std::vector<PlacedBox> boxes_;

@@ -10,21 +10,24 @@
 #include "core/index.hpp"
 #include "problem/rise.hpp"
 #include "work/check_work.hpp"
+#include "work/over.hpp"
 
 namespace shigusa {
 namespace {
 
-// Pauses of the hands on a thing before it moves and after it stands (s; people rest 0.09 and 0.13,
-// within these).
-constexpr double kGraspPause = 0.1;
-constexpr double kReleasePause = 0.1;
 // Height (m) by which a grasped thing is lifted clear.
 constexpr double kLift = 0.05;
 // Place of a carried thing: its near side ahead of the hips (m), and its middle above them.
 constexpr double kBellyAhead = 0.16;
 constexpr double kBellyAbove = 0.08;
+// Part (m) of half a thing's width that fits between a hanging hand and the leg, chosen.
+constexpr double kBesideLeg = 0.05;
+// Downward part of the fingers' direction from which an arm can hang with a thing.
+constexpr double kFingersDown = 0.5;
 // Distance (m) of a hand from where it hangs up to which it stays there.
 constexpr double kHangs = 0.12;
+// Half the sides (m) of the box above what is in the way in which any place will do.
+constexpr Vec3d kClearWithin{0.05, 0.05, 0.05};
 // Tolerance (m) of hips and head in standing, and distance (m) at which the eyes look.
 constexpr Vec3d kUpright{0.02, 0.008, 0.02};
 constexpr double kLooksAhead = 3.0;
@@ -45,35 +48,6 @@ std::uint64_t seed_of(const Task& task, std::size_t piece) {
 }
 
 }  // namespace
-
-std::vector<Step> steps_of(const Action& action) {
-  std::vector<Step> steps;
-  switch (*kind_of(action)) {
-    case ActionKind::goals:
-      // a place that is passed is one of the next action's way
-      if (!action.via) steps = {{StepKind::go}};
-      break;
-    case ActionKind::wait:
-      steps = {{StepKind::pause, *action.wait}};
-      break;
-    case ActionKind::grasp:
-      steps = {
-          {StepKind::reach}, {StepKind::pause, kGraspPause}, {StepKind::take}, {StepKind::lift}};
-      break;
-    case ActionKind::place:
-      steps = {{StepKind::carry}, {StepKind::pause, kReleasePause}, {StepKind::let_go}};
-      break;
-    case ActionKind::release:
-      steps = {{StepKind::pause, kReleasePause}, {StepKind::let_go}};
-      break;
-    case ActionKind::stand:
-    case ActionKind::sit:
-      steps = {{StepKind::rise}, {StepKind::hang}};
-      break;
-  }
-  if (action.hold > 0.0) steps.push_back({StepKind::pause, action.hold});
-  return steps;
-}
 
 Line::Line(const Task& task) : task_(&task) {
   now_.angles = task.start.angles;
@@ -242,6 +216,27 @@ std::vector<Task> Line::reaches(const Action& action) const {
   return tasks;
 }
 
+std::vector<Task> Line::clears(const Action& action) const {
+  if (is_new()) return {};
+  const std::vector<Task> tasks = reaches(action);
+  if (tasks.empty()) return {};
+  Task task = tasks.front();
+  const Kinematics<double> at = placed(task_->body, {.angles = now_.angles});
+  bool passes = false;
+  for (Goal& goal : task.goals) {
+    const Effector& hand = task_->body.effector(task_->body.find_effector(goal.effector).value());
+    const Vec3d from = at.point(hand.link, hand.point);
+    const auto place = place_over(task.obstacles, from, goal.position);
+    passes = passes || place;
+    goal = {.effector = goal.effector,
+            .position = place.value_or(from),
+            .tolerance = place ? kClearWithin : Vec3d{}};
+  }
+  task.duration.reset();
+  if (!passes) return {};
+  return {std::move(task)};
+}
+
 double Line::put_higher(const Action& grasp) const {
   const auto first = task_->actions.begin() + (&grasp - task_->actions.data());
   const auto put = std::find_if(first, task_->actions.end(), [&grasp](const Action& later) {
@@ -258,6 +253,28 @@ Vec3d Line::before_belly(const Thing& thing) const {
   return {at.x, at.y + kBellyAbove, at.z + kBellyAhead + 0.5 * thing.size.z};
 }
 
+bool Line::hangs_from(std::size_t thing, const Grip& grip) const {
+  const Thing& held = task_->things[thing];
+  if (!held.handle || held.handle->position.y < 0.5 * held.size.y) return false;
+  const Kinematics<double> home = placed(task_->body, task_->home);
+  const Kinematics<double> at = placed(task_->body, {.angles = now_.angles});
+  const Vec3d fingers = transpose_times(home.link_rotation(grip.link), Vec3d{0, -1, 0});
+  return (at.link_rotation(grip.link) * fingers).y < -kFingersDown;
+}
+
+Vec3d Line::beside_leg(std::size_t thing, const Grip& grip) const {
+  const Kinematics<double> home = placed(task_->body, task_->home);
+  const Effector& hand = task_->body.effector(grip.hand);
+  const Thing& held = task_->things[thing];
+  const double side = hand.part.side == Side::left ? 1.0 : -1.0;
+  Vec3d to = home.point(hand.link, hand.point);
+  to.x += side * max(0.5 * held.size.x - kBesideLeg, 0.0);
+  const Vec3d from_middle = now_.things[thing].rotation * (inverse(grip.in_hand) * hand.point);
+  Vec3d middle = to - from_middle;
+  middle.y = max(middle.y, 0.5 * held.size.y + kLift);
+  return middle;
+}
+
 Task Line::rises() const {
   Task task = plain();
   const Kinematics<double> home = placed(task_->body, task_->home);
@@ -269,6 +286,7 @@ Task Line::rises() const {
     if (grips.size() == 1) {
       place.x = home.point(grips[0].link, task_->body.effector(grips[0].hand).point).x;
     }
+    if (grips.size() == 1 && hangs_from(t, grips[0])) place = beside_leg(t, grips[0]);
     Transformd to = now_.things[t];
     to.translation = place;
     for (Goal& goal : carried(t, to, grips.size() > 1 || thing.upright)) {
@@ -310,6 +328,8 @@ std::vector<Task> Line::tasks_of(std::size_t action, const Step& step) const {
   switch (step.kind) {
     case StepKind::go:
       return {goes(action)};
+    case StepKind::clear:
+      return clears(asked);
     case StepKind::reach:
       return reaches(asked);
     case StepKind::lift: {

@@ -27,6 +27,7 @@ struct Piece {
 
 // Parts of an action, one after the other.
 enum class StepKind {
+  clear,   // hands go over what is in their way to a thing
   go,      // effectors go to the goals of the action
   reach,   // hands go to a thing
   pause,   // the body stays as it is
@@ -71,6 +72,8 @@ class Line {
   [[nodiscard]] std::vector<Task> reaches(const Action& action) const;
   // Height (m) by which the thing that is grasped is put higher later.
   [[nodiscard]] double put_higher(const Action& grasp) const;
+  // A motion over what is in the way of the hands; empty: nothing is.
+  [[nodiscard]] std::vector<Task> clears(const Action& action) const;
   [[nodiscard]] Task goes(std::size_t action) const;
   [[nodiscard]] Task carries(std::size_t thing, const Transformd& to, bool rigid) const;
   [[nodiscard]] Task rises() const;
@@ -80,6 +83,10 @@ class Line {
   [[nodiscard]] std::vector<Goal> carried(std::size_t thing, const Transformd& to,
                                           bool rigid) const;
   [[nodiscard]] Vec3d before_belly(const Thing& thing) const;
+  // Whether a thing hangs from its handle in a hand whose fingers point down.
+  [[nodiscard]] bool hangs_from(std::size_t thing, const Grip& grip) const;
+  // Middle of a thing that hangs from a hand beside the leg.
+  [[nodiscard]] Vec3d beside_leg(std::size_t thing, const Grip& grip) const;
   void keep(const Piece& piece);
 
   const Task* task_;

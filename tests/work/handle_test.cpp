@@ -88,6 +88,26 @@ TEST(Handle, ABucketIsHeldByItsLevelBar) {
   expect_held_by_the_bar(task_of(bucket(), {-0.25, 0.5, 0.4}));
 }
 
+TEST(Handle, ABucketHangsBesideTheLegOfWhoStands) {
+  Task task = task_of(bucket(), {});
+  task.things[0].position = {-0.3, 0.125, 0.3};
+  task.actions = {{.grasp = "bucket"}, {.stand = Stance{}}};
+  const auto result = perform(task);
+  ASSERT_TRUE(result) << result.error().to_string();
+  ASSERT_TRUE(result->meets_goals()) << result->conflict.text;
+  const Candidate& best = result->candidates.front();
+  const Transformd& end = best.things.front().poses.back();
+  EXPECT_GT(end.translation.y, 0.125 + 0.1);
+  EXPECT_LT(end.translation.y, 0.6);
+  EXPECT_LT(end.translation.x, -0.2);
+  const Clip& clip = best.motion.clip;
+  const Posture last(task.body, clip.frame(clip.frames - 1));
+  const Posture home(task.body, task.home.angles);
+  const Effector& hand = task.body.effector(*task.body.find_effector("right_hand"));
+  const Vec3d off = last.place(hand.link) * hand.point - home.place(hand.link) * hand.point;
+  EXPECT_LT(norm(off), 0.15);
+}
+
 TEST(Handle, TheThumbIsAlongTheBarAndThePalmTowardsIt) {
   const PosedBody person = build_character({}).value();
   const Kinematics<double> placed_home = placed(person.body, person.home);
