@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "measures_json.hpp"
 
+#include "formats/json_reader.hpp"
+
 namespace shigusa {
 namespace {
 

@@ -8,6 +8,7 @@
 #include "clip_frames.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
+#include "kinematics/penetration.hpp"
 #include "work/check_work.hpp"
 #include "work/hold.hpp"
 #include "work/sum_scores.hpp"

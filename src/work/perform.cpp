@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <shigusa/generate.hpp>
 #include <shigusa/run.hpp>
@@ -9,6 +10,7 @@
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "generate/candidate.hpp"
+#include "generate/joint_progress.hpp"
 #include "generate/pareto.hpp"
 #include "work/check_work.hpp"
 #include "work/line.hpp"
@@ -97,8 +99,12 @@ class Performance {
  public:
   // `known`: motions of actions that are made as before.
   Performance(const Task& task, std::span<const WorkMotion> known, const Progress& progress)
-      : task_(task), progress_(progress), known_(known) {
+      : task_(task), joint_(progress), known_(known) {
     lines_.emplace_back(task_);
+    for (const Action& action : task.actions) {
+      for (const Step& step : steps_of(action)) motions_left_ += moves(step);
+    }
+    share_ = 1.0 / std::max(motions_left_, 1);
   }
 
   Result<GenerateResult> run() {
@@ -112,13 +118,19 @@ class Performance {
   }
 
  private:
+  static bool moves(const Step& step) {
+    return step.kind != StepKind::pause && step.kind != StepKind::take &&
+           step.kind != StepKind::let_go;
+  }
+
   Result<void> make(std::size_t action, const Step& step) {
-    if (step.kind == StepKind::pause || step.kind == StepKind::take ||
-        step.kind == StepKind::let_go) {
-      for (Line& line : lines_) line.make(action, step);
-      return {};
+    if (moves(step)) {
+      const Result<void> moved = move(action, step);
+      --motions_left_;
+      return moved;
     }
-    return move(action, step);
+    for (Line& line : lines_) line.make(action, step);
+    return {};
   }
 
   // Searches the next motion of each line.
@@ -169,11 +181,13 @@ class Performance {
   }
 
   // One motion of each line, and of the best one as many as there are too few lines.
-  std::vector<Found> searched(std::size_t action, const Step& step, bool first, int times) const {
+  std::vector<Found> searched(std::size_t action, const Step& step, bool first, int times) {
     std::vector<Found> found(lines_.size());
     const int all = task_.evaluations.value_or(usual_evaluations(task_));
     const int each = std::max(static_cast<int>(kLaterShare * all), kLeastMotions);
     const int missing = std::max(task_.candidates - static_cast<int>(lines_.size()), 0);
+    std::vector<Progress> progress;
+    for (std::size_t k = 0; k < lines_.size(); ++k) progress.push_back(part_of_line());
     parallel_for(static_cast<int>(lines_.size()), task_.batch.threads, [&](int k, int) {
       std::vector<Task> tasks = lines_[index(k)].tasks_of(action, step);
       found[index(k)].idle = tasks.empty();
@@ -186,15 +200,25 @@ class Performance {
         task.pareto = task.pareto && first;
         if (!first) task.evaluations = times * (lifts ? kLiftMotions : task.candidates * each);
       }
-      found[index(k)] = first_of(tasks, first ? progress_ : Progress{});
+      found[index(k)] = first_of(tasks, progress[index(k)]);
     });
     return found;
+  }
+
+  // Progress of one line's motion, with an equal share of the time that is left.
+  Progress part_of_line() {
+    Progress own = joint_.part(share_ / static_cast<double>(lines_.size()));
+    if (!own.deadline) return own;
+    const auto now = std::chrono::steady_clock::now();
+    own.deadline = now + (*own.deadline - now) / std::max(motions_left_, 1);
+    return own;
   }
 
   void spend(const Found& found) {
     if (!found.result) return;
     result_.log.spend(found.result->log);
     result_.parameters = found.result->parameters;
+    if (found.result->end == SearchEnd::cancelled) result_.end = SearchEnd::cancelled;
   }
 
   // The next motion that the action had before, if it had one.
@@ -267,7 +291,9 @@ class Performance {
   }
 
   const Task& task_;
-  const Progress& progress_;
+  JointProgress joint_;
+  int motions_left_ = 0;
+  double share_ = 1.0;  // of a motion in the whole
   std::span<const WorkMotion> known_;
   std::size_t next_known_ = 0;
   std::vector<Line> lines_{};
