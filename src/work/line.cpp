@@ -275,7 +275,7 @@ Vec3d Line::beside_leg(std::size_t thing, const Grip& grip) const {
   return middle;
 }
 
-Task Line::rises() const {
+Task Line::rises(bool arms) const {
   Task task = plain();
   const Kinematics<double> home = placed(task_->body, task_->home);
   for (std::size_t t = 0; t < task_->things.size(); ++t) {
@@ -294,11 +294,10 @@ Task Line::rises() const {
       task.goals.push_back(std::move(goal));
     }
   }
-  // who is bent rises first with the arms free, which would catch on the thighs on a way of their
-  // own
+  // the arms of who is bent would catch on the thighs on a way of their own
   const bool bent = !rise_of(task.body, criteria_context(task)).empty();
   for (const Effector& hand : task_->body.effectors()) {
-    if (bent || now_.in(task_->body.find_effector(hand.name).value())) continue;
+    if ((bent && !arms) || now_.in(task_->body.find_effector(hand.name).value())) continue;
     task.goals.push_back({.effector = hand.name, .position = home.point(hand.link, hand.point)});
   }
   // upright again: hips and head where they were
@@ -343,9 +342,9 @@ std::vector<Task> Line::tasks_of(std::size_t action, const Step& step) const {
       return {std::move(task)};
     }
     case StepKind::rise:
-      return {rises()};
+      return {rises(false), rises(true)};
     case StepKind::hang:
-      return hangs() ? std::vector<Task>{} : std::vector<Task>{rises()};
+      return hangs() ? std::vector<Task>{} : std::vector<Task>{rises(false)};
     default:
       return {};
   }

@@ -76,7 +76,8 @@ class Line {
   [[nodiscard]] std::vector<Task> clears(const Action& action) const;
   [[nodiscard]] Task goes(std::size_t action) const;
   [[nodiscard]] Task carries(std::size_t thing, const Transformd& to, bool rigid) const;
-  [[nodiscard]] Task rises() const;
+  // Standing up; who is bent leaves the arms free unless `arms` are led to where they hang.
+  [[nodiscard]] Task rises(bool arms) const;
   // Whether free hands are near where they hang.
   [[nodiscard]] bool hangs() const;
   // Goals of hands that carry a thing along a way.
