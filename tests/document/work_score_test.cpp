@@ -28,7 +28,7 @@ void expect_like(const WorkScore& score, double seconds) {
     EXPECT_EQ(action.kind, own[k].kind);
     EXPECT_NEAR(action.start, own[k].start, seconds) << k;
     EXPECT_NEAR(action.end, own[k].end, seconds) << k;
-    EXPECT_NEAR(action.score.total, own[k].score.total, 0.2 * own[k].score.total + 0.1) << k;
+    EXPECT_NEAR(action.score.total, own[k].score.total, 0.4 * own[k].score.total + 0.1) << k;
   }
   EXPECT_EQ(score.actions[0].hands.size(), 2U);
   ASSERT_EQ(candidate().hands.size(), 2U);
