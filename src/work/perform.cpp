@@ -239,9 +239,14 @@ class Performance {
     result_.status = ReachStatus::unreachable;
     result_.remaining_distance = found.result->remaining_distance;
     result_.remaining_turn = found.result->remaining_turn;
-    result_.conflict = say("action_fails", action + 1, word_of(*kind_of(task_.actions[action])),
-                           Millimetres{1e3 * found.result->remaining_distance},
-                           degrees(found.result->remaining_turn));
+    const Action& asked = task_.actions[action];
+    const std::string_view kind = word_of(*kind_of(asked));
+    const Millimetres remains{1e3 * result_.remaining_distance};
+    const double turn = degrees(result_.remaining_turn);
+    const bool upright =
+        !asked.place.empty() && task_.things[thing_named(task_, asked.place)].upright;
+    result_.conflict = upright ? say("upright_fails", action + 1, kind, remains, turn, asked.place)
+                               : say("action_fails", action + 1, kind, remains, turn);
     if (lines_.size() == 1) {
       lines_.front().add(action, *found.body, found.result->candidates.front());
     }

@@ -51,6 +51,22 @@ TEST(HeldThings, AWideBoxIsNotCarriedBetweenNarrowPosts) {
   EXPECT_EQ(wide.status, ReachStatus::reached);
 }
 
+// Overhead a wrist cannot keep a cup upright.
+TEST(HeldThings, WhatTheWristForbidsIsTold) {
+  Task task(human_body(), {});
+  task.things = {{.name = "cup",
+                  .shape = ThingShape::cylinder,
+                  .size = {0.08, 0.1, 0.08},
+                  .mass = 0.3,
+                  .position = {-0.2, 0.9, 0.4},
+                  .upright = true}};
+  task.actions = {{.grasp = "cup"}, {.place = "cup", .position = Vec3d{-0.25, 2.05, 0.15}}};
+  const GenerateResult failed = perform(task).value();
+  EXPECT_EQ(failed.status, ReachStatus::unreachable);
+  EXPECT_NE(failed.conflict.text.find("cup is to stay upright"), std::string::npos)
+      << failed.conflict.text;
+}
+
 TEST(HeldThings, WorkEndsSoonOnceCancelled) {
   std::atomic<bool> cancel = false;
   int reports = 0;

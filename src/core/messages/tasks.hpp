@@ -42,6 +42,9 @@ inline constexpr std::array kTasks{
     MessageText{"action_fails",
                 "action {} ({}) is out of reach: {:.0f} mm and {:.0f}° remain, and what comes "
                 "before it is kept"},
+    MessageText{"upright_fails",
+                "action {} ({}) is out of reach: {:.0f} mm and {:.0f}° remain if {} is to stay "
+                "upright, and what comes before it is kept"},
     MessageText{"of_action", "action {}: {}"},
     MessageText{"turn_twice", "has a rotation and an axis; allowed is one of both"},
     MessageText{

@@ -29,6 +29,7 @@ export const tasks: Readonly<Record<string, string>> = {
   action_at_rest: '動作 {0} には変えられる動きがありません。',
   no_such_way: '物の取り方 {0} は {1} 通りの中にありません。',
   action_fails: '動作 {0}（{1}）は届きません。残りは {2} mm と {3}° です。それより前は残してあります。',
+  upright_fails: '動作 {0}（{1}）は届きません。{4} を立てたままでは、残りは {2} mm と {3}° です。それより前は残してあります。',
   of_action: '動作 {0}：{1}',
   load_range: '荷物が {0} kg です。使えるのは 0～{1} kg です。',
   coordinate_range: '{0} 座標が {1} m です。使えるのは -{2}～{3} m です。',
