@@ -41,7 +41,8 @@ def link(reference, shared):
     words = fragment.split("/")
     name = words[-1] or page
     if "$defs" in words:
-        return f'<a href="{"task.html" if name in shared else ""}#{name}">{name}</a>'
+        place = ".".join(word for word in words[words.index("$defs") + 1 :] if word != "properties")
+        return f'<a href="{"task.html" if place in shared else ""}#{place}">{name}</a>'
     return f'<a href="{page}.html#{page}{"." + name if fragment else ""}">{name}</a>'
 
 
