@@ -22,7 +22,7 @@ function rims(low, high, radius) {
 Scene.prototype.measure = function () {
   const { data } = this;
   if (!data.things) return kFigure.measure.call(this);
-  const places = (rows, points) => rows[0].flatMap((_, k) => (k % 4 ? [] : [points.map((p) => [0, 1, 2].map((axis) => rows[3 * p + axis][k]))]));
+  const places = (rows, points) => [...rows[0]].flatMap((_, k) => (k % 4 ? [] : [points.map((p) => [0, 1, 2].map((axis) => rows[3 * p + axis][k]))]));
   const boxes = this.motions.flatMap((rows) => data.things.flatMap(([, points]) => places(rows, points)));
   const goals = data.motions.flatMap(({ actions }) => actions.flatMap(([, , , list]) => list));
   this.data = { ...data, goals, boxes: [...data.boxes, ...boxes] };
