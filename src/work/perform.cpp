@@ -23,6 +23,8 @@ namespace {
 constexpr double kLaterShare = 0.1;
 constexpr int kLeastMotions = 96;
 constexpr int kLiftMotions = 64;
+// Lines that go on although some of them cannot be made.
+constexpr std::ptrdiff_t kLeastLines = 3;
 // Factor on them where none of the motions can be made.
 constexpr int kMoreTimes = 4;
 
@@ -150,12 +152,13 @@ class Performance {
       found = searched(action, step, false, kMoreTimes);
       for (const Found& one : found) spend(one);
     }
-    // who can go on leaves behind who cannot
-    const bool some = std::any_of(found.begin(), found.end(), steady);
+    // who can go on leaves behind who cannot, but for a few to choose from
+    auto spare = kLeastLines - std::count_if(found.begin(), found.end(), steady);
     std::vector<Line> kept;
     for (std::size_t k = 0; k < lines_.size(); ++k) {
       if (found[k].idle) kept.push_back(lines_[k]);
-      if (found[k].idle || !(some ? found[k].is_steady() : found[k].succeeds())) continue;
+      if (found[k].idle || !found[k].succeeds()) continue;
+      if (!found[k].is_steady() && spare-- <= 0) continue;
       for (const Candidate& candidate : found[k].result->candidates) {
         kept.emplace_back(lines_[k]).add(action, *found[k].body, candidate, found[k].way);
       }
