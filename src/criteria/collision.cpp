@@ -70,7 +70,9 @@ CollisionPairs collision_pairs(const BodyModel& body, const CriteriaContext& con
   for (int c = 0; c < static_cast<int>(body.capsules().size()); ++c) {
     for (int o = 0; o < static_cast<int>(context.obstacles.size()); ++o) {
       if (rests_on(body, c, context.obstacles[index(o)].name, context)) continue;
-      pairs.obstacles.push_back({c, o});
+      CollisionPairs::Pair& pair = pairs.obstacles.emplace_back();
+      pair = {.limb = c, .other = o};
+      pair.length = norm(capsules[index(c)].to - capsules[index(c)].from);
     }
   }
   pairs.shapes = placed_boxes(context.obstacles);

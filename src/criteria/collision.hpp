@@ -32,6 +32,7 @@ struct CollisionPairs {
     double give = 0.0;     // m, compliance of the softer of both
     float near = 0.0F;     // m², of parts: squared distance of midpoints from which they are apart
     float part = 1.0F;     // of the floor: share of the capsule that counts, from its first end
+    double length = 0.0;   // m, of the limb's axis
   };
   std::vector<Pair> parts;      // limbs and parts of the body
   std::vector<Pair> obstacles;  // any capsule and one of `shapes`
@@ -70,13 +71,11 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& 
   }
   for (auto& pair : pairs.obstacles) {
     const PlacedBox& obstacle = pairs.shapes[index(pair.other)];
-    const PlacedCapsule<S>& limb = placed[index(pair.limb)];
-    const auto distance = [&](const Vec3<S>& point) { return box_distance(obstacle, point); };
-    const double taper = taper_of(capsules[index(pair.limb)]);
-    const S ends = min(distance(limb.from), distance(limb.to) - S(taper));
-    const S apart = min(ends, distance(limb.middle) - S(0.5 * taper));
-    visit(pair, CollisionKind::obstacle,
-          S(capsules[index(pair.limb)].radius - pair.allowed) - apart);
+    const Capsule& of_limb = capsules[index(pair.limb)];
+    const double touches = of_limb.radius - pair.allowed;
+    const S apart =
+        axis_distance(obstacle, placed[index(pair.limb)], pair.length, taper_of(of_limb), touches);
+    visit(pair, CollisionKind::obstacle, S(touches) - apart);
   }
   for (auto& pair : pairs.floor) {
     const PlacedCapsule<S>& limb = placed[index(pair.limb)];
@@ -90,8 +89,7 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& 
 // Penalty of arms that pass through the body, parts that pass through obstacles, and arms with a
 // wrist that pass through the floor at y = 0, in [0, 1]. With d the depth of the deepest pair of
 // capsules, beyond the depth in the start posture and the compliance of the flesh, as a share of
-// `full`, clamped to [0, 1]:  P = ½ mean_t d + ½ max_t d. Obstacles are tested at a capsule's ends
-// and midpoint.
+// `full`, clamped to [0, 1]:  P = ½ mean_t d + ½ max_t d.
 template <class S>
 class Collision {
  public:

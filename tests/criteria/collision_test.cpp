@@ -156,6 +156,40 @@ TEST(Collision, DistanceFromABoxIsSignedAndTurnsWithIt) {
 PlacedCapsule<double> line(const Vec3d& from, const Vec3d& to) {
   return {from, to, (from + to) * 0.5};
 }
+
+// A limb that lies across a corner between its ends and its midpoint.
+TEST(Collision, NearestPointToABoxIsFoundAlongALimb) {
+  Random random(7);
+  const auto drawn = [&random](double most) {
+    return Vec3d{random.uniform(-most, most), random.uniform(-most, most),
+                 random.uniform(-most, most)};
+  };
+  int inside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Obstacle box{.name = "box", .position = drawn(0.2), .size = drawn(0.2) + Vec3d{0.3, 0.3, 0.3}};
+    box.rotation = axis_rotation(Axis::y, random.uniform(-3.0, 3.0));
+    const PlacedBox placed = placed_boxes({&box, 1}).front();
+    const PlacedCapsule<double> limb = line(drawn(0.4), drawn(0.4));
+    const double length = norm(limb.to - limb.from);
+    const double taper = random.uniform(-0.02, 0.02);
+    double least = 1e9;
+    for (int k = 0; k <= 1000; ++k) {
+      const double share = k / 1000.0;
+      const Vec3d at = limb.from + (limb.to - limb.from) * share;
+      least = std::min(least, box_distance(placed, at) - taper * share);
+    }
+    const double found = axis_distance(placed, limb, length, taper, 0.05);
+    EXPECT_GE(found, least - 1e-3 * length);
+    if (least > 0.05) {
+      EXPECT_GT(found, 0.05);
+      continue;
+    }
+    ++inside;
+    EXPECT_LE(found, least + length / 64);
+  }
+  EXPECT_GT(inside, 500);
+}
+
 double distance_of(const PlacedCapsule<double>& a, const PlacedCapsule<double>& b) {
   return norm(nearest_places(a, b).apart);
 }
