@@ -56,6 +56,7 @@ BEGIN {
   allow("kinematics", "motion " persons)
   allow("dynamics", "kinematics motion body math core")
   allow("criteria", "dynamics kinematics motion body math core")
+  allow("cost", "criteria dynamics kinematics motion body math core")
   allow("plan", "criteria dynamics kinematics motion body math core")
   motions = "plan criteria dynamics kinematics motion " persons " simd"
   allow("rollout", motions)
@@ -72,7 +73,7 @@ BEGIN {
   allow("character", "formats robot files criteria dynamics kinematics motion " persons)
   allow("scene", "formats robot files problem search " motions)
   allow("draw", "files " generates)
-  documents = "work draw scene character formats robot files " generates
+  documents = "cost work draw scene character formats robot files " generates
   allow("document", documents)
   allow("edit", "document " documents)
   all = "work dataset edit document " documents
@@ -87,6 +88,7 @@ BEGIN {
   face("body", "body goal motion action")
   face("human", "human")
   face("criteria", "criteria habit")
+  face("cost", "cost")
   face("dynamics", "kinematics")
   face("search", "search")
   face("plan", "parameters")

@@ -4,6 +4,7 @@
 #include <shigusa/action.hpp>
 #include <shigusa/body.hpp>
 #include <shigusa/character.hpp>
+#include <shigusa/cost.hpp>
 #include <shigusa/criteria.hpp>
 #include <shigusa/draw.hpp>
 #include <shigusa/edit.hpp>
