@@ -88,7 +88,7 @@ BEGIN {
   face("body", "body goal motion action")
   face("human", "human")
   face("criteria", "criteria habit")
-  face("cost", "cost")
+  face("cost", "cost ergonomics")
   face("dynamics", "kinematics")
   face("search", "search")
   face("plan", "parameters")

@@ -8,6 +8,7 @@
 #include <shigusa/criteria.hpp>
 #include <shigusa/draw.hpp>
 #include <shigusa/edit.hpp>
+#include <shigusa/ergonomics.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/files.hpp>
 #include <shigusa/formats.hpp>

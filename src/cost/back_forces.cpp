@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/cost.hpp>
+#include <shigusa/ergonomics.hpp>
 
 namespace shigusa {
 namespace {

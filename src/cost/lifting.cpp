@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <shigusa/cost.hpp>
+#include <shigusa/ergonomics.hpp>
 #include <utility>
 
 #include "core/say.hpp"

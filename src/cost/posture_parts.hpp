@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <shigusa/cost.hpp>
+#include <shigusa/ergonomics.hpp>
 #include <string_view>
 
 namespace shigusa {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <shigusa/cost.hpp>
+#include <shigusa/ergonomics.hpp>
 
 #include "core/check.hpp"
 #include "cost/posture_parts.hpp"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <shigusa/cost.hpp>
+#include <shigusa/ergonomics.hpp>
 #include <shigusa/run.hpp>
 
 #include "dynamics/inverse_dynamics.hpp"
