@@ -56,4 +56,139 @@ struct PostureAngles {
 [[nodiscard]] PostureAngles posture_angles(const BodyModel& body, const State& home,
                                            std::span<const double> angles);
 
+/// A hand's load and what it rests on, at one moment.
+struct PostureLoad {
+  double mass = 0.0;                ///< kg, in both hands
+  std::array<bool, 2> supported{};  ///< left, right: the arm rests on something
+};
+
+/// Sub-scores of a posture by REBA for the arm of a side; angles that the body lacks count as
+/// neutral. Nothing for a body without that arm.
+[[nodiscard]] std::optional<RebaParts> reba_parts(const PostureAngles& angles, Side side,
+                                                  const PostureLoad& load,
+                                                  const Ergonomics& ergonomics = {});
+/// Sub-scores of a posture by RULA, in the same way.
+[[nodiscard]] std::optional<RulaParts> rula_parts(const PostureAngles& angles, Side side,
+                                                  const PostureLoad& load,
+                                                  const Ergonomics& ergonomics = {});
+
+/// What one frame costs.
+struct FrameCost {
+  double time = 0.0;                               ///< s
+  PostureAngles angles{};                          ///< angles of the posture
+  std::array<std::optional<RebaScore>, 2> reba{};  ///< with the left arm, with the right
+  std::array<std::optional<RulaScore>, 2> rula{};  ///< with the left arm, with the right
+  /// N·m, moment about L5/S1 across the trunk's axis; empty for a body without a back or hips.
+  std::optional<double> back_moment{};
+  std::optional<BackForces> back{};  ///< forces at L5/S1; empty for a rigid trunk
+};
+
+/// The course of a score or a sub-score, of the worse side in each frame.
+struct ScoreCourse {
+  int worst = 0;      ///< greatest
+  double mean = 0.0;  ///< weighted by time
+};
+/// A posture score over a motion.
+struct PostureCourse {
+  ScoreCourse score{};                 ///< of the worse side
+  double time = 0.0;                   ///< s, of the first worst moment
+  Side side = Side::right;             ///< worse side then
+  std::array<ScoreCourse, 2> sides{};  ///< with the left arm, with the right
+  std::array<ScoreCourse, 9> parts{};  ///< sub-scores in the order of RebaParts or RulaParts
+  std::vector<double> above{};         ///< (levels) share of the time at this level or above
+};
+
+/// A part's time in the zones of EN 1005-4.
+struct ZoneCourse {
+  ZonePart part = ZonePart::trunk;  ///< the part
+  std::optional<Side> side{};       ///< of an arm
+  double greatest = 0.0;            ///< rad, greatest angle
+  std::array<double, 4> shares{};   ///< share of the time in the zones -1, 0, 1, 2
+  std::array<double, 4> longest{};  ///< s, longest time in each without a break
+  /// Worst verdict on what is known: zones held for kHeldFrom and, with Ergonomics::moves_per_min,
+  /// all zones.
+  std::optional<ZoneVerdict> verdict{};
+};
+
+/// A greatest value with its time.
+struct Peak {
+  double value = 0.0;  ///< greatest
+  double time = 0.0;   ///< s
+};
+/// Forces at L5/S1 over a motion.
+struct BackForcesCourse {
+  Peak compression{};              ///< N
+  Peak shear{};                    ///< N
+  double mean_compression = 0.0;   ///< N
+  double above_action = 0.0;       ///< share of the time above kBackActionLimit
+  double above_permissible = 0.0;  ///< share of the time above kBackPermissible
+  std::optional<double> limit{};   ///< N, back_limit of age and sex, if both are known
+};
+/// L5/S1 over a motion.
+struct BackCourse {
+  Peak moment{};                             ///< N·m
+  double mean_moment = 0.0;                  ///< N·m
+  std::optional<BackForcesCourse> forces{};  ///< empty for a body with a rigid trunk
+};
+
+/// The torque of a joint beside the strength of people of the body's sex and mass.
+struct StrengthCost {
+  std::string dof{};      ///< name of the degree of freedom
+  double torque = 0.0;    ///< N·m, the greatest as a share of the strength
+  double strength = 0.0;  ///< N·m, mean of people
+  double time = 0.0;      ///< s
+  double able = 0.0;      ///< share of people who are as strong, 0..1
+};
+
+/// A lift of a thing in a motion, by frames.
+struct LiftSpan {
+  std::string thing{};       ///< its name
+  double mass = 0.0;         ///< kg
+  std::vector<int> hands{};  ///< indices of the effectors that hold it
+  int taken = 0;             ///< frame in which they take it
+  int put = 0;               ///< frame in which they let it go
+};
+/// A lift by the revised NIOSH lifting equation.
+struct LiftCost {
+  LiftSpan span{};                ///< the lift
+  Lift origin{};                  ///< where it is taken
+  Lift destination{};             ///< where it is put
+  LiftIndex at_origin{};          ///< judged there
+  LiftIndex at_destination{};     ///< judged there
+  std::optional<double> index{};  ///< the worse LI of those that count
+  std::vector<Message> notes{};   ///< where the equation does not apply
+};
+
+/// Loads that the hands hold in a range of frames.
+struct HeldSpan {
+  int first = 0;                  ///< first frame
+  int last = 0;                   ///< last frame, included
+  std::vector<HeldLoad> loads{};  ///< the loads
+};
+
+/// A motion with what its hands hold.
+struct CostInput {
+  const PosedBody& posed;             ///< body without loads, and its home
+  const Motion& motion;               ///< with the torques of the loads
+  std::span<const HeldSpan> held{};   ///< loads, in the order of time
+  std::span<const LiftSpan> lifts{};  ///< lifts
+};
+
+/// What a motion costs the body.
+struct MotionCost {
+  std::vector<FrameCost> frames{};           ///< (frames) in order
+  std::optional<PostureCourse> reba{};       ///< empty for a body without arms or trunk
+  std::optional<PostureCourse> rula{};       ///< empty for a body without arms or trunk
+  std::vector<ZoneCourse> zones{};           ///< of the parts that the body has
+  std::optional<BackCourse> back{};          ///< empty for a body without hips
+  std::vector<StrengthCost> strengths{};     ///< (dofs) in the order of the body's
+  std::vector<LiftCost> lifts{};             ///< in the order of CostInput
+  std::optional<CompositeIndex> repeated{};  ///< of two lifts or more
+  std::vector<Message> notes{};              ///< what is not known or does not apply
+};
+
+/// Computes what a motion costs.
+[[nodiscard]] Result<MotionCost> motion_cost(const CostInput& input,
+                                             const Ergonomics& ergonomics = {});
+
 }  // namespace shigusa

@@ -61,6 +61,7 @@ struct PostureThresholds {
   double gravity_helps = radians(20.0);  ///< rad, of a hanging upper arm from the vertical
   double hand_across = 0.0;              ///< m, of a hand beyond the middle
   double hand_out = 0.10;                ///< m, of a hand outside its shoulder
+  friend bool operator==(const PostureThresholds&, const PostureThresholds&) = default;
 };
 
 /// Score of a part by its angle (rad) alone, without additions. RULA scores an upright trunk as 1.
@@ -181,15 +182,16 @@ inline constexpr std::array kEnumWords<ZoneVerdict>{
 
 /// Quality of the grip on a load.
 enum class Coupling {
-  good,  ///< handles or a comfortable grip
-  fair,  ///< acceptable handles, or fingers bent by 90° under the load
-  poor,  ///< neither
+  good,          ///< handles or a comfortable grip
+  fair,          ///< acceptable handles, or fingers bent by 90° under the load
+  poor,          ///< neither
+  unacceptable,  ///< no handle, awkward or unsafe, in REBA; the lifting equation has it as poor
 };
 /// The words of Coupling.
 template <>
-inline constexpr std::array kEnumWords<Coupling>{EnumWord{Coupling::good, "good"},
-                                                 EnumWord{Coupling::fair, "fair"},
-                                                 EnumWord{Coupling::poor, "poor"}};
+inline constexpr std::array kEnumWords<Coupling>{
+    EnumWord{Coupling::good, "good"}, EnumWord{Coupling::fair, "fair"},
+    EnumWord{Coupling::poor, "poor"}, EnumWord{Coupling::unacceptable, "unacceptable"}};
 
 /// Duration of lifting, with its rest.
 enum class LiftingTime {
@@ -307,5 +309,25 @@ struct BackForces {
 /// Recommended limit (N) of compression by age (years) and sex: revised Dortmund values (M. Jäger,
 /// EXCLI Journal 17 (2018) 362-385) of 20 and of 60 years, linear between them, which is a guess.
 [[nodiscard]] double back_limit(double age, Sex sex);
+
+/// What a motion does not tell, with the thresholds that methods leave open.
+struct Ergonomics {
+  Coupling coupling = Coupling::good;  ///< grip on the load
+  bool held = false;                   ///< a part of the body is held for more than a minute
+  bool repeated = false;               ///< small-range actions recur more than 4 times a minute
+  bool rapid = false;                  ///< rapid large changes of posture, or an unstable base
+  bool shock = false;                  ///< forces build up rapidly
+  double lifts_per_min = 0.2;          ///< recurrence of each lift of the motion
+  LiftingTime lifting_time = LiftingTime::brief;  ///< duration of lifting in a shift
+  bool placed_with_care = true;  ///< lifts end with control, so that both ends count
+  /// Recurrence of the motion (1/min), for EN 1005-4; empty: only held postures are judged.
+  std::optional<double> moves_per_min{};
+  std::optional<double> age{};                      ///< years, for the limit of compression
+  std::optional<Sex> sex{};                         ///< for that limit; empty: the character's
+  double back_lever = kBackLever;                   ///< m, of the back's muscles about L5/S1
+  RulaEdition rula_edition = RulaEdition::present;  ///< of table A
+  PostureThresholds thresholds{};                   ///< where methods name none
+  friend bool operator==(const Ergonomics&, const Ergonomics&) = default;
+};
 
 }  // namespace shigusa

@@ -3,6 +3,7 @@
 
 #include "body/joint_name.hpp"
 #include "body/seat.hpp"
+#include "core/check.hpp"
 #include "core/index.hpp"
 #include "dynamics/centre_of_mass.hpp"
 #include "dynamics/contact_forces.hpp"
@@ -112,6 +113,11 @@ std::optional<Vec3d> AngleMeter::ankles(const Kinematics<double>& placed) const 
   return 0.5 * (legs_[0]->ankle.in(placed) + legs_[1]->ankle.in(placed));
 }
 
+std::optional<Vec3d> AngleMeter::trunk_line(const Kinematics<double>& placed) const {
+  if (!c7_ || !pelvis_) return std::nullopt;
+  return normalized(c7_->in(placed)-hips(placed));
+}
+
 std::optional<Mat3d> AngleMeter::trunk_axes(const Kinematics<double>& placed) const {
   if (!c7_ || !pelvis_) return std::nullopt;
   const Mat3d line =
@@ -210,6 +216,7 @@ PostureAngles AngleMeter::measure(const Kinematics<double>& placed,
 
 PostureAngles posture_angles(const BodyModel& body, const State& home,
                              std::span<const double> angles) {
+  SHG_CHECK(angles.size() == body.dofs().size(), "a posture has an angle for each freedom");
   Kinematics<double> placed(body);
   forward_kinematics<double>(body, angles, placed);
   return AngleMeter(body, home).measure(placed, angles);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <shigusa/cost.hpp>
 #include <span>
+#include <vector>
 
 #include "criteria/posture_points.hpp"
 #include "kinematics/forward_kinematics.hpp"
@@ -22,9 +23,12 @@ class AngleMeter {
   // Angles of the placed body; `angles`: (dofs) rad.
   [[nodiscard]] PostureAngles measure(const Kinematics<double>& placed,
                                       std::span<const double> angles) const;
-  // The middle of the ankles and of the hands (m, world) and the person's own direction ahead, for
-  // lifts; empty if the body lacks them.
+  // The middle of the ankles (m, world); empty if the body lacks them.
   [[nodiscard]] std::optional<Vec3d> ankles(const Kinematics<double>& placed) const;
+  // Direction ahead of the neutral person (world, level).
+  [[nodiscard]] Vec3d ahead() const { return ahead_; }
+  // Direction of the line of the trunk, upwards; empty if the body lacks it.
+  [[nodiscard]] std::optional<Vec3d> trunk_line(const Kinematics<double>& placed) const;
   // Whether the home was no neutral posture, and all angles at 0 are taken instead.
   [[nodiscard]] bool home_leans() const { return home_leans_; }
 
@@ -69,6 +73,7 @@ class AngleMeter {
   Mat3d chest_axes_{};
   Mat3d head_axes_{};
   double lean_ = 0.0;  // rad, of the line of the trunk, neutral
+  Vec3d ahead_{0, 0, 1};
 };
 
 }  // namespace shigusa

@@ -68,7 +68,7 @@ Result<void> check_numbers(std::initializer_list<Given> numbers) {
 }
 
 double grip_factor(Coupling coupling, bool low) {
-  return coupling == Coupling::good ? 1.0 : coupling == Coupling::poor ? 0.9 : low ? 0.95 : 1.0;
+  return coupling == Coupling::good ? 1.0 : coupling != Coupling::fair ? 0.9 : low ? 0.95 : 1.0;
 }
 
 }  // namespace

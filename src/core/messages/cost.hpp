@@ -21,6 +21,19 @@ inline constexpr std::array kCost{
                 "which no load is allowed"},
     MessageText{"lift_none_allowed",
                 "there is no index of all lifts: one of them is not allowed with any load"},
+    MessageText{"lift_one_hand", "the lifting equation is for two hands, and one holds {}"},
+    MessageText{"lift_sits", "the lifting equation is for standing people"},
+    MessageText{"lift_fast",
+                "the lifting equation is for slower lifts: the hands move at {:.2f} m/s"},
+    MessageText{"cost_no_neck", "the body's head does not move against its trunk: it is neutral"},
+    MessageText{"cost_no_wrists", "the body has no wrists: they are neutral"},
+    MessageText{"cost_home_leans",
+                "the body's own start is no neutral posture: all angles at 0 are taken instead"},
+    MessageText{"cost_rigid_trunk",
+                "the trunk is rigid: the moment at L5/S1 is a share of that about the hips, and "
+                "forces are not known"},
+    MessageText{"cost_lacks_parts", "the body lacks parts that REBA and RULA score"},
+    MessageText{"cost_option", "is {:g}; allowed is {}"},
 };
 
 }  // namespace shigusa::messages
