@@ -63,17 +63,17 @@ BEGIN {
   motions = "rollout " motions
   allow("nlp", motions)
   allow("paper", motions)
-  allow("problem", "search " motions)
-  generates = "nlp paper problem search " motions
+  allow("problem", "cost search " motions)
+  generates = "nlp paper problem cost search " motions
   allow("generate", generates)
   generates = "generate " generates
   allow("work", generates)
   allow("robot", "kinematics motion " persons)
   allow("formats", "robot files motion " persons)
   allow("character", "formats robot files criteria dynamics kinematics motion " persons)
-  allow("scene", "formats robot files problem search " motions)
+  allow("scene", "formats robot files problem cost search " motions)
   allow("draw", "files " generates)
-  documents = "cost work draw scene character formats robot files " generates
+  documents = "work draw scene character formats robot files " generates
   allow("document", documents)
   allow("edit", "document " documents)
   all = "work dataset edit document " documents

@@ -72,7 +72,7 @@ struct PostureLoad {
                                                   const PostureLoad& load,
                                                   const Ergonomics& ergonomics = {});
 
-/// What one frame costs.
+/// The cost of one frame.
 struct FrameCost {
   double time = 0.0;                               ///< s
   PostureAngles angles{};                          ///< angles of the posture
@@ -174,7 +174,7 @@ struct CostInput {
   std::span<const LiftSpan> lifts{};  ///< lifts
 };
 
-/// What a motion costs the body.
+/// The cost of a motion to the body.
 struct MotionCost {
   std::vector<FrameCost> frames{};           ///< (frames) in order
   std::optional<PostureCourse> reba{};       ///< empty for a body without arms or trunk

@@ -310,7 +310,7 @@ struct BackForces {
 /// EXCLI Journal 17 (2018) 362-385) of 20 and of 60 years, linear between them, which is a guess.
 [[nodiscard]] double back_limit(double age, Sex sex);
 
-/// What a motion does not tell, with the thresholds that methods leave open.
+/// Facts that a motion does not tell, and thresholds that methods leave open.
 struct Ergonomics {
   Coupling coupling = Coupling::good;  ///< grip on the load
   bool held = false;                   ///< a part of the body is held for more than a minute

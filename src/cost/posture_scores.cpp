@@ -10,8 +10,8 @@
 namespace shigusa {
 namespace {
 
-using enum PosturePart;
-using enum PostureMethod;
+using Part = PosturePart;
+using By = PostureMethod;
 
 // Score of a part whose angle is greater than `over`, or than a threshold, in one direction. Of
 // several bands the last one counts.
@@ -29,34 +29,34 @@ constexpr auto kExtends = &PostureThresholds::neck_extends;
 constexpr auto kStraight = &PostureThresholds::straight_wrist;
 // Sources: the papers named at PostureMethod, by their worksheets.
 constexpr std::array kBands{
-    Band{reba, neck, false, radians(20), nullptr, 2},
-    Band{reba, neck, true, kAny, kExtends, 2},
-    Band{reba, trunk, false, kAny, kUpright, 2},
-    Band{reba, trunk, false, radians(20), nullptr, 3},
-    Band{reba, trunk, false, radians(60), nullptr, 4},
-    Band{reba, trunk, true, kAny, kUpright, 2},
-    Band{reba, trunk, true, radians(20), nullptr, 3},
-    Band{reba, upper_arm, false, radians(20), nullptr, 2},
-    Band{reba, upper_arm, false, radians(45), nullptr, 3},
-    Band{reba, upper_arm, false, radians(90), nullptr, 4},
-    Band{reba, upper_arm, true, radians(20), nullptr, 2},
-    Band{reba, wrist, false, radians(15), nullptr, 2},
-    Band{reba, wrist, true, radians(15), nullptr, 2},
-    Band{rula, neck, false, radians(10), nullptr, 2},
-    Band{rula, neck, false, radians(20), nullptr, 3},
-    Band{rula, neck, true, kAny, kExtends, 4},
-    Band{rula, trunk, false, kAny, kUpright, 2},
-    Band{rula, trunk, false, radians(20), nullptr, 3},
-    Band{rula, trunk, false, radians(60), nullptr, 4},
-    Band{rula, trunk, true, kAny, kUpright, 2},
-    Band{rula, upper_arm, false, radians(20), nullptr, 2},
-    Band{rula, upper_arm, false, radians(45), nullptr, 3},
-    Band{rula, upper_arm, false, radians(90), nullptr, 4},
-    Band{rula, upper_arm, true, radians(20), nullptr, 2},
-    Band{rula, wrist, false, kAny, kStraight, 2},
-    Band{rula, wrist, false, radians(15), nullptr, 3},
-    Band{rula, wrist, true, kAny, kStraight, 2},
-    Band{rula, wrist, true, radians(15), nullptr, 3},
+    Band{By::reba, Part::neck, false, radians(20), nullptr, 2},
+    Band{By::reba, Part::neck, true, kAny, kExtends, 2},
+    Band{By::reba, Part::trunk, false, kAny, kUpright, 2},
+    Band{By::reba, Part::trunk, false, radians(20), nullptr, 3},
+    Band{By::reba, Part::trunk, false, radians(60), nullptr, 4},
+    Band{By::reba, Part::trunk, true, kAny, kUpright, 2},
+    Band{By::reba, Part::trunk, true, radians(20), nullptr, 3},
+    Band{By::reba, Part::upper_arm, false, radians(20), nullptr, 2},
+    Band{By::reba, Part::upper_arm, false, radians(45), nullptr, 3},
+    Band{By::reba, Part::upper_arm, false, radians(90), nullptr, 4},
+    Band{By::reba, Part::upper_arm, true, radians(20), nullptr, 2},
+    Band{By::reba, Part::wrist, false, radians(15), nullptr, 2},
+    Band{By::reba, Part::wrist, true, radians(15), nullptr, 2},
+    Band{By::rula, Part::neck, false, radians(10), nullptr, 2},
+    Band{By::rula, Part::neck, false, radians(20), nullptr, 3},
+    Band{By::rula, Part::neck, true, kAny, kExtends, 4},
+    Band{By::rula, Part::trunk, false, kAny, kUpright, 2},
+    Band{By::rula, Part::trunk, false, radians(20), nullptr, 3},
+    Band{By::rula, Part::trunk, false, radians(60), nullptr, 4},
+    Band{By::rula, Part::trunk, true, kAny, kUpright, 2},
+    Band{By::rula, Part::upper_arm, false, radians(20), nullptr, 2},
+    Band{By::rula, Part::upper_arm, false, radians(45), nullptr, 3},
+    Band{By::rula, Part::upper_arm, false, radians(90), nullptr, 4},
+    Band{By::rula, Part::upper_arm, true, radians(20), nullptr, 2},
+    Band{By::rula, Part::wrist, false, kAny, kStraight, 2},
+    Band{By::rula, Part::wrist, false, radians(15), nullptr, 3},
+    Band{By::rula, Part::wrist, true, kAny, kStraight, 2},
+    Band{By::rula, Part::wrist, true, radians(15), nullptr, 3},
 };
 
 // A table of one-digit scores, rows of the last key first, indexed from 1.
@@ -140,7 +140,7 @@ void check(const Parts& parts, const std::array<SubScore<Parts>, size>& ranges) 
 
 int base_score(PostureMethod method, PosturePart part, double angle,
                const PostureThresholds& thresholds) {
-  if (part == lower_arm) return angle >= radians(60) && angle <= radians(100) ? 1 : 2;
+  if (part == Part::lower_arm) return angle >= radians(60) && angle <= radians(100) ? 1 : 2;
   int score = 1;
   for (const Band& band : kBands) {
     if (band.method != method || band.part != part || band.back != (angle < 0.0)) continue;

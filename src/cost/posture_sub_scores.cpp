@@ -36,8 +36,8 @@ bool forearm_ends(const ArmAngles& arm, const PostureThresholds& t) {
   return arm.forearm && (*arm.forearm < t.forearm_end || *arm.forearm > 1.0 - t.forearm_end);
 }
 
-int upper_arm(PostureMethod method, const ArmAngles& arm, bool supported,
-              const PostureThresholds& t) {
+int score_of_upper_arm(PostureMethod method, const ArmAngles& arm, bool supported,
+                       const PostureThresholds& t) {
   int score = base_score(method, PosturePart::upper_arm, arm.flexion, t);
   const bool hangs = method == PostureMethod::reba && score > 1 && arm.elevation <= t.gravity_helps;
   score += (arm.raised > t.shoulder_raised ? 1 : 0) + (arm.abduction > t.arm_abducted ? 1 : 0) -
@@ -74,7 +74,7 @@ std::optional<RebaParts> reba_parts(const PostureAngles& angles, Side side, cons
       (twisted(angles.trunk, t.trunk_aside) || aside(angles.trunk, t.trunk_aside) ? 1 : 0);
   parts.legs = legs_of_reba(angles, t);
   parts.load = (load.mass > kRebaMuch ? 2 : load.mass >= kRebaSome ? 1 : 0) + (e.shock ? 1 : 0);
-  parts.upper_arm = shigusa::upper_arm(kMethod, *arm, load.supported[index_of(side)], t);
+  parts.upper_arm = score_of_upper_arm(kMethod, *arm, load.supported[index_of(side)], t);
   parts.lower_arm = base_score(kMethod, lower_arm, arm->elbow, t);
   parts.wrist = base_score(kMethod, wrist, arm->wrist.value_or(0.0), t) +
                 (deviates(*arm, t) || forearm_ends(*arm, t) ? 1 : 0);
@@ -91,7 +91,7 @@ std::optional<RulaParts> rula_parts(const PostureAngles& angles, Side side, cons
   const PostureThresholds& t = e.thresholds;
   constexpr auto kMethod = PostureMethod::rula;
   RulaParts parts;
-  parts.upper_arm = shigusa::upper_arm(kMethod, *arm, load.supported[index_of(side)], t);
+  parts.upper_arm = score_of_upper_arm(kMethod, *arm, load.supported[index_of(side)], t);
   parts.lower_arm = base_score(kMethod, lower_arm, arm->elbow, t) +
                     (arm->across < -t.hand_across || arm->outside > t.hand_out ? 1 : 0);
   parts.wrist =
