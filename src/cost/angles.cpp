@@ -17,6 +17,9 @@ using Bone = HumanoidBone;
 // fades.
 constexpr double kBeside = 0.2588;  // sin 15°
 
+// Flexion of an elbow below which it is bent the other way, beyond hyperextension.
+constexpr double kBendsBack = radians(-10.0);
+
 std::optional<LinkPoint> point_of(const BodyModel& body, Bone bone) {
   const BodyNode* node = body.find_node(humanoid_bone_name(bone));
   if (node == nullptr) return std::nullopt;
@@ -39,6 +42,9 @@ double wrapped(double angle) {
   return angle > kPi ? angle - kTwoPi : angle < -kPi ? angle + kTwoPi : angle;
 }
 
+// An angle of several turns, brought to -π to π.
+double wrapped_far(double angle) { return angle - kTwoPi * nearest_integer(angle / kTwoPi); }
+
 }  // namespace
 
 AngleMeter::AngleMeter(const BodyModel& body, const State& home)
@@ -59,7 +65,8 @@ AngleMeter::AngleMeter(const BodyModel& body, const State& home)
                      0.0,
                      body.find_dof(JointKind::wrist, FreedomKind::flexion, side),
                      body.find_dof(JointKind::wrist, FreedomKind::deviation, side),
-                     body.find_dof(JointKind::elbow, FreedomKind::rotation, side)};
+                     body.find_dof(JointKind::elbow, FreedomKind::rotation, side),
+                     body.find_dof(JointKind::elbow, FreedomKind::flexion, side)};
     }
     if (at[3] && at[4] && at[5]) legs_[k] = Leg{*at[3], *at[4], *at[5]};
   }
@@ -137,6 +144,29 @@ TrunkAngles AngleMeter::trunk(const Kinematics<double>& placed) const {
           arc_sine(dot(line, person.cx)), atan2(dot(cross(below, above), line), dot(below, above))};
 }
 
+void AngleMeter::set_hand(const Arm& arm, std::span<const double> angles, ArmAngles& out) const {
+  const auto at = [&](const std::optional<int>& dof) {
+    return dof ? wrapped_far(angles[index(*dof)]) : 0.0;
+  };
+  double flexion = at(arm.flexion);
+  double deviation = at(arm.deviation);
+  double rotation = at(arm.rotation);
+  // fitted angles may be the other ones of the same posture, with the elbow or the hand bent the
+  // other way
+  if (at(arm.bend) < kBendsBack) rotation = wrapped(rotation + kPi);
+  if (arm.flexion && arm.deviation && arm.rotation && abs(flexion) > 0.5 * kPi) {
+    flexion = wrapped(kPi - flexion);
+    deviation = wrapped(deviation + kPi);
+    rotation = wrapped(rotation + kPi);
+  }
+  if (arm.flexion) out.wrist = wrapped(flexion - neutral_[index(*arm.flexion)]);
+  if (arm.deviation) out.deviation = wrapped(deviation - neutral_[index(*arm.deviation)]);
+  if (!arm.rotation) return;
+  const Dof& dof = body_.dof(*arm.rotation);
+  const double range = dof.upper - dof.lower;
+  out.forearm = range > 0.0 ? clamp((rotation - dof.lower) / range, 0.0, 1.0) : 0.5;
+}
+
 ArmAngles AngleMeter::arm(const Arm& arm, double side, const Mat3d& trunk,
                           const Kinematics<double>& placed, std::span<const double> angles) const {
   const Vec3d shoulder = arm.shoulder.in(placed);
@@ -156,18 +186,7 @@ ArmAngles AngleMeter::arm(const Arm& arm, double side, const Mat3d& trunk,
   out.elbow = kPi - angle_between(shoulder - elbow, wrist - elbow);
   out.across = side * dot(trunk.cx, wrist - c7_->in(placed));
   out.outside = side * dot(trunk.cx, wrist - shoulder);
-  const auto from_neutral = [&](const std::optional<int>& dof) -> std::optional<double> {
-    if (!dof) return std::nullopt;
-    return angles[index(*dof)] - neutral_[index(*dof)];
-  };
-  out.wrist = from_neutral(arm.flexion);
-  out.deviation = from_neutral(arm.deviation);
-  if (arm.rotation) {
-    const Dof& dof = body_.dof(*arm.rotation);
-    const double range = dof.upper - dof.lower;
-    const double at = angles[index(*arm.rotation)] - dof.lower;
-    out.forearm = range > 0.0 ? clamp(at / range, 0.0, 1.0) : 0.5;
-  }
+  set_hand(arm, angles, out);
   return out;
 }
 

@@ -41,6 +41,7 @@ class AngleMeter {
     std::optional<int> flexion{};
     std::optional<int> deviation{};
     std::optional<int> rotation{};
+    std::optional<int> bend{};  // flexion of the elbow
   };
   struct Leg {
     LinkPoint hip;
@@ -58,6 +59,7 @@ class AngleMeter {
   [[nodiscard]] ArmAngles arm(const Arm& arm, double side, const Mat3d& trunk,
                               const Kinematics<double>& placed,
                               std::span<const double> angles) const;
+  void set_hand(const Arm& arm, std::span<const double> angles, ArmAngles& out) const;
   [[nodiscard]] std::optional<double> on_left(const Kinematics<double>& placed,
                                               std::span<const double> angles) const;
 
