@@ -170,6 +170,8 @@ TEST_F(Angles, AreMirrored) {
     EXPECT_NEAR(at.trunk->twist, -mirrored.trunk->twist, 1e-7);
     EXPECT_NEAR(at.neck->twist, -mirrored.neck->twist, 1e-7);
     EXPECT_NEAR(at.on_left.value(), 1.0 - mirrored.on_left.value(), 1e-6);
+    EXPECT_EQ(reba_parts(at, Side::left, {}), reba_parts(mirrored, Side::right, {}));
+    EXPECT_EQ(rula_parts(at, Side::right, {}), rula_parts(mirrored, Side::left, {}));
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_NEAR(at.arms[k]->flexion, mirrored.arms[1 - k]->flexion, 1e-7);
       EXPECT_NEAR(at.arms[k]->abduction, mirrored.arms[1 - k]->abduction, 1e-7);
