@@ -21,11 +21,11 @@ constexpr std::array kMomentBands{ScaleBand{40, "g1"}, ScaleBand{80, "y"}, Scale
 constexpr std::array kLiftBands{ScaleBand{1, "g1"}, ScaleBand{3, "y"}, ScaleBand{5, "r"}};
 
 // Size of a plot and the room for its labels, in the SVG's units.
-constexpr double kWide = 340.0;
-constexpr double kTall = 92.0;
-constexpr double kLeft = 26.0;
-constexpr double kBelow = 14.0;
-constexpr double kAbove = 12.0;
+constexpr double kPlotWidth = 340.0;
+constexpr double kPlotHeight = 92.0;
+constexpr double kValueRoom = 26.0;
+constexpr double kTimeRoom = 14.0;
+constexpr double kNameRoom = 12.0;
 
 constexpr std::array<std::string_view, 2> kLineStyles{"", " stroke-dasharray=\"4 2\""};
 
@@ -75,27 +75,27 @@ std::string bar_row(const CostScale& scale, double value, std::string_view about
 std::string plot_over_time(const CostScale& scale, std::span<const PlotLine> lines, double duration,
                            std::span<const double> begins) {
   const double most = scale.bands.back().most;
-  const double height = kTall - kAbove - kBelow;
+  const double height = kPlotHeight - kNameRoom - kTimeRoom;
   const auto x_of = [&](double time) {
-    return kLeft + (kWide - kLeft - 4.0) * (duration > 0.0 ? time / duration : 0.0);
+    return kValueRoom + (kPlotWidth - kValueRoom - 4.0) * (duration > 0.0 ? time / duration : 0.0);
   };
   const auto y_of = [&](double value) {
-    return kAbove + height * (1.0 - std::clamp(value / most, 0.0, 1.0));
+    return kNameRoom + height * (1.0 - std::clamp(value / most, 0.0, 1.0));
   };
-  std::string svg =
-      fmt::format("<svg viewBox=\"0 0 {:g} {:g}\" class=\"plot\" role=\"img\">", kWide, kTall);
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {:g} {:g}\" class=\"plot\" role=\"img\">",
+                                kPlotWidth, kPlotHeight);
   double from = 0.0;
   for (const ScaleBand& band : scale.bands) {
     svg += fmt::format(
         "<rect class=\"{} pale\" x=\"{:g}\" y=\"{:.1f}\" width=\"{:g}\" height=\"{:.1f}\"/>"
         "<text x=\"{:g}\" y=\"{:.1f}\" text-anchor=\"end\">{:g}</text>",
-        band.colour, kLeft, y_of(band.most), kWide - kLeft - 4.0, y_of(from) - y_of(band.most),
-        kLeft - 3.0, y_of(band.most) + 3.0, band.most);
+        band.colour, kValueRoom, y_of(band.most), kPlotWidth - kValueRoom - 4.0,
+        y_of(from) - y_of(band.most), kValueRoom - 3.0, y_of(band.most) + 3.0, band.most);
     from = band.most;
   }
   for (const double time : begins) {
-    svg +=
-        fmt::format("<path class=\"begin\" d=\"M{:.1f} {:g}v{:g}\"/>", x_of(time), kAbove, height);
+    svg += fmt::format("<path class=\"begin\" d=\"M{:.1f} {:g}v{:g}\"/>", x_of(time), kNameRoom,
+                       height);
   }
   std::string legend;
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -120,9 +120,9 @@ std::string plot_over_time(const CostScale& scale, std::span<const PlotLine> lin
   const double step = time_step(duration);
   for (int k = 0; k * step <= duration + 1e-9; ++k) {
     svg += fmt::format("<text x=\"{:.1f}\" y=\"{:g}\" text-anchor=\"middle\">{:g}{}</text>",
-                       x_of(k * step), kTall - 3.0, k * step, k == 0 ? " s" : "");
+                       x_of(k * step), kPlotHeight - 3.0, k * step, k == 0 ? " s" : "");
   }
-  svg += fmt::format("<text class=\"name\" x=\"{:g}\" y=\"8\">{}{}{}{}</text></svg>\n", kLeft,
+  svg += fmt::format("<text class=\"name\" x=\"{:g}\" y=\"8\">{}{}{}{}</text></svg>\n", kValueRoom,
                      scale.name, scale.unit.empty() ? "" : ", ", scale.unit, markup_text(legend));
   return svg;
 }

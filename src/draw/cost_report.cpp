@@ -26,23 +26,24 @@ constexpr std::size_t kJoints = 6;     // joints listed, the most loaded first
 constexpr std::size_t kReasons = 3;    // of the verdict
 constexpr double kStripWidth = 180.0;  // mm
 constexpr int kStripPoses = 8;
-constexpr double kSamePose = 0.1;  // s, worst moments that near are one pose
+constexpr double kPoseWidth = 27.0;  // mm, of a worst moment
+constexpr double kSamePose = 0.1;    // s, worst moments that near are one pose
 
 constexpr std::array<std::string_view, kRebaLevels> kRebaWords{"negligible", "low", "medium",
                                                                "high", "very high"};
 constexpr std::array<std::string_view, kRulaLevels> kRulaWords{"acceptable", "investigate",
                                                                "change soon", "change at once"};
 
-constexpr std::string_view kStyle =
+constexpr std::string_view kReportStyle =
     "@page{size:A4;margin:11mm}"
     "body{font:10.5px/1.35 \"DejaVu Sans\",system-ui,sans-serif;color:#111;background:#fff;"
     "max-width:188mm;margin:0 auto;padding:4mm 0}"
     "h1{font-size:17px;margin:0 0 2px}h2{font-size:12px;margin:9px 0 3px;border-bottom:1px solid "
     "#bbb}p{margin:2px 0}.quiet{color:#555}table{border-collapse:collapse;width:100%}"
-    "th,td{text-align:left;padding:1px 6px 1px 0;vertical-align:top;font-weight:normal}"
+    "th,td{text-align:left;padding:1px 6px;vertical-align:top;font-weight:normal}"
     "thead th{color:#555;border-bottom:1px solid #ccc}td.n{text-align:right}"
-    "img{width:100%}td.bar{width:210px}td.bar svg{width:204px;height:16px}"
-    "td.value{white-space:nowrap;padding:1px 6px}"
+    "img{display:block;max-width:100%}td.bar{width:210px}td.bar svg{width:204px;height:16px}"
+    "td.value{white-space:nowrap;padding:1px 6px}td.value+td{padding-left:6px}"
     ".g1{fill:#3a9d4a;background:#bfe3c4}.g2{fill:#9ccc65;background:#dcedc8}"
     ".y{fill:#f2c230;background:#fbe9a8}.o{fill:#ee8a2b;background:#fbd3ab}"
     ".r{fill:#d23a32;background:#f4b9b5}.pale{opacity:.3}"
@@ -52,6 +53,8 @@ constexpr std::string_view kStyle =
     ".plot{width:100%}.plot text{font-size:7px;fill:#333}.plot .name{font-size:8px;fill:#000}"
     ".page{break-before:page}ul{margin:2px 0;padding-left:15px}"
     "tr,li,.plot{break-inside:avoid}";
+
+std::string_view word_of_side(Side side) { return side == Side::left ? "left" : "right"; }
 
 double kilo(double value) { return kPerKilo * value; }
 
@@ -67,8 +70,8 @@ std::string cell(const CostScale& scale, const std::optional<double>& value) {
   return fmt::format("<td class=\"value {}\">{:.3g}</td>", colour_of(scale, *value), *value);
 }
 
-// An SVG as a picture in the page, apart from its names.
-std::string picture(std::string_view svg, std::string_view about) {
+// An SVG as a picture in the page, of a width (mm), apart from its names.
+std::string picture(std::string_view svg, std::string_view about, double width) {
   std::string data;
   for (const char c : svg) {
     switch (c) {
@@ -91,14 +94,15 @@ std::string picture(std::string_view svg, std::string_view about) {
         data += c;
     }
   }
-  return fmt::format("<img alt=\"{}\" src=\"data:image/svg+xml;charset=utf-8,{}\"/>\n",
-                     markup_text(about), data);
+  return fmt::format(
+      "<img alt=\"{}\" style=\"width:{:g}mm\" src=\"data:image/svg+xml;charset=utf-8,{}\"/>\n",
+      markup_text(about), width, data);
 }
 
 // What the page says of one report.
-class Page {
+class ReportPage {
  public:
-  explicit Page(const CostReport& report) : report_(report), cost_(report.cost) {}
+  explicit ReportPage(const CostReport& report) : report_(report), cost_(report.cost) {}
 
   Result<std::string> html() const {
     const std::string name = title();
@@ -106,7 +110,7 @@ class Page {
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>"
         "<meta name=\"viewport\" content=\"width=device-width\"/><title>{0}</title>"
         "<style>{1}</style></head><body>\n<h1>{0}</h1>\n",
-        markup_text(name), kStyle);
+        markup_text(name), kReportStyle);
     text += who();
     SHG_TRY_ASSIGN(const std::string pictures, strips());
     text += pictures + bars() + actions() + helps();
@@ -169,21 +173,24 @@ class Page {
     if (strip.settings.frames.empty()) strip.settings.poses = kStripPoses;
     SHG_TRY_ASSIGN(const std::string whole,
                    draw_strip(strip.motion, strip.overlay, strip.settings));
-    std::string text = picture(whole, "The motion as poses from left to right");
+    std::string text = picture(whole, "The motion as poses from left to right", kStripWidth);
     const auto worst = worst_frames();
     if (worst.empty()) return text;
-    strip.settings.frames.clear();
+    // times count from the first pose
+    strip.settings.frames = {0};
     std::string caption;
     for (const auto& [frame, says] : worst) {
-      strip.settings.frames.push_back(frame);
+      if (frame > 0) strip.settings.frames.push_back(frame);
       caption += fmt::format("{}{:.2f} s: {}", caption.empty() ? "" : "; ",
                              frame * report_.candidate.motion.clip.frame_time, says);
     }
     strip.overlay.caption = "Worst moments. " + caption;
     strip.overlay.actions.clear();
+    const auto poses = static_cast<double>(strip.settings.frames.size());
+    strip.settings.width_mm = std::min(kStripWidth, kPoseWidth * poses);
     SHG_TRY_ASSIGN(const std::string moments,
                    draw_strip(strip.motion, strip.overlay, strip.settings));
-    return text + picture(moments, strip.overlay.caption);
+    return text + picture(moments, strip.overlay.caption, strip.settings.width_mm);
   }
 
   // `words`: of the levels; `soon`: the one at which something should be changed soon.
@@ -196,8 +203,8 @@ class Page {
     return bar_row(scale, course.score.worst,
                    fmt::format("{}; {} side at {:.2f} s; mean {:.1f}; {:.0f} % of the time "
                                "{} or more",
-                               words[level], word_of(course.side), course.time, course.score.mean,
-                               100.0 * course.above[soon], words[soon]));
+                               words[level], word_of_side(course.side), course.time,
+                               course.score.mean, 100.0 * course.above[soon], words[soon]));
   }
 
   [[nodiscard]] std::string bars() const {
@@ -377,7 +384,7 @@ class Page {
     std::string rows;
     for (const ZoneCourse& zone : cost_.zones) {
       const std::string name =
-          fmt::format("{}{}{}", zone.side ? word_of(*zone.side) : std::string_view(),
+          fmt::format("{}{}{}", zone.side ? word_of_side(*zone.side) : std::string_view(),
                       zone.side ? " " : "", part_words(word_of(zone.part)));
       rows += fmt::format("<tr><td>{}</td><td class=\"n\">{:.0f}°</td>", markup_text(name),
                           degrees(zone.greatest));
@@ -466,6 +473,6 @@ CostPeaks cost_peaks(const MotionCost& cost) {
   return peaks;
 }
 
-Result<std::string> cost_report(const CostReport& report) { return Page(report).html(); }
+Result<std::string> cost_report(const CostReport& report) { return ReportPage(report).html(); }
 
 }  // namespace shigusa
