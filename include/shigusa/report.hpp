@@ -6,8 +6,10 @@
 #include <shigusa/error.hpp>
 #include <shigusa/generate.hpp>
 #include <shigusa/request.hpp>
+#include <shigusa/run.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace shigusa {
 
@@ -22,6 +24,7 @@ struct CostPeaks {
   /// The greatest as a share of where its method asks for a change at once: REBA 11, RULA 7,
   /// kBackPermissible, LI 3; a lift without an allowed load counts as 2.
   [[nodiscard]] double worst() const;
+  [[nodiscard]] double mean() const;  ///< mean of these shares
 };
 /// Takes the greatest values of a cost.
 [[nodiscard]] CostPeaks cost_peaks(const MotionCost& cost);
@@ -32,6 +35,15 @@ struct TriedChange {
   CostPeaks peaks{};     ///< what the best motion costs then
   Verdict verdict{};     ///< whether it can be made
 };
+
+/// Searches a task anew after each of a few changes: everything nearer, higher or lower, half the
+/// load, both hands. Returns the three that lower the worst share of the best motion most; those
+/// whose goals are not met are left out. Fails as candidate_cost does, and with
+/// ErrorCode::cancelled.
+[[nodiscard]] Result<std::vector<TriedChange>> try_changes(const Task& task,
+                                                           const Candidate& candidate,
+                                                           const Ergonomics& ergonomics,
+                                                           const Progress& progress = {});
 
 /// A motion and its cost, for a report.
 struct CostReport {

@@ -6,11 +6,11 @@
 #include <shigusa/draw.hpp>
 #include <shigusa/report.hpp>
 
-#include "candidate_strip.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "core/text.hpp"
-#include "cost_plots.hpp"
+#include "draw/candidate_strip.hpp"
+#include "draw/cost_plots.hpp"
 
 namespace shigusa {
 namespace {
@@ -451,13 +451,32 @@ class ReportPage {
 
 }  // namespace
 
+namespace {
+
+// Shares of where each method asks for a change at once.
+std::vector<double> shares_of(const CostPeaks& peaks) {
+  std::vector<double> shares;
+  if (peaks.no_load) shares.push_back(kNoLoad);
+  if (peaks.reba) shares.push_back(*peaks.reba / kRebaAtOnce);
+  if (peaks.rula) shares.push_back(*peaks.rula / kRulaAtOnce);
+  if (peaks.compression) shares.push_back(*peaks.compression / kBackPermissible);
+  if (peaks.lifting) shares.push_back(*peaks.lifting / kLiftAtOnce);
+  return shares;
+}
+
+}  // namespace
+
 double CostPeaks::worst() const {
-  double most = no_load ? kNoLoad : 0.0;
-  if (reba) most = std::max(most, *reba / kRebaAtOnce);
-  if (rula) most = std::max(most, *rula / kRulaAtOnce);
-  if (compression) most = std::max(most, *compression / kBackPermissible);
-  if (lifting) most = std::max(most, *lifting / kLiftAtOnce);
+  double most = 0.0;
+  for (const double share : shares_of(*this)) most = std::max(most, share);
   return most;
+}
+
+double CostPeaks::mean() const {
+  const std::vector<double> shares = shares_of(*this);
+  double sum = 0.0;
+  for (const double share : shares) sum += share;
+  return shares.empty() ? 0.0 : sum / static_cast<double>(shares.size());
 }
 
 CostPeaks cost_peaks(const MotionCost& cost) {
