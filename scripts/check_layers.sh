@@ -98,7 +98,7 @@ BEGIN {
   face("scene", "scene")
   face("draw", "draw")
   face("character", "character")
-  face("document", "files score")
+  face("document", "files report score")
   face("edit", "edit")
   face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export dataset_read")
   face("shigusa", "shigusa")

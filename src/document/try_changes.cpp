@@ -6,7 +6,7 @@
 #include <shigusa/report.hpp>
 #include <shigusa/score.hpp>
 
-#include "core/index.hpp"
+#include "kinematics/forward_kinematics.hpp"
 
 namespace shigusa {
 namespace {
