@@ -25,6 +25,7 @@ constexpr double kPerKilo = 1e-3;
 constexpr std::size_t kJoints = 6;     // joints listed, the most loaded first
 constexpr std::size_t kReasons = 3;    // of the verdict
 constexpr double kStripWidth = 180.0;  // mm
+constexpr double kLeastStrip = 100.0;  // mm, that may be drawn
 constexpr int kStripPoses = 8;
 constexpr double kPoseWidth = 27.0;  // mm, of a worst moment
 constexpr double kSamePose = 0.1;    // s, worst moments that near are one pose
@@ -187,10 +188,11 @@ class ReportPage {
     strip.overlay.caption = "Worst moments. " + caption;
     strip.overlay.actions.clear();
     const auto poses = static_cast<double>(strip.settings.frames.size());
-    strip.settings.width_mm = std::min(kStripWidth, kPoseWidth * poses);
+    const double width = std::min(kStripWidth, kPoseWidth * poses);
+    strip.settings.width_mm = std::max(width, kLeastStrip);
     SHG_TRY_ASSIGN(const std::string moments,
                    draw_strip(strip.motion, strip.overlay, strip.settings));
-    return text + picture(moments, strip.overlay.caption, strip.settings.width_mm);
+    return text + picture(moments, strip.overlay.caption, width);
   }
 
   // `words`: of the levels; `soon`: the one at which something should be changed soon.
