@@ -66,7 +66,7 @@ std::string bar_row(const CostScale& scale, double value, std::string_view about
   bar += fmt::format("<path class=\"mark\" d=\"M{0:.1f} 0v16\"/>", at);
   return fmt::format(
       "<tr><th>{}</th><td class=\"bar\"><svg viewBox=\"-2 0 204 16\" role=\"img\" "
-      "aria-label=\"{} of {:g}\">{}</svg></td><td class=\"value {}\">{:.4g} {}</td><td>{}</td>"
+      "aria-label=\"{} of {:g}\">{}</svg></td><td class=\"value {}\">{:.3g} {}</td><td>{}</td>"
       "</tr>\n",
       scale.name, fmt::format("{:.4g}", value), most, bar, colour_of(scale, value), value,
       scale.unit, about);
