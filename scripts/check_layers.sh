@@ -56,21 +56,22 @@ BEGIN {
   allow("kinematics", "motion " persons)
   allow("dynamics", "kinematics motion body math core")
   allow("criteria", "dynamics kinematics motion body math core")
+  allow("cost", "criteria dynamics kinematics motion body math core")
   allow("plan", "criteria dynamics kinematics motion body math core")
   motions = "plan criteria dynamics kinematics motion " persons " simd"
   allow("rollout", motions)
   motions = "rollout " motions
   allow("nlp", motions)
   allow("paper", motions)
-  allow("problem", "search " motions)
-  generates = "nlp paper problem search " motions
+  allow("problem", "cost search " motions)
+  generates = "nlp paper problem cost search " motions
   allow("generate", generates)
   generates = "generate " generates
   allow("work", generates)
   allow("robot", "kinematics motion " persons)
   allow("formats", "robot files motion " persons)
   allow("character", "formats robot files criteria dynamics kinematics motion " persons)
-  allow("scene", "formats robot files problem search " motions)
+  allow("scene", "formats robot files problem cost search " motions)
   allow("draw", "files " generates)
   documents = "work draw scene character formats robot files " generates
   allow("document", documents)
@@ -87,6 +88,7 @@ BEGIN {
   face("body", "body goal motion action")
   face("human", "human")
   face("criteria", "criteria habit")
+  face("cost", "cost ergonomics")
   face("dynamics", "kinematics")
   face("search", "search")
   face("plan", "parameters")
@@ -96,7 +98,7 @@ BEGIN {
   face("scene", "scene")
   face("draw", "draw")
   face("character", "character")
-  face("document", "files score")
+  face("document", "files report score")
   face("edit", "edit")
   face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export dataset_read")
   face("shigusa", "shigusa")

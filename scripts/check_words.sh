@@ -22,7 +22,7 @@ sources=$(find include src apps bindings examples bench tests studio/src \( -nam
 pages=$(find README.md CONTRIBUTING.md docs -name '*.md' ! -path "$glossary" 2>/dev/null | LC_ALL=C sort) || true
 
 joints='"_?((left|right)_)?(hips?|knee|ankle|toes|foot|spine|chest|upper_chest|neck|jaw|clavicle|shoulder|elbow|wrist|hand|thigh|shank|(upper|lower)_(arm|leg))(\.[a-z]+)?"'
-named='^(src/(human|rig|measure|robot|formats|plan|core/messages)/|src/draw/mannequin|dataset/(export|show)_|include/shigusa/(body|goal)\.hpp|src/body/(joint_name|further_effectors|posture_modes|seat)\.|src/character/landmarks_json|src/document/(joint_names|character_export)|src/problem/task_supports)'
+named='^(src/(human|rig|measure|robot|formats|plan|core/messages)/|src/draw/mannequin|dataset/(export|show)_|include/shigusa/(body|ergonomics|goal)\.hpp|src/cost/posture_parts|src/body/(joint_name|further_effectors|posture_modes|seat)\.|src/character/landmarks_json|src/document/(joint_names|character_export)|src/problem/task_supports)'
 kernel=$(find include src dataset \( -name '*.hpp' -o -name '*.cpp' \) -print 2>/dev/null | LC_ALL=C sort | LC_ALL=C grep -vE "$named") || true
 
 # found PLACES-WITH-TEXT MESSAGE: prints the places, if there are any, and the message

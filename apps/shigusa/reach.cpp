@@ -7,9 +7,12 @@
 #include <memory>
 #include <shigusa/error.hpp>
 #include <shigusa/files.hpp>
+#include <shigusa/report.hpp>
 #include <shigusa/run.hpp>
+#include <shigusa/score.hpp>
 
 #include "commands.hpp"
+#include "files/file.hpp"
 #include "next_step.hpp"
 #include "table.hpp"
 #include "usage.hpp"
@@ -28,6 +31,7 @@ struct ReachOptions {
   std::string out = "out";
   FileOptions files;
   bool json = false;
+  std::string report;  // file, or empty
 };
 
 // Options for the computation that do not change results.
@@ -135,6 +139,21 @@ void note_other_axes(const Task& task) {
   }
 }
 
+// Writes the report of the first candidate's cost, with the changes that would help.
+Result<void> write_report(const ReachOptions& options, const TaskFile& file, const Task& task,
+                          const GenerateResult& generation) {
+  const Candidate& best = generation.candidates.front();
+  const Ergonomics ergonomics = ergonomics_of(file, file.character.sex);
+  SHG_TRY_ASSIGN(const MotionCost cost, candidate_cost(task, best, ergonomics));
+  SHG_TRY_ASSIGN(const std::vector<TriedChange> changes,
+                 try_changes(task, best, ergonomics, terminal_progress()));
+  end_progress_line();
+  SHG_TRY_ASSIGN(const std::string html, cost_report({task, best, cost, ergonomics, changes, {}}));
+  SHG_TRY(placed("--report", write_file(options.report, html)));
+  if (!options.json) print_out("\n{}\n", options.report);
+  return {};
+}
+
 Result<int> reach(const ReachOptions& options) {
   SHG_TRY(placed("--formats", parse_formats(options.files.formats.value_or(""))));
   SHG_TRY_ASSIGN(const BatchSettings batch, batch_settings(options));
@@ -176,8 +195,11 @@ Result<int> reach(const ReachOptions& options) {
   if (!generation) {
     return tl::unexpected(works ? in_task(generation.error(), options) : generation.error());
   }
-  return deliver({file, task, *generation, search_info(task, begin)},
-                 {.folder = options.out, .settings = settings, .json = options.json});
+  SHG_TRY_ASSIGN(const int code,
+                 deliver({file, task, *generation, search_info(task, begin)},
+                         {.folder = options.out, .settings = settings, .json = options.json}));
+  if (!options.report.empty()) SHG_TRY(write_report(options, file, task, *generation));
+  return code;
 }
 
 void add_search_options(CLI::App& c, ReachOptions& o) {
@@ -258,6 +280,13 @@ void add_reach(CLI::App& app, int& exit_code) {
   add_file_options(*c, o.files, {.usual = usual_formats_help(), .rate = "60"});
   describe(c->add_flag("--json", o.json), {.group = heading(OptionGroup::output),
                                            .brief = "Print summary.json instead of the table"});
+  describe(c->add_option("--report", o.report),
+           {.group = heading(OptionGroup::output),
+            .brief = "Report of what the first motion costs the body (HTML, two pages)",
+            .full = "Writes what the first motion costs the body as one HTML file that prints on "
+                    "two A4 pages, with the changes of the task that would help most; each of "
+                    "these is searched anew.",
+            .form = "FILE"});
   c->callback([options, &exit_code] { exit_code = exit_code_of(reach(*options)); });
 }
 

@@ -24,6 +24,7 @@ struct ScoreOptions {
   std::string frames;  // FIRST:LAST, or empty for all
   std::optional<std::string> criteria;
   std::optional<double> smooth;  // Hz
+  bool cost = false;
   bool json = false;
 };
 
@@ -88,18 +89,21 @@ Result<int> score_actions(const ScoreOptions& options, const ScoreSettings& sett
   if (character.source == options.clip) character.frame = settings.first;
   SHG_TRY_ASSIGN(const RecordedMotion recorded,
                  read_clip(options.clip, options.person, std::move(character), settings.first));
-  const Result<WorkScore> score = score_work(recorded, task, settings);
+  ScoreSettings asked = settings;
+  if (options.cost || task.cost) asked.ergonomics = ergonomics_of(task, file.character.sex);
+  const Result<WorkScore> score = score_work(recorded, task, asked);
   if (!score) return fail(score.error().code, score.error().to_string(), options.clip);
   for (const Message& doubt : recorded.doubts) note(recorded.body.name(), doubt.text);
   for (const Message& doubt : score->doubts) note(options.clip, doubt.text);
   if (options.json) {
-    print_out("{}", format_work_score(options.clip, recorded, settings, *score));
+    print_out("{}", format_work_score(options.clip, recorded, asked, *score));
     return kDone;
   }
   for (const ActionScore& action : score->actions) {
     print_out("{}", hanging(action_words(action)));
   }
   print_out("{}, score {:.4f}\n", word_of(score->judgement.verdict), score->score.total);
+  if (score->cost) print_out("\n{}", cost_lines(*score->cost));
   return kDone;
 }
 
@@ -120,6 +124,7 @@ Result<int> score(const ScoreOptions& options) {
   if (character.source == options.clip) character.frame = settings.first;
   SHG_TRY_ASSIGN(const RecordedMotion recorded,
                  read_clip(options.clip, options.person, std::move(character), settings.first));
+  if (options.cost) settings.ergonomics.emplace();
   const Result<ClipScore> score = score_clip(recorded, settings);
   if (!score) return fail(score.error().code, score.error().to_string(), options.clip);
   for (const Message& doubt : recorded.doubts) note(recorded.body.name(), doubt.text);
@@ -128,6 +133,7 @@ Result<int> score(const ScoreOptions& options) {
     print_out("{}", format_clip_score(options.clip, recorded, settings, *score));
   } else {
     print_score(recorded, settings, *score);
+    if (score->cost) print_out("{}\n", cost_lines(*score->cost));
   }
   return kDone;
 }
@@ -177,6 +183,12 @@ void add_score(CLI::App& app, int& exit_code) {
             .full = "What is faster than this, in Hz, is taken for noise of the record: 6 when not "
                     "given; with 0 nothing is.",
             .form = "HZ"});
+  describe(c->add_flag("--cost", o.cost),
+           {.group = scoring,
+            .brief = "Tell the cost to the body: REBA, RULA, NIOSH, L5/S1, strengths",
+            .full = "What the motion costs the body by REBA, RULA, EN 1005-4 and, with a task, the "
+                    "revised NIOSH lifting equation, the loads at L5/S1, and joint torques beside "
+                    "people's strengths; with the ergonomics of the task."});
   describe(c->add_flag("--json", o.json),
            {.group = heading(OptionGroup::output), .brief = "Print JSON"});
   c->callback([options, &exit_code] { exit_code = exit_code_of(score(*options)); });

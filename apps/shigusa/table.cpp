@@ -326,6 +326,57 @@ std::string score_table(const BodyModel& body, const ClipScore& scored) {
   return "\n" + row.text() + penalties.text() + zero_line(penalties.zeros(), row.zeros()) + "\n";
 }
 
+std::string cost_lines(const MotionCost& cost) {
+  std::string text;
+  const auto add = [&text](const std::string& line) { text += hanging(line); };
+  const auto posture = [&](const char* name, const std::optional<PostureCourse>& course,
+                           std::size_t from, const char* level) {
+    if (!course) return;
+    add(fmt::format(
+        "{} {} at most, at {:.2f} s ({} arm), {:.1f} on average; {:.0f} % of the time "
+        "{} or more",
+        name, course->score.worst, course->time, course->side == Side::left ? "left" : "right",
+        course->score.mean, 100.0 * course->above[from], level));
+  };
+  posture("REBA", cost.reba, 3, "high (8)");
+  posture("RULA", cost.rula, 2, "to be changed soon (5)");
+  if (cost.back) {
+    std::string line = fmt::format("L5/S1 {:.0f} N m at {:.2f} s", cost.back->moment.value,
+                                   cost.back->moment.time);
+    if (const auto& forces = cost.back->forces) {
+      line += fmt::format(
+          ", compression {:.0f} N at {:.2f} s (limits {:.0f} and {:.0f}), shear "
+          "{:.0f} N",
+          forces->compression.value, forces->compression.time, kBackActionLimit, kBackPermissible,
+          forces->shear.value);
+      if (forces->limit) line += fmt::format("; limit by age {:.0f} N", *forces->limit);
+    }
+    add(line);
+  }
+  const auto weakest = std::min_element(
+      cost.strengths.begin(), cost.strengths.end(),
+      [](const StrengthCost& a, const StrengthCost& b) { return a.able < b.able; });
+  if (weakest != cost.strengths.end()) {
+    add(fmt::format("{:.0f} % of people are strong enough: {} needs {:.0f} N m at {:.2f} s",
+                    100.0 * weakest->able, printable(weakest->dof), weakest->torque,
+                    weakest->time));
+  }
+  for (const LiftCost& lift : cost.lifts) {
+    const std::string ends = fmt::format(
+        "{}, {:g} kg: RWL {:.1f} kg where it is taken, {:.1f} kg "
+        "where it is put",
+        printable(lift.span.thing), lift.span.mass, lift.at_origin.limit,
+        lift.at_destination.limit);
+    add(ends + (lift.index ? fmt::format("; LI {:.2f}", *lift.index) : "; no load is allowed"));
+    for (const Message& note : lift.notes) add("  " + printable(note.text));
+  }
+  if (cost.repeated && cost.repeated->index) {
+    add(fmt::format("composite lifting index {:.2f}", *cost.repeated->index));
+  }
+  for (const Message& note : cost.notes) add(printable(note.text));
+  return text;
+}
+
 Result<int> deliver(const FinishedRun& run, const Delivery& delivery) {
   const auto& [folder, settings, json] = delivery;
   SHG_TRY_ASSIGN(const WrittenResult written, write_result(folder, run, settings));
@@ -337,6 +388,12 @@ Result<int> deliver(const FinishedRun& run, const Delivery& delivery) {
     print_out("{}", written.summary);
   } else {
     print_out("{}{}", headline(run), candidate_table(run.task.body, generation.candidates, start));
+    for (std::size_t i = 0; run.task.cost && i < generation.candidates.size(); ++i) {
+      const Ergonomics ergonomics = ergonomics_of(run.task, run.file.character.sex);
+      SHG_TRY_ASSIGN(const MotionCost cost,
+                     candidate_cost(run.task, generation.candidates[i], ergonomics));
+      print_out("candidate {}\n{}\n", i + 1, cost_lines(cost));
+    }
     const std::string_view ending = picture_ending(settings.formats);
     for (std::size_t i = 0; !ending.empty() && i < generation.candidates.size(); ++i) {
       print_out("{}\n", (folder / fmt::format("candidate-{}{}", i + 1, ending)).string());

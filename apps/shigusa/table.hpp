@@ -11,6 +11,9 @@ namespace shigusa::app {
 // Score and measures of a recorded motion as a text table.
 [[nodiscard]] std::string score_table(const BodyModel& body, const ClipScore& scored);
 
+// The cost of a motion to the body as lines.
+[[nodiscard]] std::string cost_lines(const MotionCost& cost);
+
 // Output settings of a result.
 struct Delivery {
   std::filesystem::path folder;  // that it is written to

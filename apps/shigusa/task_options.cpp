@@ -328,6 +328,8 @@ Result<Value> parse(const AnyField& field, const std::string& text) {
     return placed(field.traits.option, mixture_named(text));
   } else if constexpr (std::same_as<Value, Habit>) {
     return placed(field.traits.option, habit_of(text));
+  } else if constexpr (std::same_as<Value, Ergonomics>) {
+    return Ergonomics{};  // of files alone, as its field has no option
   } else if constexpr (std::same_as<Value, std::string>) {
     return text;
   } else if constexpr (std::same_as<Value, Texts>) {

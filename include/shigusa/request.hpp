@@ -7,6 +7,7 @@
 #include <shigusa/action.hpp>
 #include <shigusa/body.hpp>
 #include <shigusa/criteria.hpp>
+#include <shigusa/ergonomics.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/goal.hpp>
 #include <shigusa/habit.hpp>
@@ -190,6 +191,10 @@ struct Request {
   int phases = 1;
   /// The motion of the character's fingers, where it has some.
   FingerPlay finger_play = FingerPlay::grip;
+  /// Whether results tell what each motion costs the body, see motion_cost.
+  bool cost = false;
+  /// Facts that a motion does not tell, for its cost.
+  Ergonomics ergonomics{};
   /// The seed of all random numbers: the same seed gives the same motions.
   std::uint64_t seed = 0;
   /// Largest number of candidates delivered, 1..1000.

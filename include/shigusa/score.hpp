@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <shigusa/character.hpp>
+#include <shigusa/cost.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/generate.hpp>
 #include <shigusa/motion.hpp>
@@ -32,10 +33,13 @@ struct ScoreSettings {
   std::optional<int> last{};  ///< last frame to score, included; empty: the file's last
   /// Cutoff of the smoothing, Hz; 0: no smoothing.
   double cutoff = kMotionCutoff;
+  /// Facts that the motion does not tell, for its cost to the body; empty: no cost is computed.
+  std::optional<Ergonomics> ergonomics{};
 };
 
 /// A request to score a clip, in JSON: {"criteria": "default", "first": 0, "last": 80,
-/// "smoothed_hz": 6, "animation": "Take 1", "character": …}; every key is optional.
+/// "smoothed_hz": 6, "animation": "Take 1", "cost": true, "ergonomics": …, "character": …}; every
+/// key is optional.
 struct ClipRequest {
   ScoreSettings settings{};  ///< settings of the scoring
   std::string animation{};   ///< name or index of the animation in the file; empty: the first
@@ -46,12 +50,13 @@ struct ClipRequest {
 
 /// The score and measures of a recorded clip on a body.
 struct ClipScore {
-  Score score;                  ///< score by the criteria of the settings
-  Motion motion;                ///< the scored frames, smoothed, without effectors
-  ClipFit fit;                  ///< the fit before smoothing, with the frames around
-  MotionMeasures measures;      ///< demands on the body
-  FinalPosture final_posture;   ///< description of the final posture
-  std::vector<Message> doubts;  ///< warnings about the reliability of the score
+  Score score;                       ///< score by the criteria of the settings
+  Motion motion;                     ///< the scored frames, smoothed, without effectors
+  ClipFit fit;                       ///< the fit before smoothing, with the frames around
+  MotionMeasures measures;           ///< demands on the body
+  FinalPosture final_posture;        ///< description of the final posture
+  std::vector<Message> doubts;       ///< warnings about the reliability of the score
+  std::optional<MotionCost> cost{};  ///< cost to the body, if asked for
 };
 
 /// The relation of a skeleton to a body; opaque.
@@ -129,6 +134,7 @@ struct WorkScore {
   Judgement judgement;               ///< of all actions
   ClipFit fit;                       ///< the fit before smoothing
   std::vector<Message> doubts;       ///< warnings about the reliability of the score
+  std::optional<MotionCost> cost{};  ///< cost to the body of all actions, if asked for
 };
 
 /// Scores a clip of the actions of a task: each in its time, by the criteria, and what it reached.
@@ -138,6 +144,13 @@ struct WorkScore {
 /// where actions are wrong in themselves.
 [[nodiscard]] Result<WorkScore> score_work(const RecordedMotion& recorded, const Task& task,
                                            const ScoreSettings& settings = {});
+
+/// Computes what a candidate of a task costs the body, with the loads in its hands; lifts are those
+/// of the things that its actions take and put down.
+[[nodiscard]] Result<MotionCost> candidate_cost(const Task& task, const Candidate& candidate,
+                                                const Ergonomics& ergonomics);
+/// The ergonomics of a request, of a person of that sex if it names none.
+[[nodiscard]] Ergonomics ergonomics_of(const Request& request, Sex sex);
 
 /// Formats the score of a piece of work as JSON, as printed by `shigusa score --json`.
 [[nodiscard]] std::string format_work_score(const std::string& clip, const RecordedMotion& recorded,

@@ -4,9 +4,11 @@
 #include <shigusa/action.hpp>
 #include <shigusa/body.hpp>
 #include <shigusa/character.hpp>
+#include <shigusa/cost.hpp>
 #include <shigusa/criteria.hpp>
 #include <shigusa/draw.hpp>
 #include <shigusa/edit.hpp>
+#include <shigusa/ergonomics.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/files.hpp>
 #include <shigusa/formats.hpp>

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/messages/characters.hpp"
+#include "core/messages/cost.hpp"
 #include "core/messages/files.hpp"
 #include "core/messages/people.hpp"
 #include "core/messages/results.hpp"
@@ -17,8 +18,8 @@
 namespace shigusa::messages {
 
 // The catalogue: all sentences of doubts and failures (core/say.hpp).
-inline constexpr std::array<std::span<const MessageText>, 7> kAll{
-    kWords, kPeople, kRobots, kFiles, kCharacters, kTasks, kResults};
+inline constexpr std::array<std::span<const MessageText>, 8> kAll{
+    kWords, kPeople, kRobots, kFiles, kCharacters, kTasks, kResults, kCost};
 
 // The sentence of a key. Evaluated at compile time, which fails for an unknown key.
 [[nodiscard]] consteval MessageText sentence(std::string_view key) {

@@ -325,6 +325,9 @@ Result<ClipScore> score_clip(const RecordedMotion& recorded, const ScoreSettings
       score_frames(recorded.body, {.start = recorded.home}, smooth, settings.criteria);
   PostureMeter meter(recorded.body, recorded.home, 0);
   result.final_posture = meter.measure(result.motion.clip.frame(result.motion.clip.frames - 1));
+  if (settings.ergonomics) {
+    SHG_TRY_ASSIGN(result.cost, motion_cost({recorded, result.motion}, *settings.ergonomics));
+  }
   result.fit = std::move(smooth.fit);
   result.doubts = std::move(smooth.doubts);
   return result;

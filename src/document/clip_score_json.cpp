@@ -2,6 +2,7 @@
 #include <shigusa/files.hpp>
 #include <shigusa/score.hpp>
 
+#include "cost_json.hpp"
 #include "formats/message_json.hpp"
 #include "measures_json.hpp"
 #include "task_values.hpp"
@@ -70,6 +71,13 @@ Result<ClipRequest> parse_clip_request(std::string_view text, std::string_view n
   }
   reader.number("smoothed_hz", request.settings.cutoff, 0.0, kCutoffMost);
   reader.text("animation", request.animation);
+  if (reader.has("ergonomics")) {
+    read_composite(reader, "ergonomics", request.settings.ergonomics.emplace());
+  }
+  bool cost = request.settings.ergonomics.has_value();
+  if (reader.has("cost")) reader.truth("cost", cost);
+  if (!cost) request.settings.ergonomics.reset();
+  if (cost && !request.settings.ergonomics) request.settings.ergonomics.emplace();
   if (reader.has("character")) {
     SHG_TRY_ASSIGN(request.character, parse_character_spec(reader.value("character").dump(), name));
   }
@@ -93,6 +101,7 @@ std::string format_clip_score(const std::string& clip, const RecordedMotion& rec
   json["follows"] = follows_to_json(score.fit, settings.first);
   json["feet"] = feet_to_json(recorded, score.fit);
   add_measures(recorded.body, score.measures, score.final_posture, json);
+  if (score.cost) json["cost"] = cost_to_json(*score.cost, *settings.ergonomics);
   json["doubts"] = texts_to_json(recorded.doubts);
   for (const Message& doubt : score.doubts) json["doubts"].push_back(doubt.text);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -114,6 +123,7 @@ std::string format_work_score(const std::string& clip, const RecordedMotion& rec
   json["feet"] = feet_to_json(recorded, score.fit);
   json["actions"] = Json::array();
   for (const ActionScore& action : score.actions) json["actions"].push_back(action_to_json(action));
+  if (score.cost) json["cost"] = cost_to_json(*score.cost, *settings.ergonomics);
   json["doubts"] = texts_to_json(recorded.doubts);
   for (const Message& doubt : score.doubts) json["doubts"].push_back(doubt.text);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -3,10 +3,12 @@
 #include <cstdlib>
 #include <shigusa/files.hpp>
 #include <shigusa/run.hpp>
+#include <shigusa/score.hpp>
 
 #include "character/character_rig.hpp"
 #include "character_export.hpp"
 #include "core/say.hpp"
+#include "cost_json.hpp"
 #include "formats/message_json.hpp"
 #include "measures_json.hpp"
 #include "parameters_json.hpp"
@@ -182,6 +184,12 @@ Json candidate_to_json(const FinishedRun& run, std::size_t index, const ResultFi
     json["arm_collision"] = {{"depth_mm", max(arms->depth, 0.0) * kMillimetres},
                              {"searches", arms->searches},
                              {"left", arms->left}};
+  }
+  if (run.task.cost) {
+    const Ergonomics ergonomics = ergonomics_of(run.task, character.sex);
+    if (const auto cost = candidate_cost(run.task, candidate, ergonomics)) {
+      json["cost"] = cost_to_json(*cost, ergonomics);
+    }
   }
   json["parameters"] = parameters_to_json(*run.generation.parameters, candidate.parameters);
   const bool written = index < files.candidates.size();

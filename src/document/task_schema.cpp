@@ -152,6 +152,14 @@ class Definitions {
     return either(words_schema(words), struct_schema<Habit>());
   }
   template <class Traits>
+  Json of(const Traits&, const Ergonomics&) {
+    return struct_schema<Ergonomics>();
+  }
+  template <class Traits>
+  Json of(const Traits&, const PostureThresholds&) {
+    return struct_schema<PostureThresholds>();
+  }
+  template <class Traits>
   Json of(const Traits&, const std::vector<Thing>&) {
     return map_schema(struct_schema<Thing>());
   }

@@ -93,6 +93,18 @@ void read_composite(JsonReader& task, const char* key, Habit& habit) {
   task.absorb(reader.finish());
 }
 
+void read_composite(JsonReader& task, const char* key, Ergonomics& ergonomics) {
+  JsonReader reader = task.object(key);
+  read_fields(reader, ergonomics);
+  task.absorb(reader.finish());
+}
+
+void read_composite(JsonReader& task, const char* key, PostureThresholds& thresholds) {
+  JsonReader reader = task.object(key);
+  read_fields(reader, thresholds);
+  task.absorb(reader.finish());
+}
+
 void read_composite(JsonReader& task, const char* key, std::vector<Thing>& things) {
   const Json& all = task.value(key);
   if (!all.is_object()) return task.wrong(key, say("must_be_object"));

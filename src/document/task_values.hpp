@@ -21,6 +21,9 @@ void read_mixture(JsonReader& holder, const char* key, CriteriaSettings& criteri
 void read_composite(JsonReader& task, const char* key, CriteriaSettings& criteria);
 // Reads a habit by its name, or its numbers; absent ones keep their values.
 void read_composite(JsonReader& task, const char* key, Habit& habit);
+// Read what a motion does not tell; absent members keep their values.
+void read_composite(JsonReader& task, const char* key, Ergonomics& ergonomics);
+void read_composite(JsonReader& task, const char* key, PostureThresholds& thresholds);
 // Reads things by their names.
 void read_composite(JsonReader& task, const char* key, std::vector<Thing>& things);
 // Reads a place on the floor, [x, z], with its facing and height.

@@ -62,6 +62,16 @@ class WorkReader {
     return std::move(score_);
   }
 
+  // The cost of all actions that read() has found.
+  [[nodiscard]] Result<MotionCost> cost(const Ergonomics& ergonomics) {
+    whole_.clip.dofs = smooth_.clip.dofs;
+    whole_.clip.frame_time = smooth_.clip.frame_time;
+    for (LiftSpan& lift : lifts_) {
+      if (lift.put < lift.taken) lift.put = std::max(whole_.clip.frames - 1, lift.taken);
+    }
+    return motion_cost({recorded_, whole_, held_spans_, lifts_}, ergonomics);
+  }
+
  private:
   [[nodiscard]] double time(int frame) const {
     return (frame - smooth_.first + settings_.first) * smooth_.clip.frame_time;
@@ -156,6 +166,8 @@ class WorkReader {
     });
     add_part(from, take);
     own.taken = time(take);
+    lifts_.push_back(
+        {task_.things[thing].name, task_.things[thing].mass, hands, take - smooth_.first, -1});
     for (const int hand : hands) {
       own.hands.push_back({recorded_.body.effector(hand).name, gap(hand, take)});
       held_.grips.push_back({hand, recorded_.body.effector(hand).link, thing,
@@ -217,9 +229,30 @@ class WorkReader {
                             norm(rotation_vector(there.rotation * transpose(last.rotation)))};
     }
     add_part(from, end);
+    for (LiftSpan& lift : lifts_) {
+      if (lift.thing == task_.things[thing].name && lift.put < 0) lift.put = end - smooth_.first;
+    }
     held_.things[thing] = last;
     std::erase_if(held_.grips, [thing](const Grip& grip) { return grip.thing == thing; });
     return end;
+  }
+
+  [[nodiscard]] std::vector<HeldLoad> context_loads(const Part& part) const {
+    return state_of(recorded_.body, task_.things, part.moment).held;
+  }
+  // Adds the frames of a part, each once, to the motion whose cost is told.
+  void add_frames(const Motion& motion, const Part& part, std::vector<HeldLoad> loads) {
+    const auto dofs = static_cast<std::size_t>(motion.clip.dofs);
+    const int first = smooth_.first + whole_.clip.frames;
+    for (int f = std::max(first, part.from); f <= part.to; ++f) {
+      const std::size_t k = index(f - part.from);
+      const auto angles = motion.clip.frame(f - part.from);
+      whole_.clip.angles.insert(whole_.clip.angles.end(), angles.begin(), angles.end());
+      const auto torques = std::span(motion.torques).subspan(k * dofs, dofs);
+      whole_.torques.insert(whole_.torques.end(), torques.begin(), torques.end());
+      ++whole_.clip.frames;
+    }
+    held_spans_.push_back({first - smooth_.first, whole_.clip.frames - 1, std::move(loads)});
   }
 
   // Scores the parts of an action; returns their duration (s).
@@ -240,6 +273,7 @@ class WorkReader {
       add_score(own.score, duration, score_.score);
       add_judgement(judgement, time(part.from), action.judgement);
       add_judgement(judgement, time(part.from), score_.judgement);
+      if (settings_.ergonomics) add_frames(own.motion, part, context_loads(part));
       seconds += duration;
     }
     end_score(seconds, action.score);
@@ -257,6 +291,10 @@ class WorkReader {
   std::vector<Part> parts_{};
   std::vector<int> acting_{};  // effectors of the action
   std::optional<PlacedThing> placed_{};
+  // motion without gaps, loads and lifts, by frames from the first scored one
+  Motion whole_{};
+  std::vector<HeldSpan> held_spans_{};
+  std::vector<LiftSpan> lifts_{};
   WorkScore score_{};
 };
 
@@ -266,7 +304,11 @@ Result<WorkScore> score_work(const RecordedMotion& recorded, const Task& task,
                              const ScoreSettings& settings) {
   SHG_TRY(check_work(task));
   SHG_TRY_ASSIGN(SmoothClip smooth, smooth_clip(recorded, settings));
-  WorkScore score = WorkReader(recorded, task, settings, smooth).read();
+  WorkReader reader(recorded, task, settings, smooth);
+  WorkScore score = reader.read();
+  if (settings.ergonomics) {
+    SHG_TRY_ASSIGN(score.cost, reader.cost(*settings.ergonomics));
+  }
   score.fit = std::move(smooth.fit);
   score.doubts.insert(score.doubts.end(), smooth.doubts.begin(), smooth.doubts.end());
   return score;

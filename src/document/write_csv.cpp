@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <shigusa/math.hpp>
+#include <shigusa/score.hpp>
+#include <string>
 #include <utility>
 
+#include "cost/posture_parts.hpp"
 #include "export_file.hpp"
 #include "formats/csv.hpp"
 #include "kinematics/forward_kinematics.hpp"
@@ -140,6 +143,42 @@ void add_thing_columns(const ThingMotion& thing, std::vector<CsvColumn>& columns
   columns.insert(columns.end(), turn.begin(), turn.end());
 }
 
+// Scores of each side, sub-scores of the worse one, and loads at L5/S1.
+void add_cost_columns(const MotionCost& cost, std::vector<CsvColumn>& columns) {
+  const auto add = [&](std::string name, const auto& value) {
+    CsvColumn column{std::move(name), {}};
+    for (const FrameCost& frame : cost.frames) column.values.push_back(value(frame));
+    columns.push_back(std::move(column));
+  };
+  const auto add_scores = [&](const std::string& name, auto scores, const auto& parts) {
+    const auto worse = [scores](const FrameCost& frame, const auto& of) {
+      int worst = 0;
+      for (const auto& side : frame.*scores) worst = side ? std::max(worst, of(*side)) : worst;
+      return static_cast<double>(worst);
+    };
+    for (std::size_t k = 0; k < 2; ++k) {
+      add(name + (k == 0 ? ".left" : ".right"), [scores, k](const FrameCost& frame) {
+        const auto& own = (frame.*scores)[k];
+        return own ? static_cast<double>(own->score) : 0.0;
+      });
+    }
+    for (const auto& part : parts) {
+      add(name + "." + std::string(part.word), [&](const FrameCost& frame) {
+        return worse(frame, [&part](const auto& score) { return score.parts.*part.part; });
+      });
+    }
+  };
+  if (cost.reba) add_scores("reba", &FrameCost::reba, kRebaParts);
+  if (cost.rula) add_scores("rula", &FrameCost::rula, kRulaParts);
+  if (!cost.back) return;
+  add("l5s1.moment [N m]", [](const FrameCost& frame) { return frame.back_moment.value_or(0.0); });
+  if (!cost.back->forces) return;
+  add("l5s1.compression [N]",
+      [](const FrameCost& frame) { return frame.back ? frame.back->compression : 0.0; });
+  add("l5s1.shear [N]",
+      [](const FrameCost& frame) { return frame.back ? frame.back->shear : 0.0; });
+}
+
 Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
   const Motion& motion = candidate.motion;
   const bool robot = task.robot.has_value();
@@ -157,6 +196,10 @@ Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
     add_points(candidate.goals[g].asked.effector, motion.effectors[g]);
   }
   for (const ThingMotion& thing : candidate.things) add_thing_columns(thing, columns);
+  if (task.cost) {
+    SHG_TRY_ASSIGN(const MotionCost cost, candidate_cost(task, candidate, task.ergonomics));
+    add_cost_columns(cost, columns);
+  }
   return format_csv(columns);
 }
 

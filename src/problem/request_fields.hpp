@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/field.hpp"
+#include "problem/ergonomics_fields.hpp"
 
 namespace shigusa {
 
@@ -507,6 +508,17 @@ inline constexpr FieldTable kFields<Request>{
              .group = OptionGroup::motion,
              .brief = "none leaves fingers as the file has them (default grip)",
              .rare = true}},
+        Field{"cost",
+              &Request::cost,
+              "true: results tell what each motion costs the body by REBA, RULA, EN 1005-4 and the "
+              "revised NIOSH lifting equation, the loads at L5/S1, and joint torques beside "
+              "people's strengths.",
+              {.option = "--cost",
+               .group = OptionGroup::output,
+               .brief = "Tell the cost to the body: REBA, RULA, NIOSH, L5/S1, strengths",
+               .rare = true}},
+        Field{"ergonomics", &Request::ergonomics,
+              "What the motion does not tell, such as how often it recurs, for that cost."},
         Field{"seed",
               &Request::seed,
               "Same seed, same bytes; 0 when not given.",

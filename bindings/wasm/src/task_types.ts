@@ -321,6 +321,70 @@ export interface Criteria {
   };
 }
 
+/** Thresholds that REBA and RULA leave open; a border belongs to the better band. */
+export interface PostureThresholds {
+  /** Trunk that counts as upright; 5°. */
+  upright_rad?: number;
+  /** Wrist that counts as neutral in RULA; 5°. */
+  straight_wrist_rad?: number;
+  /** Neck beyond which it is extended; 5°. */
+  neck_extends_rad?: number;
+  /** Trunk bent sideways or twisted beyond this; 10°. */
+  trunk_aside_rad?: number;
+  /** Neck bent sideways or twisted beyond this; 15°. */
+  neck_aside_rad?: number;
+  /** Upper arm abducted beyond this; 30°. */
+  arm_abducted_rad?: number;
+  /** Shoulder raised by more than this; 0.025. */
+  shoulder_raised_m?: number;
+  /** Hand bent sideways beyond this; 10°. */
+  wrist_deviates_rad?: number;
+  /** Share of the forearm's range at either end that is its end; 0.25. */
+  forearm_end?: number;
+  /** Share of the weight above which one foot bears it; 0.75. */
+  one_foot?: number;
+  /** Upper arm that hangs so near to the vertical is helped by gravity in REBA; 20°. */
+  gravity_helps_rad?: number;
+  /** Wrist beyond the middle of the trunk that works across it in RULA; 0. */
+  hand_across_m?: number;
+  /** Wrist outside its shoulder that works out to the side in RULA; 0.1. */
+  hand_out_m?: number;
+}
+
+/** What a motion does not tell, for what it costs the body. */
+export interface Ergonomics {
+  /** Grip on the load: good, when not given, fair, poor or, in REBA, unacceptable. */
+  coupling?: 'good' | 'fair' | 'poor' | 'unacceptable';
+  /** true: a part of the body is held for more than a minute. */
+  held?: boolean;
+  /** true: small-range actions recur more than 4 times a minute. */
+  repeated?: boolean;
+  /** true: rapid large changes of posture, or an unstable base. */
+  rapid?: boolean;
+  /** true: forces build up rapidly. */
+  shock?: boolean;
+  /** Recurrence of each lift of the motion, lifts a minute; 0.2, the least of the lifting equation, when not given. */
+  lifts_per_min?: number;
+  /** Duration of lifting in a shift with its rests: short, up to 1 h, when not given, moderate, up to 2 h, or long,
+   * up to 8 h. */
+  lifting_time?: 'short' | 'moderate' | 'long';
+  /** Whether lifts end with control, so that both ends count; true when not given. */
+  placed_with_care?: boolean;
+  /** Recurrence of the motion a minute, for EN 1005-4; when not given, postures that are held for 4 s alone are
+   * judged. */
+  moves_per_min?: number;
+  /** For the limit of compression at L5/S1 by age and sex; none when not given. */
+  age_years?: number;
+  /** For that limit; the character's when not given. */
+  sex?: 'male' | 'female';
+  /** Of the back's muscles about L5/S1; 0.05 when not given, texts have up to 0.07. */
+  back_lever_m?: number;
+  /** Of RULA's table A: present, when not given, or older. */
+  rula_edition?: 'present' | 'older';
+  /** Where REBA and RULA name none. */
+  thresholds?: PostureThresholds;
+}
+
 /** A request: a body and the final places of its hands, feet or other joints. Metres, kilograms, seconds,
  * radians; +Y up, the body faces +Z, its left is +X, origin on the floor between the feet. */
 export interface Task {
@@ -391,6 +455,11 @@ export interface Task {
   /** Of a character with fingers, by the presets flat and human: grip, when not given: a reaching hand opens on the
    * way and closes to a relaxed grip, the other is relaxed; or none: fingers stay as the file has them. */
   finger_play?: 'grip' | 'none';
+  /** true: results tell what each motion costs the body by REBA, RULA, EN 1005-4 and the revised NIOSH lifting
+   * equation, the loads at L5/S1, and joint torques beside people's strengths. */
+  cost?: boolean;
+  /** What the motion does not tell, such as how often it recurs, for that cost. */
+  ergonomics?: Ergonomics;
   /** Same seed, same bytes; 0 when not given. */
   seed?: number;
   /** Candidates to deliver, at most; the preset's own number when not given. */
