@@ -286,7 +286,8 @@ void add_reach(CLI::App& app, int& exit_code) {
             .full = "Writes what the first motion costs the body as one HTML file that prints on "
                     "two A4 pages, with the changes of the task that would help most; each of "
                     "these is searched anew.",
-            .form = "FILE"});
+            .form = "FILE",
+            .rare = true});
   c->callback([options, &exit_code] { exit_code = exit_code_of(reach(*options)); });
 }
 

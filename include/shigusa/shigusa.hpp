@@ -20,6 +20,7 @@
 #include <shigusa/math.hpp>
 #include <shigusa/motion.hpp>
 #include <shigusa/parameters.hpp>
+#include <shigusa/report.hpp>
 #include <shigusa/request.hpp>
 #include <shigusa/run.hpp>
 #include <shigusa/scene.hpp>

@@ -100,7 +100,7 @@ std::string picture(std::string_view svg, std::string_view about, double width) 
       markup_text(about), width, data);
 }
 
-// What the page says of one report.
+// The page of one report.
 class ReportPage {
  public:
   explicit ReportPage(const CostReport& report) : report_(report), cost_(report.cost) {}
