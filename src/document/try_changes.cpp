@@ -160,7 +160,7 @@ Result<std::vector<TriedChange>> try_changes(const Task& task, const Candidate& 
   for (Change& change : Changes(task, candidate).all()) {
     const auto found = change.task.actions.empty() ? generate(change.task, progress)
                                                    : perform(change.task, progress);
-    if (!found && found.error().code == ErrorCode::cancelled) return fail(ErrorCode::cancelled, "");
+    if (!found && found.error().code == ErrorCode::cancelled) return tl::unexpected(found.error());
     if (!found || !found->meets_goals()) continue;
     const Candidate& best = found->candidates.front();
     SHG_TRY_ASSIGN(const MotionCost cost, candidate_cost(change.task, best, ergonomics));
