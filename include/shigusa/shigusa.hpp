@@ -8,6 +8,7 @@
 #include <shigusa/draw.hpp>
 #include <shigusa/edit.hpp>
 #include <shigusa/error.hpp>
+#include <shigusa/explore.hpp>
 #include <shigusa/files.hpp>
 #include <shigusa/formats.hpp>
 #include <shigusa/generate.hpp>
