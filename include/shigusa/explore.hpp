@@ -57,6 +57,14 @@ enum class LimitEnd {
   nowhere,  ///< no value tried holds; `value` is the first one
 };
 
+/// The words of LimitEnd.
+template <>
+inline constexpr std::array kEnumWords<LimitEnd>{
+    EnumWord{LimitEnd::found, "found"},
+    EnumWord{LimitEnd::beyond, "beyond"},
+    EnumWord{LimitEnd::nowhere, "nowhere"},
+};
+
 /// The limit of a task for one body.
 struct Limit {
   LimitKind kind = LimitKind::load;  ///< what was varied
