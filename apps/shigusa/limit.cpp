@@ -118,7 +118,7 @@ void note_odd(std::span<const PersonLimit> limits, int seeds) {
       note(person, fmt::format("the {} has no value that is possible, from {:g} {} on",
                                word_of(limit.kind), limit.value, unit));
     } else if (!limit.sharp) {
-      note(person, fmt::format("the {} is not sharp: near {:.3g} {} not all of {} are possible",
+      note(person, fmt::format("the {} is not sharp: beyond {:.3g} {} some of {} are possible",
                                word_of(limit.kind), limit.value, unit,
                                number_of(static_cast<std::uint64_t>(seeds), "seed")));
     }

@@ -91,28 +91,28 @@ struct CloudFile {
   void add(std::string_view name, const Beads& beads);
 };
 
-constexpr int kVertices = 34962;  // targets and component types of glTF
-constexpr int kIndices = 34963;
-constexpr int kFloat = 5126;
-constexpr int kByte = 5121;
-constexpr int kWord = 5125;
+constexpr int kGlVertices = 34962;  // targets and component types of glTF
+constexpr int kGlIndices = 34963;
+constexpr int kGlFloat = 5126;
+constexpr int kGlByte = 5121;
+constexpr int kGlWord = 5125;
 
 void CloudFile::add(std::string_view name, const Beads& beads) {
   if (beads.count == 0) return;
-  const int positions = accessor(beads.positions, kVertices,
-                                 {{"componentType", kFloat},
+  const int positions = accessor(beads.positions, kGlVertices,
+                                 {{"componentType", kGlFloat},
                                   {"count", 6 * beads.count},
                                   {"type", "VEC3"},
                                   {"min", to_list(beads.low)},
                                   {"max", to_list(beads.high)}});
-  const int colours = accessor(beads.colours, kVertices,
-                               {{"componentType", kByte},
+  const int colours = accessor(beads.colours, kGlVertices,
+                               {{"componentType", kGlByte},
                                 {"normalized", true},
                                 {"count", 6 * beads.count},
                                 {"type", "VEC4"}});
   const int corners =
-      accessor(beads.corners, kIndices,
-               {{"componentType", kWord}, {"count", 24 * beads.count}, {"type", "SCALAR"}});
+      accessor(beads.corners, kGlIndices,
+               {{"componentType", kGlWord}, {"count", 24 * beads.count}, {"type", "SCALAR"}});
   const std::size_t node = json["nodes"].size();
   json["nodes"].push_back({{"name", name}, {"mesh", node}});
   json["meshes"].push_back(

@@ -240,34 +240,27 @@ Result<void> LimitSearch::bisect(double fails) {
   return {};
 }
 
-// Moves the limit until all seeds hold within it and none beyond; not sharp if it would have to
-// move both ways.
+// Moves the limit inwards until all seeds hold within it, else outwards while any holds beyond it;
+// once moved inwards it stays there, and is not sharp if a seed holds beyond.
 Result<void> LimitSearch::verify() {
-  double moved = 0.0;
+  bool inwards = false;
   for (int k = 0; k < kMoves; ++k) {
     const double value = limit_.value;
     SHG_TRY_ASSIGN(const int inside, count(within(value, margin(value))));
     const double outer = beyond(value, margin(value));
-    int outside = 0;
-    if (outer != value) {
-      SHG_TRY_ASSIGN(outside, count(outer));
-    }
+    SHG_TRY_ASSIGN(const int outside, count(outer));
     const bool in = inside == settings_.seeds;
-    const bool ends = outer == bound_ && outside > 0;
-    if (in && ends) {
-      SHG_TRY_ASSIGN(const int last, count(bound_));
-      if (last == settings_.seeds) limit_.end = LimitEnd::beyond;
-      if (last == settings_.seeds) limit_.value = bound_;
-      limit_.sharp = last == settings_.seeds;
+    if (in && outer == bound_ && outside == settings_.seeds) {
+      limit_.end = LimitEnd::beyond;
+      limit_.value = bound_;
+      limit_.sharp = true;
       return {};
     }
     limit_.sharp = in && outside == 0;
-    if (limit_.sharp) return {};
-    const double move = in ? 1.0 : -1.0;
-    if ((!in && outside > 0) || move * moved < 0.0) return {};
-    moved = move;
+    if (in && (inwards || outside == 0)) return {};
+    inwards = !in;
     const double by = 0.5 * margin(value);
-    limit_.value = move > 0.0 ? beyond(value, by) : within(value, by);
+    limit_.value = in ? beyond(value, by) : within(value, by);
     if (limit_.value == value) return {};
   }
   return {};

@@ -122,15 +122,18 @@ class Mapping {
     values_[place] = std::move(best.parameters);
   }
 
-  // Searches a place from the motions of others.
-  Result<void> search(std::size_t place, Task& task, const Places& others, int motions) {
+  // Searches a place from the motions of others; one that no motion arrives at is searched anew
+  // without them, as by generate().
+  Result<void> search(std::size_t place, Task& task, const Places& others,
+                      std::optional<int> motions) {
     task.starts.clear();
     for (const std::size_t other : others) task.starts.push_back(values_[other]);
     task.evaluations = motions;
     SHG_TRY_ASSIGN(GenerateResult found, generate(task));
     evaluations_ += found.log.evaluations;
     keep(place, found);
-    return {};
+    const bool again = motions && !map_.places[place].verdict;
+    return again ? search(place, task, {}, std::nullopt) : Result<void>{};
   }
 
   // Plays the motions of others for a place, until one is good there.
