@@ -69,7 +69,7 @@ struct Person {
   double mass = 0.0;     // kg
 };
 
-// What ends a limit, in a few words.
+// Cause of the end of a limit, in a few words.
 std::string end_words(const Limit& limit) {
   if (limit.end == LimitEnd::beyond) return "possible up to there, the last that is tried";
   if (limit.out_of_reach) return "out of reach";

@@ -15,7 +15,7 @@
 
 namespace shigusa {
 
-/// What is increased or decreased until a task is no longer possible.
+/// The quantity that is increased or decreased until a task is no longer possible.
 enum class LimitKind {
   load,      ///< kg, sum of the loads in the hands with goals, in their own proportion, or evenly
   lowest,    ///< m, height of the goals' middle; all goals move together
@@ -107,7 +107,7 @@ struct MapSettings {
   std::optional<Vec3d> high{};  ///< see low
 };
 
-/// What a place costs.
+/// The cost of a place.
 struct MapPlace {
   std::optional<Verdict> verdict{};  ///< of the best motion found; empty: out of reach
   double score = 0.0;                ///< total score of that motion
