@@ -179,9 +179,9 @@ void add_limit(CLI::App& app, int& exit_code) {
   CLI::App* c = app.add_subcommand(
       "limit", "Find the heaviest load, the lowest, highest or farthest place that is possible");
   c->group(kLook)->footer(
-      "shigusa limit --of load --goal right_hand=-0.2,0.8,0.4\n"
-      "shigusa limit --of height --goal right_hand=-0.2,1.1,0.4 --load right_hand=5\n"
-      "shigusa limit task.json --of distance --people female:p5,male:1.9 --score 1");
+      "shigusa limit --of load --goal right_hand=-0.2,0.8,0.4 --people male:p50\n"
+      "shigusa limit --of height --goal right_hand=-0.2,1.1,0.4 --stature p5\n"
+      "shigusa limit task.json --of distance --people female:p5 --score 1");
   add_task_input(*c, o.input);
   const std::string group = "The limit";
   describe(c->add_option("--of", o.of)->required()->check(one_of("limit", limit_words())),

@@ -57,8 +57,10 @@ struct SectionAt {
 Result<SectionAt> section_of(const std::string& text, const Task& task) {
   if (text.empty()) {
     const BodyModel& body = task.body;
-    const Effector& effector = body.effector(*body.find_effector(task.goals.front().effector));
-    const Dof& root = body.dof(effector.limb_root);
+    const auto index =
+        task.goals.empty() ? std::nullopt : body.find_effector(task.goals.front().effector);
+    if (!index) return SectionAt{};  // the map is refused
+    const Dof& root = body.dof(body.effector(*index).limb_root);
     const Posture home(body, task.home.angles);
     return SectionAt{Axis::x, (home.place(root.parent) * root.offset).x};
   }
@@ -100,11 +102,11 @@ Result<int> map(const MapOptions& options) {
   SHG_TRY_ASSIGN(TaskFile file, task_file_of(options.input));
   SHG_TRY_ASSIGN(Task task, make_task(file, folder_of(options.input)));
   task.batch = batch;
+  SHG_TRY_ASSIGN(const SectionAt section, section_of(options.section, task));
   SHG_TRY(prepare_out(options.out));
   const Result<ReachMap> made = reach_map(task, settings, terminal_progress());
   end_progress_line();
   if (!made) return tl::unexpected(in_task(made.error(), options.input, "map"));
-  SHG_TRY_ASSIGN(const SectionAt section, section_of(options.section, task));
   SHG_TRY_ASSIGN(const std::string svg,
                  placed("--section", map_section(task, *made, section.axis, section.at)));
   SHG_TRY_ASSIGN(const std::string npz, map_npz(task.body, *made));
@@ -133,9 +135,9 @@ void add_map(CLI::App& app, int& exit_code) {
   MapOptions& o = *options;
   CLI::App* c = app.add_subcommand("map", "Map what the places about a body cost one of its hands");
   c->group(kLook)->footer(
-      "shigusa map --out reach\n"
-      "shigusa map --seat 0.45 --spacing 0.05 --from -0.8,0.6,0 --to 0.4,1.2,0.8 --section y=0.8\n"
-      "shigusa map task.json --section z=0.4");
+      "shigusa map --spacing 0.4 --out reach\n"
+      "shigusa map --seat 0.45 --from -0.4,0.7,0.3 --to 0,0.9,0.5 --section y=0.8\n"
+      "shigusa map task.json --spacing 0.5 --section z=0.25");
   add_task_input(*c, o.input);
   const std::string group = "The map";
   describe(c->add_option("--hand", o.input.goal_of),
