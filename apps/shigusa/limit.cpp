@@ -211,9 +211,9 @@ void add_limit(CLI::App& app, int& exit_code) {
             .form = "VALUE"});
   describe(c->add_option("--seeds", o.seeds)->check(whole_number(1, kLimitSeedsMax)),
            {.group = group,
-            .brief = "Searches that must agree at a value (default 3)",
+            .brief = "Searches that must agree at a value (default 5)",
             .full = "Searches, each with other random numbers, that must agree on both sides of a "
-                    "limit; 3 when not given.",
+                    "limit; 5 when not given.",
             .form = "N",
             .rare = true});
   add_batch_options(*c, o.input);

@@ -47,7 +47,7 @@ struct LimitSettings {
   /// The last value tried (kg or m): for a load above 0 and up to kLoadMax, else beyond the task's
   /// own place. Empty: 100 kg, the floor, 1.5 statures of height, 1 stature of distance.
   std::optional<double> bound{};
-  int seeds = 3;  ///< 1..kLimitSeedsMax: the task's seed and those that follow it
+  int seeds = 5;  ///< 1..kLimitSeedsMax: the task's seed and those that follow it
 };
 
 /// How the search for a limit ended.
