@@ -68,12 +68,13 @@ BEGIN {
   allow("generate", generates)
   generates = "generate " generates
   allow("work", generates)
+  allow("explore", generates)
   allow("robot", "kinematics motion " persons)
   allow("formats", "robot files motion " persons)
   allow("character", "formats robot files criteria dynamics kinematics motion " persons)
   allow("scene", "formats robot files problem cost search " motions)
   allow("draw", "files " generates)
-  documents = "work draw scene character formats robot files " generates
+  documents = "work explore draw scene character formats robot files " generates
   allow("document", documents)
   allow("edit", "document " documents)
   all = "work dataset edit document " documents
@@ -94,6 +95,7 @@ BEGIN {
   face("plan", "parameters")
   face("problem", "request")
   face("generate", "generate")
+  face("explore", "explore")
   face("formats", "formats")
   face("scene", "scene")
   face("draw", "draw")

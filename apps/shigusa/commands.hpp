@@ -68,6 +68,8 @@ void add_mirror(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
 void add_score(CLI::App& app, int& exit_code);
 void add_habit(CLI::App& app, int& exit_code);
+void add_limit(CLI::App& app, int& exit_code);
+void add_map(CLI::App& app, int& exit_code);
 void add_body(CLI::App& app, int& exit_code);
 void add_dataset(CLI::App& app, int& exit_code);
 void add_studio(CLI::App& app, int& exit_code);

@@ -18,6 +18,8 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_mirror(app, exit_code);
   add_show(app, exit_code);
   add_render(app, exit_code);
+  add_limit(app, exit_code);
+  add_map(app, exit_code);
   add_body(app, exit_code);
   add_score(app, exit_code);
   add_habit(app, exit_code);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <shigusa/character.hpp>
 #include <shigusa/error.hpp>
+#include <shigusa/explore.hpp>
 #include <shigusa/generate.hpp>
 #include <shigusa/motion.hpp>
 #include <shigusa/parameters.hpp>
@@ -298,6 +299,25 @@ struct FileSettings {
 
 /// Size limit of a limb library's file (bytes); a full one has 13.9 kB.
 inline constexpr std::size_t kMaxLimbFile = 1 << 16;
+
+/// A map of reach as CSV (RFC 4180): a row for each place with its position (m), verdict or
+/// `unreachable`, score, largest share of a joint's strength, that joint and the duration (s).
+[[nodiscard]] std::string map_csv(const BodyModel& body, const ReachMap& map);
+/// A map of reach as a GLB file: a bead at each place in reach, in a mesh for each verdict,
+/// coloured by verdict and score; metres, the body's world.
+[[nodiscard]] std::string map_glb(const ReachMap& map);
+/// A section of a map of reach as SVG: the places in the plane nearest to a coordinate (m) on an
+/// axis, with the body in its start posture. Fails if no plane is that near.
+[[nodiscard]] Result<std::string> map_section(const PosedBody& body, const ReachMap& map, Axis axis,
+                                              double at);
+
+/// The limit of a task for a person.
+struct PersonLimit {
+  std::string person{};  ///< "female p5", or the name of the body
+  Limit limit{};         ///< the limit
+};
+/// Limits as a JSON list.
+[[nodiscard]] std::string format_limits(std::span<const PersonLimit> limits);
 
 /// The cache folder: $SHIGUSA_CACHE, else shigusa in $XDG_CACHE_HOME, else in ~/.cache. Nothing if
 /// none of these is an absolute path.

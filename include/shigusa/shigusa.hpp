@@ -10,6 +10,7 @@
 #include <shigusa/edit.hpp>
 #include <shigusa/ergonomics.hpp>
 #include <shigusa/error.hpp>
+#include <shigusa/explore.hpp>
 #include <shigusa/files.hpp>
 #include <shigusa/formats.hpp>
 #include <shigusa/generate.hpp>

@@ -10,20 +10,6 @@
 namespace shigusa {
 namespace {
 
-// Name as one field, quoted if it holds a separator, a quote or a line break, or is empty, which
-// would give an empty line.
-std::string field(std::string_view name) {
-  if (!name.empty() && name.find_first_of(",\"\r\n") == std::string_view::npos) {
-    return std::string(name);
-  }
-  std::string quoted = "\"";
-  for (const char c : name) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
 Result<void> check(std::span<const CsvColumn> columns) {
   if (columns.empty()) return fail(ErrorCode::invalid_argument, "a table needs a column");
   const CsvColumn& first = columns.front();
@@ -48,12 +34,24 @@ Result<void> check(std::span<const CsvColumn> columns) {
 
 }  // namespace
 
+std::string csv_field(std::string_view text) {
+  if (!text.empty() && text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    return std::string(text);
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
 Result<std::string> format_csv(std::span<const CsvColumn> columns) {
   SHG_TRY(check(columns));
   std::string text;
   for (const CsvColumn& column : columns) {
     if (!text.empty()) text += ',';
-    text += field(column.name);
+    text += csv_field(column.name);
   }
   text += '\n';
   for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
