@@ -22,9 +22,9 @@ std::tuple<bool, int, double> choice_of(const Task& task, const GenerateResult& 
           -generation.candidates.front().score.total};
 }
 
-constexpr int kLeastChoice = 2;  // candidates
+constexpr int kLeastChoice = 3;  // candidates
 
-// A choice of two that look different is one.
+// Fewer that look different are no choice.
 bool lacks_choice(const Task& task, const GenerateResult& generation) {
   const auto [first, could, score] = choice_of(task, generation);
   return !first || could < std::min(kLeastChoice, task.candidates);
