@@ -30,7 +30,7 @@ struct Beads {
 };
 
 void append_float(std::string& bytes, double x) {
-  append_word(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(x)));
+  append_word(bytes, __builtin_bit_cast(std::uint32_t, static_cast<float>(x)));
 }
 
 // A colour as the linear one of glTF: the square is near the curve of sRGB.

@@ -49,7 +49,8 @@ CharacterExporter exporter_of(const WriteRequest& request) {
 
 // GLB writer of a character. That of built-in bodies needs the mannequin, which a build may lack
 // (check_formats).
-std::unique_ptr<GlbExporter> glb_exporter(const CharacterSpec& character, const Task& task,
+std::unique_ptr<GlbExporter> glb_exporter(const CharacterSpec& character,
+                                          [[maybe_unused]] const Task& task,
                                           const FileSettings& settings) {
 #ifdef SHIGUSA_HAS_MANNEQUIN
   if (!character.rig) {

@@ -184,25 +184,27 @@ template <class S>
                                                          double within) {
   const Vec3<S> from = to_frame_of(box, limb.from);
   const Vec3<S> way = to_frame_of(box, limb.to) - from;
-  const auto distance = [&](const S& share) {
-    return box_distance_within(box, from + way * share) - S(taper) * share;
-  };
-  S least = distance(S(0));
+  S least(0);
   S nearest(0);
-  const auto look_at = [&](const S& share) {
-    const S other = distance(share);
+  S middle(0);
+  double step = 0.5;
+  // one loop of the ends, the midpoint and the halvings keeps the code small
+  for (int k = 0; k < 3 + 2 * kAxisHalvings; ++k) {
+    // the distance changes by no more than the way between two points
+    if (k == 3 && !any(least < S(within + 0.25 * (length + abs(taper))))) break;
+    const bool back = k >= 3 && k % 2 == 1;
+    if (back) {
+      middle = nearest;
+      step *= 0.5;
+    }
+    const S share = k < 3 ? S(0.5 * k) : max(min(middle + S(back ? -step : step), S(1)), S(0));
+    const S other = box_distance_within(box, from + way * share) - S(taper) * share;
+    if (k == 0) {
+      least = other;
+      continue;
+    }
     nearest = select(other < least, share, nearest);
     least = min(least, other);
-  };
-  look_at(S(0.5));
-  look_at(S(1));
-  // the distance changes by no more than the way between two points
-  if (!any(least < S(within + 0.25 * (length + abs(taper))))) return least;
-  double step = 0.25;
-  for (int k = 0; k < kAxisHalvings; ++k, step *= 0.5) {
-    const S middle = nearest;
-    look_at(max(middle - S(step), S(0)));
-    look_at(min(middle + S(step), S(1)));
   }
   return least;
 }

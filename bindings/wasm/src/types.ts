@@ -122,6 +122,84 @@ export interface ActionSummary {
   placed?: { thing: string; position_m: Vec3; rotation_xyzw: Quat; error_mm: number; error_deg: number };
 }
 
+/** The greatest of a score and its mean over time. */
+export interface ScoreCourse {
+  worst: number;
+  mean: number;
+}
+
+/** REBA or RULA over a motion: of the worse arm, of each, its sub-scores, and the share of the time from each level on. */
+export interface PostureCourse extends ScoreCourse {
+  time_s: number;
+  side: 'left' | 'right';
+  left?: ScoreCourse;
+  right?: ScoreCourse;
+  parts: Record<string, ScoreCourse>;
+  share_from_level: Record<string, number>;
+}
+
+/** One end of a lift by the revised NIOSH lifting equation; without LI no load is allowed there. */
+export interface LiftEnd {
+  H_m: number;
+  V_m: number;
+  D_m: number;
+  A_deg: number;
+  HM: number;
+  VM: number;
+  DM: number;
+  AM: number;
+  FM: number;
+  CM: number;
+  RWL_kg: number;
+  FIRWL_kg: number;
+  LI?: number;
+  notes?: string[];
+}
+
+/** What a motion costs the body (docs/ergonomics.md). */
+export interface CostSummary {
+  /** The task's, with their defaults. */
+  ergonomics: NonNullable<Task['ergonomics']>;
+  reba?: PostureCourse;
+  rula?: PostureCourse;
+  en_1005_4: {
+    part: 'trunk' | 'trunk_aside' | 'upper_arm' | 'head' | 'head_inclination';
+    side?: 'left' | 'right';
+    greatest_deg: number;
+    share: Record<string, number>; // of the time, by zone
+    longest_s: Record<string, number>;
+    verdict?: 'acceptable' | 'conditional' | 'not_acceptable';
+  }[];
+  /** At L5/S1; a rigid trunk has no forces. */
+  back?: {
+    moment_Nm: ScoreCourse & { time_s: number };
+    compression_N?: ScoreCourse & {
+      time_s: number;
+      share_above_3400: number;
+      share_above_6400: number;
+      limit_by_age?: number;
+    };
+    shear_N?: { worst: number; time_s: number };
+  };
+  /** The joints for which the fewest people are strong enough. */
+  strengths: { joint: string; torque_Nm: number; strength_Nm: number; able: number; time_s: number }[];
+  lifts: {
+    thing: string;
+    mass_kg: number;
+    taken_s: number;
+    put_s: number;
+    origin: LiftEnd;
+    destination: LiftEnd;
+    LI?: number;
+    notes?: string[];
+  }[];
+  composite_index?: number;
+  composite_notes?: string[];
+  notes: string[];
+  /** The notes as a page words them. */
+  note_messages: Message[];
+}
+
 export interface CandidateSummary {
   rank: number;
   /** Whether the body could make the motion, and why not. */
@@ -140,6 +218,8 @@ export interface CandidateSummary {
   final_posture: { words: string; knee_flexion_deg: number; trunk_turn_deg: number };
   support?: { centre_of_mass: { least_mm: number; time_s: number }; pressure: { least_mm: number; time_s: number } };
   collision?: { depth_mm: number; limb: string; other: string; time_s: number };
+  /** Of a task with cost: true. */
+  cost?: CostSummary;
   duration_s: number;
   frames: number; // of the motion itself
   /** Of what the command line wrote beside: names, and the SHA-256 of each file's bytes, by format. */

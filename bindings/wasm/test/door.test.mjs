@@ -46,6 +46,24 @@ test('a character tells its joints, places and nodes', () => {
   for (const { sole_m, floor_m, least_m } of said.feet) assert.ok(Math.abs(Math.min(...sole_m.map(([, y]) => y)) + least_m - floor_m) < 1e-9);
 });
 
+test('a task with cost tells what its motions cost the body', () => {
+  const asked = { ...smallTask, candidates: 2, goals: [{ ...smallTask.goals[0], load_kg: 8 }] };
+  const plain = door.generate(human, asked);
+  assert.equal(plain.read().candidates[0].summary.cost, undefined);
+  const told = door.generate(human, { ...asked, cost: true, ergonomics: { coupling: 'poor' } });
+  const { candidates } = told.read();
+  assert.ok(candidates.length > 0);
+  for (const { summary: { cost } } of candidates) {
+    assert.ok(cost.reba.worst >= 1 && cost.reba.worst <= 15 && cost.reba.parts.coupling.worst === 2);
+    assert.ok(cost.rula.worst >= cost.rula.mean);
+    assert.ok(cost.back.compression_N.worst > 300 && cost.back.moment_Nm.worst > 0);
+    assert.equal(cost.ergonomics.coupling, 'poor');
+    assert.ok(cost.strengths.every(({ able }) => able >= 0 && able <= 1));
+    assert.deepEqual(cost.lifts, []);
+  }
+  for (const one of [plain, told]) one.free();
+});
+
 test('a piece of work tells its actions and the ways of its things', () => {
   const result = door.generate(human, {
     version: 2, seed: 3, evaluations: 64, candidates: 1,

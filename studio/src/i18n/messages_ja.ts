@@ -10,4 +10,4 @@ import { robots } from './messages/robots_ja';
 import { tasks } from './messages/tasks_ja';
 import { words } from './messages/words_ja';
 
-export const japaneseMessages: Readonly<Record<string, string>> = { ...words, ...people, ...robots, ...files, ...characters, ...tasks, ...results };
+export const japaneseMessages: Readonly<Record<string, string>> = { ...words, ...people, ...robots, ...files, ...characters, ...cost, ...tasks, ...results };
