@@ -52,7 +52,10 @@ TEST(ReachMap, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(ReachMap, PlacesKnowWhereTheyAre) {
-  const ReachMap map{.low = {-0.2, 0.0, 0.1}, .spacing = 0.1, .count = {2, 3, 4}};
+  ReachMap map;
+  map.low = {-0.2, 0.0, 0.1};
+  map.spacing = 0.1;
+  map.count = {2, 3, 4};
   EXPECT_EQ(map.position(map.at(1, 2, 3)), (Vec3d{-0.1, 0.2, 0.4}));
   EXPECT_EQ(map.plane(Axis::y, 0.24), 2);
   EXPECT_EQ(map.plane(Axis::y, 0.26), std::nullopt);
