@@ -20,9 +20,9 @@ namespace {
 
 // Share of a search's motions that each candidate of a later motion gets, their least number, and
 // those of a lift.
-constexpr double kLaterShare = 0.1;
+constexpr double kLaterShare = 0.25;
 constexpr int kLeastMotions = 96;
-constexpr int kLiftMotions = 64;
+constexpr int kLiftMotions = 128;
 // Lines that go on although some of them cannot be made.
 constexpr std::ptrdiff_t kLeastLines = 3;
 // Factor on them where none of the motions can be made.

@@ -129,7 +129,9 @@ class Mistaken : public testing::Test {
 
 TEST_F(Mistaken, CommandsAreTold) {
   expect_told({
-      {{}, {"give a command", "reach, edit, mirror, show, render, body, score", "shigusa --help"}},
+      {{},
+       {"give a command", "reach, edit, mirror, show, render, limit, map, body, score",
+        "shigusa --help"}},
       {{"reech"}, {"'reech'", "did you mean 'reach'?"}},
       {{"out.bvh"}, {"'out.bvh' is no command", "a file comes after one", "render"}},
       {{"--goal", kGoal}, {"--goal comes after the command that has it: reach"}},

@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "a torque is not as told"},
         FlawCase{"strength", Flaw::weakness_hidden, "a load of 1 to 40 kg", "1.5 times a joint's"},
         FlawCase{"pressure", Flaw::tipping_hidden, "both hands", "the floor presses"},
-        FlawCase{"order", Flaw::order_wrong, "a place", "candidates are not in their order"}),
+        FlawCase{"order", Flaw::order_wrong, "a place", "a worse kind of candidate ranks above"}),
     [](const testing::TestParamInfo<FlawCase>& test) { return test.param.name; });
 
 TEST(Judges, CountArmsThatGoThroughTheHead) {
