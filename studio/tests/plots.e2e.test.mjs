@@ -73,7 +73,7 @@ test('a torque beyond strength is seen in full, and said alike by table and verd
 });
 
 test('a joint has one colour in all motions, a side its own line, and the plots leave as pictures', { timeout: 120_000 }, async () => {
-  await ask(page, reach([-0.2, 0.6, 0.5]));
+  await ask(page, reach([-0.2, 0.3, 0.5]));
   await openPlots();
   const colours = new Map();
   const sides = new Set();
