@@ -31,21 +31,10 @@ struct MapOptions {
 // Numbers of a text with commas between.
 Result<std::optional<Vec3d>> corner_of(const char* option, const std::string& text) {
   if (text.empty()) return std::nullopt;
-  Vec3d corner{};
-  std::size_t from = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t comma = axis < 2 ? text.find(',', from) : text.size();
-    const auto number =
-        comma == text.npos ? std::nullopt : parse_number(text.substr(from, comma - from));
-    if (!number) {
-      return fail(ErrorCode::invalid_argument,
-                  fmt::format("'{}' is not X,Y,Z, such as -0.8,0,-0.4", text.substr(0, 80)),
-                  option);
-    }
-    corner[axis] = *number;
-    from = comma + 1;
-  }
-  return corner;
+  const auto numbers = parse_numbers(text, 3);
+  if (numbers) return Vec3d{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+  return fail(ErrorCode::invalid_argument,
+              fmt::format("'{}' is not X,Y,Z, such as -0.8,0,-0.4", text.substr(0, 80)), option);
 }
 
 struct SectionAt {

@@ -66,6 +66,10 @@ Result<int> reach(const ReachOptions& options) {
   if (!prepared) return tl::unexpected(in_task(prepared.error(), options.input, "reach"));
   for (const Message& odd : goal_notes(task)) note("goal", odd.text);
   SHG_TRY(prepare_out(options.out));
+  // a folder that is not there is told before the search
+  if (const auto within = std::filesystem::path(options.report).parent_path(); !within.empty()) {
+    SHG_TRY(placed("--report", prepare_folder(within)));
+  }
   const auto begin = std::chrono::steady_clock::now();
   Progress progress = terminal_progress();
   if (options.seconds) {

@@ -42,18 +42,6 @@ Texts split_at_commas(const std::string& text) {
   return parts;
 }
 
-// Infinite ones are refused by the range checks.
-std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count) {
-  std::vector<double> numbers;
-  for (const std::string& part : split_at_commas(text)) {
-    const std::optional<double> number = parse_number(part);
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-  }
-  if (numbers.size() != count) return std::nullopt;
-  return numbers;
-}
-
 std::optional<Named> parse_named(const std::string& text, std::size_t count) {
   const auto parts = split(text);
   if (!parts) return std::nullopt;
@@ -392,6 +380,17 @@ Result<void> apply_field(const Field<Request, bool>& field, bool truth, Request&
 }
 
 }  // namespace
+
+std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& part : split_at_commas(text)) {
+    const std::optional<double> number = parse_number(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != count) return std::nullopt;
+  return numbers;
+}
 
 Result<CriteriaSettings> mixture_named(const std::string& name) {
   Texts known;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 #include <shigusa/request.hpp>
 #include <string>
 #include <string_view>
@@ -105,5 +106,10 @@ void add_task_options(CLI::App& command, TaskOptions& options);
 // Applies the given options to the request; goals replace the existing ones. Fails on malformed
 // values, unknown words, and options for an effector without a goal.
 [[nodiscard]] Result<void> apply_task_options(const TaskOptions& options, Request& request);
+
+// Numbers of a text with commas between; nothing unless they are `count`. Infinite ones are refused
+// by the range checks.
+[[nodiscard]] std::optional<std::vector<double>> parse_numbers(const std::string& text,
+                                                               std::size_t count);
 
 }  // namespace shigusa::app

@@ -37,8 +37,8 @@ struct TriedChange {
 };
 
 /// Searches a task anew after each of a few changes: everything nearer, higher or lower, half the
-/// load, both hands. Returns the three that lower the worst share of the best motion most; those
-/// whose goals are not met are left out. Fails as candidate_cost does, and with
+/// load, both hands. Returns up to three that lower its worst share, or then its mean share, most;
+/// those whose goals are not met are left out. Fails as candidate_cost does, and with
 /// ErrorCode::cancelled.
 [[nodiscard]] Result<std::vector<TriedChange>> try_changes(const Task& task,
                                                            const Candidate& candidate,

@@ -156,6 +156,9 @@ class Changes {
 Result<std::vector<TriedChange>> try_changes(const Task& task, const Candidate& candidate,
                                              const Ergonomics& ergonomics,
                                              const Progress& progress) {
+  const auto rank = [](const CostPeaks& peaks) { return std::pair(peaks.worst(), peaks.mean()); };
+  SHG_TRY_ASSIGN(const MotionCost present, candidate_cost(task, candidate, ergonomics));
+  const auto now = rank(cost_peaks(present));
   std::vector<TriedChange> tried;
   for (Change& change : Changes(task, candidate).all()) {
     const auto found = change.task.actions.empty() ? generate(change.task, progress)
@@ -164,10 +167,11 @@ Result<std::vector<TriedChange>> try_changes(const Task& task, const Candidate& 
     if (!found || !found->meets_goals()) continue;
     const Candidate& best = found->candidates.front();
     SHG_TRY_ASSIGN(const MotionCost cost, candidate_cost(change.task, best, ergonomics));
-    tried.push_back({change.says, cost_peaks(cost), best.judgement.verdict});
+    const CostPeaks peaks = cost_peaks(cost);
+    if (rank(peaks) < now) tried.push_back({change.says, peaks, best.judgement.verdict});
   }
-  std::stable_sort(tried.begin(), tried.end(), [](const TriedChange& a, const TriedChange& b) {
-    return std::pair(a.peaks.worst(), a.peaks.mean()) < std::pair(b.peaks.worst(), b.peaks.mean());
+  std::stable_sort(tried.begin(), tried.end(), [&rank](const TriedChange& a, const TriedChange& b) {
+    return rank(a.peaks) < rank(b.peaks);
   });
   if (tried.size() > kMostChanges) tried.resize(kMostChanges);
   return tried;
