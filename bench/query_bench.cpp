@@ -27,6 +27,34 @@ void query(benchmark::State& state, const PosedBody& posed, SimdSet simd, int th
   }
 }
 
+// Pieces of work of four reaches, drawn within easy reach, or the first reach of each as a query of
+// its own. The ratio of both times is that of four actions to one query.
+void reaches(benchmark::State& state, SimdSet simd, bool all) {
+  constexpr int kPieces = 12;
+  Random random(3);
+  std::vector<Task> tasks;
+  for (int p = 0; p < kPieces; ++p) {
+    Task& task = tasks.emplace_back(human_body());
+    task.batch = {simd, 1};
+    for (int a = 0; a < 4; ++a) {
+      const bool left = random.uniform(0.0, 1.0) < 0.5;
+      const double side = (left ? 1.0 : -1.0) * random.uniform(0.0, 0.5);
+      const Vec3d place{side, random.uniform(0.45, 1.6), random.uniform(0.25, 0.5)};
+      task.actions.push_back({.goals = {{left ? "left_hand" : "right_hand", place}}});
+    }
+    if (all) continue;
+    task.goals = task.actions.front().goals;
+    task.actions.clear();
+  }
+  for (auto _ : state) {
+    for (const Task& task : tasks) {
+      const auto made = all ? perform(task) : generate(task);
+      if (!made || !made->meets_goals()) state.SkipWithError("not reached");
+      benchmark::DoNotOptimize(made);
+    }
+  }
+}
+
 // A VRM of a person with a million numbers of mesh data, and unused textures.
 std::string large_vrm() {
   nlohmann::json file = testing_support::person_gltf();
@@ -78,6 +106,10 @@ const bool kRegistered = [] {
     RegisterBenchmark(("query/human/two_threads/" + set).c_str(), query, human_body(), simd, 2)
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();
+    RegisterBenchmark(("work/four_reaches/" + set).c_str(), reaches, simd, true)
+        ->Unit(benchmark::kMillisecond);
+    RegisterBenchmark(("work/first_reach/" + set).c_str(), reaches, simd, false)
+        ->Unit(benchmark::kMillisecond);
   }
   RegisterBenchmark("load/vrm", load_vrm)->Unit(benchmark::kMillisecond);
   return true;

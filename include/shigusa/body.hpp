@@ -173,6 +173,18 @@ struct Capsule {
   double give = 0.0;          ///< m, depth to which soft tissue yields without a collision
   bool grown_on = false;  ///< an arm's capsule that begins inside the trunk; the two are not tested
                           ///< for collision
+  /// Part of a thing in a hand, whose depth in the body is that of its HeldShape.
+  bool of_thing = false;
+};
+
+/// A thing in a hand, for collisions with the body: a box with round edges that moves with a link.
+struct HeldShape {
+  std::string name;      ///< name of the thing
+  int link = kBaseLink;  ///< index of the link that carries it
+  Vec3d middle{};        ///< m, link frame
+  Quatd turn{};          ///< R_LT, its own axes in the link frame
+  Vec3d size{};          ///< m, its sides without the radius
+  double radius = 0.0;   ///< m, added to the size on all sides
 };
 
 /// Bend of the toes (rad) at which the heel bears no more load; below it the load share falls with
@@ -259,6 +271,7 @@ struct BodyDefinition {
   std::vector<Effector> effectors;       ///< the hands, or the ends of a robot's arms
   std::vector<Foot> feet;                ///< planted feet, the base among them if it is a foot
   std::vector<Capsule> capsules;         ///< collision shapes
+  std::vector<HeldShape> held;           ///< things in the hands
   std::vector<BodyNode> nodes;           ///< the exported skeleton, parents before children
   std::vector<NodePlace> places;         ///< positions of nodes that differ from the file's
   bool robot = false;  ///< a robot, whose strengths are effort limits, exactly known

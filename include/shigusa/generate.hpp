@@ -374,7 +374,8 @@ struct GenerateResult {
   /// duration. See played_task.
   bool gentled = false;
   SearchLog log{};  ///< counters of the search
-  /// Parameters of the best genome evaluated, delivered or not.
+  /// Parameters of the best genome evaluated, delivered or not; none if the task asks for one
+  /// candidate.
   std::optional<Parameters> best_seen;
   double best_seen_score = 0.0;          ///< score of best_seen
   SearchEnd end = SearchEnd::converged;  ///< why the search ended

@@ -15,8 +15,8 @@ namespace {
 // five of them fill a box but for its ends.
 constexpr double kEdge = 0.25;
 
-// Collision shapes of a thing on a hand's link: one capsule along its longest side, and where it
-// has edges four along these.
+// Capsules of a thing on a hand's link, for obstacles and the floor: one along its longest side,
+// and where it has edges four along these.
 std::vector<Capsule> capsules_of(const HeldLoad& load, const Effector& hand) {
   if (load.name.empty()) return {};
   const Mat3d turn = to_matrix(load.turn);
@@ -38,7 +38,8 @@ std::vector<Capsule> capsules_of(const HeldLoad& load, const Effector& hand) {
                         .link = hand.link,
                         .from = middle + turn * (off - half),
                         .to = middle + turn * (off + half),
-                        .radius = radius});
+                        .radius = radius,
+                        .of_thing = true});
   };
   const double thin = 0.5 * min(load.size[a], load.size[b]);
   add(max(thin + load.radius, 1e-3), 0.0, 0.0);
@@ -70,6 +71,10 @@ BodyModel with_load(const BodyModel& body, const HeldLoad& load) {
   if (sum.mass > 0.0) link = sum.in_frame(upright, {});
   loaded.mass += load.mass;
   for (Capsule& capsule : capsules_of(load, hand)) loaded.capsules.push_back(std::move(capsule));
+  if (!load.name.empty()) {
+    loaded.held.push_back(
+        {load.name, hand.link, hand.point + load.middle, load.turn, load.size, load.radius});
+  }
   return BodyModel(std::move(loaded));
 }
 

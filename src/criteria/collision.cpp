@@ -48,6 +48,22 @@ void add_floor(const BodyModel& body, const Effector& effector, CollisionPairs& 
   }
 }
 
+// Adds the pairs of a thing in a hand and of all that is not of that hand.
+void add_held(const BodyModel& body, const HeldShape& thing, CollisionPairs& pairs) {
+  const Vec3d half = thing.size * 0.5;
+  const int number = static_cast<int>(pairs.things.size());
+  pairs.things.push_back({thing.link, {thing.middle, half, thing.radius, to_matrix(thing.turn)}});
+  for (int c = 0; c < static_cast<int>(body.capsules().size()); ++c) {
+    const Capsule& capsule = body.capsules()[index(c)];
+    if (capsule.of_thing || capsule.link == thing.link) continue;
+    const double together = reach_of(body, c) + norm(half) + thing.radius;
+    CollisionPairs::Pair& pair = pairs.held.emplace_back();
+    pair = {.limb = c, .other = number, .give = capsule.give};
+    pair.near = static_cast<float>(kApartSlack * together * together);
+    pair.length = norm(capsule.to - capsule.from);
+  }
+}
+
 }  // namespace
 
 CollisionPairs::CollisionPairs() = default;
@@ -61,11 +77,14 @@ CollisionPairs collision_pairs(const BodyModel& body, const CriteriaContext& con
   CollisionPairs pairs;
   const auto& capsules = body.capsules();
   for (const CapsulePair& pair : all_limb_pairs(body)) {
-    if (rests_on(body, pair.limb, capsules[index(pair.part)].name, context)) continue;
+    const Capsule& limb = capsules[index(pair.limb)];
+    const Capsule& part = capsules[index(pair.part)];
+    if (rests_on(body, pair.limb, part.name, context) || limb.of_thing != part.of_thing) continue;
     const double together = reach_of(body, pair.limb) + reach_of(body, pair.part);
     const auto near = static_cast<float>(kApartSlack * together * together);
     pairs.parts.push_back({pair.limb, pair.part, 0.0, give_of(body, pair), near});
   }
+  for (const HeldShape& thing : body.definition().held) add_held(body, thing, pairs);
   for (const Effector& effector : body.effectors()) add_floor(body, effector, pairs);
   for (int c = 0; c < static_cast<int>(body.capsules().size()); ++c) {
     for (int o = 0; o < static_cast<int>(context.obstacles.size()); ++o) {
@@ -95,6 +114,7 @@ CollisionFound deepest_collision(const BodyModel& body, const Clip& clip,
   const auto name = [&](const CollisionPairs::Pair& pair, CollisionKind kind) -> std::string {
     const std::size_t other = index(pair.other);
     if (kind == CollisionKind::floor) return "floor";
+    if (kind == CollisionKind::held) return body.definition().held[other].name;
     return kind == CollisionKind::part ? body.capsules()[other].name
                                        : context.obstacles[other].name;
   };

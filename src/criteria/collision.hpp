@@ -14,8 +14,8 @@
 
 namespace shigusa {
 
-// All pairs that can collide in a body, with their depths in the start posture, which are not
-// penalised.
+// All pairs that can collide in a body with what it holds, with their depths in the start posture,
+// which are not penalised.
 struct CollisionPairs {
   // defined in the source file, shared by all SIMD sets
   CollisionPairs();
@@ -30,18 +30,26 @@ struct CollisionPairs {
     int other = 0;         // capsule or obstacle
     double allowed = 0.0;  // m, positive depth in the start posture
     double give = 0.0;     // m, compliance of the softer of both
-    float near = 0.0F;     // m², of parts: squared distance of midpoints from which they are apart
-    float part = 1.0F;     // of the floor: share of the capsule that counts, from its first end
-    double length = 0.0;   // m, of the limb's axis
+    float near = 0.0F;    // m², of parts and held things: squared distance of midpoints from which
+                          // they are apart
+    float part = 1.0F;    // of the floor: share of the capsule that counts, from its first end
+    double length = 0.0;  // m, of the limb's axis
+  };
+  // A thing in a hand, as a box in the frame of a link.
+  struct Held {
+    int link = 0;
+    PlacedBox box{};
   };
   std::vector<Pair> parts;      // limbs and parts of the body
+  std::vector<Pair> held;       // a capsule of the body and one of `things`
   std::vector<Pair> obstacles;  // any capsule and one of `shapes`
   std::vector<Pair> floor;      // capsules of arms with a wrist; `other` is unused
   std::vector<PlacedBox> shapes;
+  std::vector<Held> things;
 };
 [[nodiscard]] CollisionPairs collision_pairs(const BodyModel& body, const CriteriaContext& context);
 
-enum class CollisionKind { part, obstacle, floor };
+enum class CollisionKind { part, held, obstacle, floor };
 
 // Calls visit(pair, kind, depth in m beyond the allowed one) for all pairs that can collide, except
 // parts that are apart in all lanes. `placed` is scratch memory, one element for each of the body's
@@ -68,6 +76,20 @@ void visit_collisions(const BodyModel& body, Pairs& pairs, const Kinematics<S>& 
     visit(pair, CollisionKind::part,
           depth_of(limb, part, of_limb.radius + of_part.radius - pair.allowed, taper_of(of_limb),
                    taper_of(of_part)));
+  }
+  for (auto& pair : pairs.held) {
+    const CollisionPairs::Held& thing = pairs.things[index(pair.other)];
+    const Mat3<S>& turn = kinematics.link_rotation(thing.link);
+    const Vec3<S>& origin = kinematics.link_origin(thing.link);
+    const PlacedCapsule<S>& limb = placed[index(pair.limb)];
+    const auto local = [&](const Vec3<S>& p) { return transpose_times(turn, p - origin); };
+    const Vec3<S> between = local(limb.middle) - to_scalar<S>(thing.box.position);
+    if (!any(dot(between, between) < S(pair.near))) continue;
+    const Capsule& of_limb = capsules[index(pair.limb)];
+    const double touches = of_limb.radius - pair.allowed;
+    const S apart = axis_distance(thing.box, PlacedCapsule<S>{local(limb.from), local(limb.to), {}},
+                                  pair.length, taper_of(of_limb), touches);
+    visit(pair, CollisionKind::held, S(touches) - apart);
   }
   for (auto& pair : pairs.obstacles) {
     const PlacedBox& obstacle = pairs.shapes[index(pair.other)];

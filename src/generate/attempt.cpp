@@ -49,6 +49,13 @@ std::optional<Attempt> slower_attempt(const Problem& problem, const GenerateResu
   return wants_more(found) ? slower(problem, found) : std::nullopt;
 }
 
+std::optional<Attempt> other_approaches_attempt(const Problem& problem,
+                                                const GenerateResult& found) {
+  const bool lanes = problem.task.generator == MotionGenerator::weighted_ik;
+  if (!wants_one(problem.task) || !lanes || !wants_more(found)) return std::nullopt;
+  return Attempt{.run = run_of(problem), .on_all = true};
+}
+
 std::optional<Attempt> longer_attempt(const Problem& problem, const GenerateResult& found) {
   const Task& task = problem.task;
   if (task.evaluations || found.end == SearchEnd::cancelled || task.pareto) return std::nullopt;

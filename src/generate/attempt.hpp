@@ -22,6 +22,8 @@ struct Attempt {
 using NextAttempt = std::optional<Attempt>(const Problem& problem, const GenerateResult& found);
 // A longer duration, for motions that are impossible only because they are too fast.
 [[nodiscard]] NextAttempt slower_attempt;
+// All approaches, where the first was searched alone.
+[[nodiscard]] NextAttempt other_approaches_attempt;
 // A larger number of motions.
 [[nodiscard]] NextAttempt longer_attempt;
 // Other random numbers.
@@ -29,7 +31,8 @@ using NextAttempt = std::optional<Attempt>(const Problem& problem, const Generat
 // A longer duration, for a person who stands up and strains, where other candidates are too fast.
 [[nodiscard]] NextAttempt slower_rise_attempt;
 // All attempts, in the order in which they are made.
-inline constexpr NextAttempt* kAttempts[] = {slower_attempt, longer_attempt, other_numbers_attempt,
+inline constexpr NextAttempt* kAttempts[] = {slower_attempt, other_approaches_attempt,
+                                             longer_attempt, other_numbers_attempt,
                                              slower_rise_attempt};
 
 // The result of one attempt; replays are not counted as evaluations. Fails as search_problem does,

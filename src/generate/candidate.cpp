@@ -163,7 +163,7 @@ Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
   }
   add_resting_hands(problem, approach, rolled.motion, candidate);
   candidate.measures = measure_motion(body, rolled.motion, context_of(problem, candidate));
-  candidate.judgement = judge(body, rolled.motion, candidate.measures);
+  candidate.judgement = judge(body, candidate.measures);
   const Clip& clip = rolled.motion.clip;
   candidate.final_posture = PostureMeter(body, task.home, approach.goals.front().effector)
                                 .measure(clip.frame(clip.frames - 1));
@@ -192,6 +192,11 @@ bool could_be_made(const Candidate& candidate) {
 }
 
 int shown_least(const Task& task) { return std::min(kShownLeast, task.candidates); }
+
+bool wants_one(const Task& task) {
+  const PresetTraits& traits = traits_of(task.preset);
+  return task.candidates == 1 && !task.duration && traits.natural && !traits.layers;
+}
 
 bool collides(const Candidate& candidate) {
   return candidate.measures.collides.depth > kCollisionDepth;

@@ -9,7 +9,13 @@
 
 namespace shigusa {
 
-// A candidate of a motion, with all its measures.
+// The shortest duration (s), up to kSlowest times its own, in which a motion judged impossible is
+// possible, else in which it strains; none if it is impossible in all of them.
+[[nodiscard]] std::optional<double> possible_in(const Judgement& judgement, const BodyModel& body,
+                                                const Motion& motion,
+                                                const MotionMeasures& measures);
+
+// A candidate of a motion, with all its measures but possible_in.
 [[nodiscard]] Candidate make_candidate(const Problem& problem, const ReachProblem& approach,
                                        const Parameters& parameters, RolledOut rolled);
 
@@ -25,6 +31,10 @@ namespace shigusa {
 // Number of candidates shown whatever their score: kShownLeast, or fewer if the task asks for
 // fewer.
 [[nodiscard]] int shown_least(const Task& task);
+
+// Whether a task asks for one motion, in any time: then it is slowed down where others would be
+// looked for.
+[[nodiscard]] bool wants_one(const Task& task);
 
 // Whether a candidate penetrates the body, an obstacle or the floor beyond the tolerance.
 [[nodiscard]] bool collides(const Candidate& candidate);

@@ -14,10 +14,13 @@
 namespace shigusa {
 namespace {
 
-// Replays of spare motions for each distance, per missing style and in all.
+// Most replays of spare motions for each distance, per missing style and in all, and for each
+// motion that the task asks for.
 constexpr int kTries = 12;
-// Replays of spare motions that score worse, where few candidates are feasible.
+constexpr int kTriesOfOne = 3;
+// Those of spare motions that score worse, where few candidates are feasible.
 constexpr int kWorseTries = 24;
+constexpr int kWorseTriesOfOne = 6;
 
 // Steps of the delivery, by preset.
 struct Policy {
@@ -39,7 +42,7 @@ Policy policy_of(const Task& task) {
           .asks_smooth = minds_jolts(task),
           .styles = true,
           .as_people = true,
-          .tries = kTries};
+          .tries = std::min(kTries, kTriesOfOne * task.candidates)};
 }
 
 Style end_style(const Candidate& candidate) {
@@ -94,6 +97,7 @@ class Delivery {
   }
 
   void take_spares() {
+    if (only_hastes()) return;
     int tries = 0;
     for (const Archived& spare : selection_.spare) {
       if (is_enough() || tries >= policy_.tries) break;
@@ -107,18 +111,27 @@ class Delivery {
 
   // Adds feasible motions with worse scores where fewer than kShownLeast would be shown.
   void take_worse() {
+    const int most = std::min(kWorseTries, kWorseTriesOfOne * task_.candidates);
     int tries = 0;
     for (const Archived& spare : selection_.spare) {
       const auto shown =
           static_cast<int>(std::count_if(all().begin(), all().end(), [this](const Candidate& c) {
             return is_free(c) && could_be_made(c);
           }));
-      if (shown >= shown_least(task_) || tries >= kWorseTries) return;
+      if (shown >= shown_least(task_) || tries >= most) return;
       if (spare.score <= selection_.picked.front().score + kCandidateSpread) continue;
       if (has_like(spare)) continue;
       ++tries;
       take_spare(spare, true);
     }
+  }
+
+  // Whether the one motion asked for would do in a longer time, which is free.
+  [[nodiscard]] bool only_hastes() const {
+    if (!wants_one(task_) || all().empty()) return false;
+    const Candidate& one = all().front();
+    return !collides(one) &&
+           (could_be_made(one) || possible_in(one.judgement, task_.body, one.motion, one.measures));
   }
 
   // Number of spare motions that became candidates.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "attempt.hpp"
+#include "candidate.hpp"
 #include "conflict.hpp"
 #include "core/say.hpp"
 #include "delivery.hpp"
@@ -69,8 +70,8 @@ Result<GenerateResult> generate(const PreparedTask& prepared, const Progress& pr
   const PresetTraits& traits = traits_of(task.preset);
   const bool lanes = task.generator == MotionGenerator::weighted_ik;
   const bool on_all = traits.natural && lanes && !traits.layers && !task.pareto;
-  SHG_TRY_ASSIGN(GenerateResult found,
-                 search_problem(problem, run_of(problem), joint.part(1.0), on_all));
+  SHG_TRY_ASSIGN(GenerateResult found, search_problem(problem, run_of(problem), joint.part(1.0),
+                                                      on_all && !wants_one(task)));
   for (NextAttempt* const next : kAttempts) {
     const auto attempt = traits.natural ? next(problem, found) : std::nullopt;
     if (!attempt) continue;

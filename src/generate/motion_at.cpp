@@ -9,7 +9,7 @@
 namespace shigusa {
 
 Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate) {
-  Held held;
+  std::vector<HeldPoint> held;
   for (const Foot& foot : body.feet()) {
     const auto stands = [&foot](const ContactResult& contact) {
       return contact.effector == foot.name;
@@ -17,11 +17,13 @@ Clip motion_at(const BodyModel& body, const Candidate& candidate, double rate) {
     const auto& contacts = candidate.contacts;
     // the base is fixed
     if (foot.link == kBaseLink || std::none_of(contacts.begin(), contacts.end(), stands)) continue;
-    held.feet.push_back(foot);
+    held.push_back({.link = foot.link, .point = foot.centre, .turns = true, .exact = true});
   }
   for (const GoalResult& goal : candidate.goals) {
     if (const auto effector = body.find_effector(goal.asked.effector)) {
-      held.effectors.push_back(body.effector(*effector));
+      const Effector& hand = body.effector(*effector);
+      held.push_back(
+          {.link = hand.link, .point = hand.point, .turns = goal.asked.carry.has_value()});
     }
   }
   return resampled(body, candidate.motion.clip, rate, held);

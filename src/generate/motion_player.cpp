@@ -78,6 +78,7 @@ Result<GenerateResult> MotionPlayer::play(const Parameters& values) {
   generation.duration = problem.reach.duration;
   SHG_TRY_ASSIGN(Candidate candidate, made_->play(values));
   generation.candidates.push_back(std::move(candidate));
+  find_possible_in(problem.task.body, generation);
   tell_status(made_->planner->in_reach(), generation);
   return generation;
 }

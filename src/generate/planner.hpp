@@ -30,8 +30,9 @@ struct Arrival {
 // The result of one search.
 struct Found {
   SearchResult result;
-  Selection selection;   // the points to replay
-  Parameters best_seen;  // the values of the best point evaluated, kept or not
+  Selection selection;  // the points to replay
+  // The values of the best point evaluated, kept or not; none if the task wants one motion.
+  std::optional<Parameters> best_seen;
   double best_seen_score = 0.0;
 };
 

@@ -124,6 +124,13 @@ void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
 
 }  // namespace
 
+void find_possible_in(const BodyModel& body, GenerateResult& generation) {
+  for (Candidate& candidate : generation.candidates) {
+    Judgement& judgement = candidate.judgement;
+    judgement.possible_in = possible_in(judgement, body, candidate.motion, candidate.measures);
+  }
+}
+
 void tell_status(bool in_reach, GenerateResult& generation) {
   const Candidate& best = generation.candidates.front();
   const bool met = in_reach && miss_of(best) <= kReachTolerance;
@@ -165,6 +172,7 @@ Result<GenerateResult> search_problem(const Problem& problem, const RunSettings&
     generation.candidates.push_back(only_candidate(planner, problem.parameters->start()));
   }
   std::stable_sort(generation.candidates.begin(), generation.candidates.end(), ranks_of(task));
+  find_possible_in(task.body, generation);
   tell_status(planner.in_reach(), generation);
   planner.finish(generation);
   return generation;
@@ -192,6 +200,7 @@ Result<GenerateResult> played_anew(const Problem& problem, const GenerateResult&
     candidate = played(*planner, Parameters(candidate.parameters));
   }
   std::stable_sort(again.candidates.begin(), again.candidates.end(), ranks_of(problem.task));
+  find_possible_in(problem.task.body, again);
   again.status = status_of(generation.meets_goals(), again.candidates);
   return again;
 }

@@ -21,6 +21,9 @@ namespace shigusa {
 [[nodiscard]] Result<GenerateResult> played_anew(const Problem& problem,
                                                  const GenerateResult& generation);
 
+// Sets possible_in of all candidates.
+void find_possible_in(const BodyModel& body, GenerateResult& generation);
+
 // Sets the status from all candidates, and the remaining distance and turn from the first.
 void tell_status(bool in_reach, GenerateResult& generation);
 

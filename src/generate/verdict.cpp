@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dynamics/clip_dynamics.hpp"
+#include "generate/candidate.hpp"
 
 namespace shigusa {
 namespace {
@@ -121,9 +122,15 @@ Judgement judge_start(const BodyModel& body, const State& start) {
 }
 
 Judgement judge(const BodyModel& body, const Motion& motion, const MotionMeasures& measures) {
-  constexpr int kHalvings = 6;
   Judgement judgement = judge(body, measures);
-  if (judgement.verdict != Verdict::impossible) return judgement;
+  judgement.possible_in = possible_in(judgement, body, motion, measures);
+  return judgement;
+}
+
+std::optional<double> possible_in(const Judgement& judgement, const BodyModel& body,
+                                  const Motion& motion, const MotionMeasures& measures) {
+  constexpr int kHalvings = 6;
+  if (judgement.verdict != Verdict::impossible) return std::nullopt;
   double fast = motion.clip.duration();
   double slow = kSlowest * fast;
   ClipDynamics dynamics(body);
@@ -131,13 +138,12 @@ Judgement judge(const BodyModel& body, const Motion& motion, const MotionMeasure
     return verdict_in(duration, body, motion, measures, dynamics);
   };
   const Verdict best = in(slow);
-  if (best == Verdict::impossible) return judgement;
+  if (best == Verdict::impossible) return std::nullopt;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (fast + slow);
     (in(middle) <= best ? slow : fast) = middle;
   }
-  judgement.possible_in = slow;
-  return judgement;
+  return slow;
 }
 
 }  // namespace shigusa

@@ -53,13 +53,12 @@ bool goes_around(const ReachProblem& problem) {
                      [](const ReachGoal& goal) { return goal.path.detour != Vec3d{}; });
 }
 
-// The best score of the start points of a search.
+// The best score of the known start points of a search, or of bent ones where none are known.
 double best_start(const Problem& problem, const ReachProblem& approach) {
   const Task& task = problem.task;
   const ParameterSpace space(approach, *problem.parameters, gene_code(task), task.fixed);
   std::vector<double> points = KnownStarts(approach, space).points(task.starts);
-  const std::vector<double> bent = bent_starts(space);
-  points.insert(points.end(), bent.begin(), bent.end());
+  if (points.empty()) points = bent_starts(space);
   std::vector<double> scores(points.size() / index(std::max(space.genes(), 1)));
   PointScorer(problem, approach, problem.task.criteria, space, task.batch.threads)
       .score(points, scores);
@@ -79,18 +78,6 @@ bool may_score(const Problem& problem) {
 // stands up below this share of the usual one's: who can stand does.
 constexpr double kStraightShare = 0.9;
 constexpr double kRisingShare = 2.0;
-
-// The approaches with a detour where one is needed: the need is found with uniform weights, so the
-// best motions from the start table may do without.
-std::vector<ReachProblem> usual_approaches(const Problem& problem, const ReachProblem& there,
-                                           const ClosestReach& reach) {
-  std::vector<ReachProblem> around = approaches_to_goal(there, reach);
-  if (!goes_around(around.front()) || !may_score(problem)) return around;
-  std::vector<ReachProblem> straight = approaches_to_goal(there, reach, true);
-  const bool does_without =
-      best_start(problem, straight.front()) < kStraightShare * best_start(problem, around.front());
-  return does_without ? straight : around;
-}
 
 // In rising the knees lead the hips, and the hips the back (Burgess-Limerick et al., Hum. Factors
 // 37 (1995) 395): haste of the ways of the hips and the neck, and distance (statures) by which the
@@ -154,21 +141,15 @@ void go_about_hips(ReachProblem& problem) {
   neck.detour_peak = neck.own_time(0.5);
 }
 
-// The approaches of a person who begins bent and stands up, and their best start: the hips alone,
-// with the neck, or turned upright go up on ways of their own. No approaches where the goals cannot
-// be met like that, or where the user fixes knees that no standing person has.
 // A way up that is there is found soon.
 constexpr ReachabilitySettings kRisingReach{.starts = 4, .iterations = 100};
-struct Rising {
-  double start = std::numeric_limits<double>::infinity();
-  std::vector<ReachProblem> approaches{};
-};
-Rising rising(const Problem& problem, const ReachProblem& reach) {
-  Rising best;
+
+// The problems of a person who begins bent and stands up: the hips alone, with the neck, or turned
+// upright go up on ways of their own. None where the user fixes knees that no standing person has.
+std::vector<ReachProblem> ways_up(const Problem& problem, const ReachProblem& reach) {
   const bool keeps_bent = fixed_value(problem, "squat_rad").value_or(0.0) > kStandsKnees;
-  if (reach.rise.empty() || !may_score(problem) || keeps_bent) return best;
   ReachProblem hips = reach;
-  if (!lead(HumanoidBone::hips, kHipsHaste, hips)) return best;
+  if (reach.rise.empty() || keeps_bent || !lead(HumanoidBone::hips, kHipsHaste, hips)) return {};
   go_back_first(hips);
   std::vector<ReachProblem> ways{hips};
   ReachProblem trunk = hips;
@@ -177,12 +158,58 @@ Rising rising(const Problem& problem, const ReachProblem& reach) {
     ways.push_back(std::move(trunk));
   }
   if (level_hips(hips)) ways.push_back(std::move(hips));
-  for (const ReachProblem& up : ways) {
-    const ClosestReach closest = closest_reach(up, kRisingReach);
-    if (!closest.reached()) continue;
-    std::vector<ReachProblem> approaches = approaches_to_goal(up, closest, true);
-    const double start = best_start(problem, approaches.front());
-    if (start < best.start) best = {start, std::move(approaches)};
+  return ways;
+}
+
+// The approaches of a problem by the number of a way (Problem::way): with a detour where one is
+// needed, straight, or standing up in the ways of `ways_up`. Empty where a way up does not lead
+// to the goals.
+constexpr int kAround = 0;
+constexpr int kStraight = 1;
+constexpr int kUp = 2;
+std::vector<ReachProblem> approaches_by(int way, const Problem& problem, const ReachProblem& reach,
+                                        const ClosestReach& closest) {
+  if (way < kUp) return approaches_to_goal(reach, closest, way == kStraight);
+  const ReachProblem up = ways_up(problem, reach)[index(way - kUp)];
+  const ClosestReach there = closest_reach(up, kRisingReach);
+  if (!there.reached()) return {};
+  return approaches_to_goal(up, there, true);
+}
+
+// The way of a problem, as the planner of its task without a duration finds it.
+int way_in_usual_time(const Problem& problem) {
+  const auto usual = with_duration(problem, std::nullopt);
+  if (!usual || !make_whole_body_planner(**usual)) return kAround;
+  return (*usual)->way;
+}
+
+// The way whose start points score best. The need of a detour is found with uniform weights, so the
+// best motions from the start table may do without.
+int best_way(const Problem& problem, const ReachProblem& reach, const ClosestReach& closest) {
+  const std::vector<ReachProblem> around = approaches_by(kAround, problem, reach, closest);
+  const auto ways = static_cast<int>(ways_up(problem, reach).size());
+  if (!may_score(problem) || (ways == 0 && !goes_around(around.front()))) return kAround;
+  if (problem.task.duration) return way_in_usual_time(problem);
+  const auto start = [&](int way) {
+    const std::vector<ReachProblem> approaches = approaches_by(way, problem, reach, closest);
+    return approaches.empty() ? std::numeric_limits<double>::infinity()
+                              : best_start(problem, approaches.front());
+  };
+  int best = kAround;
+  double least = best_start(problem, around.front());
+  if (goes_around(around.front())) {
+    const double straight = start(kStraight);
+    if (straight < kStraightShare * least) {
+      best = kStraight;
+      least = straight;
+    }
+  }
+  least *= kRisingShare;
+  for (int up = kUp; up < kUp + ways; ++up) {
+    const double rising = start(up);
+    if (!(rising < least)) continue;
+    best = up;
+    least = rising;
   }
   return best;
 }
@@ -199,11 +226,10 @@ class WholeBodyPlanner : public Planner {
       reach_ = clear_goals(reach_, closest);
       closest = closest_reach(reach_);
     }
-    usual_approaches_ = usual_approaches(problem_, reach_, closest);
-    if (Rising up = rising(problem_, reach_); !up.approaches.empty()) {
-      const double usual = best_start(problem_, usual_approaches_.front());
-      if (up.start < kRisingShare * usual) usual_approaches_ = std::move(up.approaches);
+    if (problem_.way == Problem::kNoWay) {
+      problem_.way = best_way(problem_, reach_, closest);
     }
+    usual_approaches_ = approaches_by(problem_.way, problem_, reach_, closest);
     approaches_ = usual_approaches_;
   }
 
@@ -230,8 +256,9 @@ class WholeBodyPlanner : public Planner {
         traits_of(task_.preset).natural
             ? distinct_postures(searched.archive(), kKeptPerCandidate * task_.candidates)
             : Selection{.picked = ranked_population(found.result)};
+    if (wants_one(task_)) return found;
     found.best_seen = space_->decode(found.result.best_seen.point);
-    found.best_seen_score = replayed_score(approach, found.best_seen);
+    found.best_seen_score = replayed_score(approach, *found.best_seen);
     return found;
   }
 

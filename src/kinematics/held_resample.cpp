@@ -14,10 +14,10 @@ void append(const Vec3d& v, std::vector<double>& numbers) {
 // Corrects the held points, frame by frame.
 class Holder {
  public:
-  Holder(const BodyModel& body, const Clip& clip, double rate, const Held& held)
+  Holder(const BodyModel& body, const Clip& clip, double rate, std::span<const HeldPoint> held)
       : body_(body), held_(held), now_(body), workspace_(body) {
     forward_kinematics<double>(body, clip.frame(0), now_);
-    for (const Foot& foot : held.feet) standing_.push_back(now_.link_rotation(foot.link));
+    for (const HeldPoint& point : held) first_.push_back(now_.link_rotation(point.link));
     ways_ = resampled(ways_of(clip), rate);
     inverse_weights_.assign(body.dofs().size(), 0.0);
     for (std::size_t i = 0; i < clip.angles.size(); ++i) {
@@ -36,7 +36,8 @@ class Holder {
       double off = 0.0;
       for (const Constraint<double>& target : targets) {
         off = max(off, norm(position_error(now_, target)));
-        if (target.exact) off = max(off, kContactLength * norm(tilt_error(now_, target)));
+        if (target.turning == Turning::whole)
+          off = max(off, kContactLength * norm(tilt_error(now_, target)));
       }
       if (off < kNear) return;
       const auto step =
@@ -46,23 +47,18 @@ class Holder {
   }
 
  private:
-  // (frames × 6 for each foot and 3 for each effector) m and rad: positions of soles and their
-  // turns since the first frame, and positions of effectors.
+  // (frames × 6 for each point that turns and 3 for others) m and rad: positions, and turns since
+  // the first frame.
   Clip ways_of(const Clip& clip) {
-    Clip ways{.dofs = static_cast<int>(6 * held_.feet.size() + 3 * held_.effectors.size()),
-              .frames = clip.frames,
-              .frame_time = clip.frame_time,
-              .angles = {}};
+    Clip ways{.dofs = 0, .frames = clip.frames, .frame_time = clip.frame_time, .angles = {}};
+    for (const HeldPoint& point : held_) ways.dofs += point.turns ? 6 : 3;
     for (int f = 0; f < clip.frames; ++f) {
       forward_kinematics<double>(body_, clip.frame(f), now_);
-      for (std::size_t i = 0; i < held_.feet.size(); ++i) {
-        const Foot& foot = held_.feet[i];
-        append(now_.point(foot.link, foot.centre), ways.angles);
-        append(rotation_vector(now_.link_rotation(foot.link) * transpose(standing_[i])),
-               ways.angles);
-      }
-      for (const Effector& effector : held_.effectors) {
-        append(now_.point(effector.link, effector.point), ways.angles);
+      for (std::size_t i = 0; i < held_.size(); ++i) {
+        const HeldPoint& point = held_[i];
+        append(now_.point(point.link, point.point), ways.angles);
+        if (!point.turns) continue;
+        append(rotation_vector(now_.link_rotation(point.link) * transpose(first_[i])), ways.angles);
       }
     }
     return ways;
@@ -75,38 +71,34 @@ class Holder {
       at += 3;
       return Vec3d{at[-3], at[-2], at[-1]};
     };
-    for (std::size_t i = 0; i < held_.feet.size(); ++i) {
+    for (std::size_t i = 0; i < held_.size(); ++i) {
       Constraint<double>& target = targets.emplace_back();
-      target.link = held_.feet[i].link;
-      target.point = held_.feet[i].centre;
-      target.exact = true;
+      target.link = held_[i].link;
+      target.point = held_[i].point;
+      target.exact = held_[i].exact;
+      target.place = next();
+      if (!held_[i].turns) continue;
       target.turning = Turning::whole;
-      target.place = next();
-      target.orientation = rotation_by(next()) * standing_[i];
-    }
-    for (const Effector& effector : held_.effectors) {
-      Constraint<double>& target = targets.emplace_back();
-      target.link = effector.link;
-      target.point = effector.point;
-      target.place = next();
+      target.orientation = rotation_by(next()) * first_[i];
     }
     return targets;
   }
 
   const BodyModel& body_;
-  const Held& held_;
+  std::span<const HeldPoint> held_;
   Kinematics<double> now_;
   IkWorkspace<double> workspace_;
   std::vector<double> inverse_weights_;  // (dofs)
-  std::vector<Mat3d> standing_;          // (feet) R_WL in the first frame
+  std::vector<Mat3d> first_;             // (points) R_WL in the first frame
   Clip ways_;
 };
 
 }  // namespace
 
-Clip resampled(const BodyModel& body, const Clip& clip, double rate, const Held& held) {
+Clip resampled(const BodyModel& body, const Clip& clip, double rate,
+               std::span<const HeldPoint> held) {
   Clip result = resampled(clip, rate);
-  if (held.feet.empty() && held.effectors.empty()) return result;
+  if (held.empty()) return result;
   Holder holder(body, clip, rate, held);
   const std::size_t dofs = index(clip.dofs);
   // the first and the last frame are the clip's own

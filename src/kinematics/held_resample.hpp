@@ -3,14 +3,16 @@
 
 #include <shigusa/body.hpp>
 #include <shigusa/motion.hpp>
-#include <vector>
+#include <span>
 
 namespace shigusa {
 
-// Points that stay on their paths between a clip's frames.
-struct Held {
-  std::vector<Foot> feet;           // planted feet: position and orientation of their soles
-  std::vector<Effector> effectors;  // the points of goals
+// A point of a link that stays on its path between a clip's frames.
+struct HeldPoint {
+  int link = 0;
+  Vec3d point{};       // m, link frame
+  bool turns = false;  // with its orientation: planted soles, hands on a thing
+  bool exact = false;  // planted soles
 };
 
 // The clip at `rate` frames a second as by resampled(clip, rate), with the held points on splines
@@ -18,6 +20,6 @@ struct Held {
 // millimetres where angles change fast. IK steps with equal weights correct that; dofs that do not
 // move in the clip stay.
 [[nodiscard]] Clip resampled(const BodyModel& body, const Clip& clip, double rate,
-                             const Held& held);
+                             std::span<const HeldPoint> held);
 
 }  // namespace shigusa

@@ -37,10 +37,13 @@ Result<std::unique_ptr<const Problem>> prepare(const Task& task) {
   return posed(std::move(ready));
 }
 
-Result<std::unique_ptr<const Problem>> with_duration(const Problem& problem, double duration) {
+Result<std::unique_ptr<const Problem>> with_duration(const Problem& problem,
+                                                     std::optional<double> duration) {
   Task task = problem.task;
   task.duration = duration;
-  return posed(std::move(task));
+  SHG_TRY_ASSIGN(auto other, posed(std::move(task)));
+  other->way = problem.way.load();
+  return other;
 }
 
 }  // namespace shigusa

@@ -18,11 +18,12 @@
 namespace shigusa {
 namespace {
 
-// Share of a search's motions that each candidate of a later motion gets, their least number, and
-// those of a lift.
-constexpr double kLaterShare = 0.25;
-constexpr int kLeastMotions = 96;
-constexpr int kLiftMotions = 128;
+// Motions of a candidate's later steps as shares of a search's, and their least number. Work with
+// things needs more: they leave fewer postures.
+constexpr double kLaterShare = 0.093;
+constexpr double kThingShare = 0.185;
+constexpr double kLiftShare = 0.11;
+constexpr int kLeastMotions = 80;
 // Lines that go on although some of them cannot be made.
 constexpr std::ptrdiff_t kLeastLines = 3;
 // Factor on them where none of the motions can be made.
@@ -125,6 +126,11 @@ class Performance {
            step.kind != StepKind::let_go;
   }
 
+  double share_of(StepKind kind) const {
+    if (task_.things.empty()) return kLaterShare;
+    return kind == StepKind::lift ? kLiftShare : kThingShare;
+  }
+
   Result<void> make(std::size_t action, const Step& step) {
     if (moves(step)) {
       const Result<void> moved = move(action, step);
@@ -187,7 +193,7 @@ class Performance {
   std::vector<Found> searched(std::size_t action, const Step& step, bool first, int times) {
     std::vector<Found> found(lines_.size());
     const int all = task_.evaluations.value_or(usual_evaluations(task_));
-    const int each = std::max(static_cast<int>(kLaterShare * all), kLeastMotions);
+    const int each = std::max(static_cast<int>(share_of(step.kind) * all), kLeastMotions);
     const int missing = std::max(task_.candidates - static_cast<int>(lines_.size()), 0);
     std::vector<Progress> progress;
     for (std::size_t k = 0; k < lines_.size(); ++k) progress.push_back(part_of_line());
@@ -195,13 +201,12 @@ class Performance {
       std::vector<Task> tasks = lines_[index(k)].tasks_of(action, step);
       found[index(k)].idle = tasks.empty();
       if (tasks.empty()) return;
-      const bool lifts = step.kind == StepKind::lift;
       for (Task& task : tasks) {
-        task.candidates = k == 0 && !lifts ? 1 + missing : 1;
+        task.candidates = k == 0 ? 1 + missing : 1;
         if (lines_.size() > 1) task.batch.threads = 1;
         // the first motion spreads the front, the others are the best by the mixture
         task.pareto = task.pareto && first;
-        if (!first) task.evaluations = times * (lifts ? kLiftMotions : task.candidates * each);
+        if (!first) task.evaluations = times * task.candidates * each;
       }
       found[index(k)] = first_of(tasks, progress[index(k)]);
     });

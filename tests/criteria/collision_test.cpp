@@ -190,6 +190,60 @@ TEST(Collision, NearestPointToABoxIsFoundAlongALimb) {
   EXPECT_GT(inside, 500);
 }
 
+// A box that the right hand holds before it, for its corners far from the middle.
+TEST(Collision, DepthInAHeldThingIsThatOfItsBox) {
+  const PosedBody person = human_body();
+  const HeldLoad load{.effector = person.body.find_effector("right_hand").value(),
+                      .turn = axis_rotation(Axis::y, 0.3),
+                      .name = "crate",
+                      .middle = {0.1, -0.1, 0.15},
+                      .size = {0.4, 0.3, 0.25},
+                      .radius = 0.01};
+  const PosedBody posed{with_load(person, load), person.home};
+  const HeldShape& crate = posed.body.definition().held.front();
+  const CollisionPairs pairs = collision_pairs(posed, at_start(posed));
+  for (const CollisionPairs::Pair& pair : pairs.parts) {
+    const auto& capsules = posed.body.capsules();
+    EXPECT_EQ(capsules[index(pair.limb)].of_thing, capsules[index(pair.other)].of_thing);
+  }
+  Random random(11);
+  Kinematics<double> placed(posed);
+  std::vector<PlacedCapsule<double>> capsules(posed.body.capsules().size());
+  std::set<std::string> met;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<double> angles = posed.home.angles;
+    for (std::size_t d = 0; d < angles.size(); ++d) {
+      const Dof& dof = posed.body.dofs()[d];
+      angles[d] = clamp(angles[d] + random.uniform(-1.0, 1.0), dof.min_angle, dof.max_angle);
+    }
+    forward_kinematics<double>(posed, angles, placed);
+    const Mat3d& turn = placed.link_rotation(crate.link);
+    const PlacedBox box{placed.point(crate.link, crate.middle), crate.size * 0.5, crate.radius,
+                        turn * to_matrix(crate.turn)};
+    visit_collisions<double>(
+        posed, pairs, placed, capsules,
+        [&](const CollisionPairs::Pair& pair, CollisionKind kind, double depth) {
+          if (kind != CollisionKind::held) return;
+          const Capsule& limb = posed.body.capsules()[index(pair.limb)];
+          double expected = -1.0;
+          for (int k = 0; k <= 500; ++k) {
+            const Vec3d at = limb.from + (limb.to - limb.from) * (k / 500.0);
+            expected = max(expected, limb.radius + taper_of(limb) * k / 500.0 - pair.allowed -
+                                         box_distance(box, placed.point(limb.link, at)));
+          }
+          if (expected < 0.0) {
+            EXPECT_LT(depth, 0.0);
+            return;
+          }
+          EXPECT_NEAR(depth, expected, norm(limb.to - limb.from) / 64 + 1e-4);
+          met.insert(limb.name);
+        });
+  }
+  EXPECT_TRUE(met.contains("right_forearm"));  // of the arm that holds it
+  EXPECT_TRUE(met.contains("left_thigh"));
+  EXPECT_FALSE(met.contains("right_hand"));
+}
+
 double distance_of(const PlacedCapsule<double>& a, const PlacedCapsule<double>& b) {
   return norm(nearest_places(a, b).apart);
 }

@@ -33,7 +33,8 @@ TEST(HeldResample, TipIsOnASplineOfItsOwn) {
   }
   const Clip wanted = resampled(way, 60.0);
   const Clip free = resampled(kFolding, 60.0);
-  const Clip held = resampled(body, kFolding, 60.0, {.feet = {}, .effectors = {tip}});
+  const Clip held =
+      resampled(body, kFolding, 60.0, std::vector{HeldPoint{.link = tip.link, .point = tip.point}});
   ASSERT_EQ(held.frames, wanted.frames);
   double most_free = 0.0;
   for (int f = 0; f < held.frames; ++f) {
@@ -47,12 +48,44 @@ TEST(HeldResample, TipIsOnASplineOfItsOwn) {
 
 TEST(HeldResample, FirstAndLastFramesAreTheClipsOwn) {
   const BodyModel body = chain({{Axis::x, 1.0}, {Axis::x, 1.0}, {Axis::x, 1.0}});
+  const Effector& tip = body.effectors()[0];
   const Clip held =
-      resampled(body, kFolding, 60.0, {.feet = {}, .effectors = {body.effectors()[0]}});
+      resampled(body, kFolding, 60.0, std::vector{HeldPoint{.link = tip.link, .point = tip.point}});
   for (std::size_t d = 0; d < 3; ++d) {
     EXPECT_EQ(held.frame(0)[d], kFolding.frame(0)[d]);
     EXPECT_EQ(held.frame(held.frames - 1)[d], kFolding.frame(4)[d]);
   }
+}
+
+// A tip on three axes, whose turn between frames is that of its own spline.
+TEST(HeldResample, ATurnIsHeldWhereAsked) {
+  const BodyModel body = chain({{Axis::x, 0.0}, {Axis::y, 0.0}, {Axis::z, 1.0}});
+  const Effector& tip = body.effectors()[0];
+  const auto turn_at = [&](std::span<const double> angles) {
+    return placed(body, {.angles = {angles.begin(), angles.end()}}).link_rotation(tip.link);
+  };
+  const Mat3d first = turn_at(kFolding.frame(0));
+  Clip way{.dofs = 3, .frames = 5, .frame_time = 0.2, .angles = {}};
+  for (int f = 0; f < way.frames; ++f) {
+    const Vec3d turn = rotation_vector(turn_at(kFolding.frame(f)) * transpose(first));
+    way.angles.insert(way.angles.end(), {turn.x, turn.y, turn.z});
+  }
+  const Clip wanted = resampled(way, 60.0);
+  const Clip free = resampled(kFolding, 60.0);
+  const Clip held =
+      resampled(body, kFolding, 60.0,
+                std::vector{HeldPoint{.link = tip.link, .point = {}, .turns = true}});
+  const auto off = [&](const Clip& clip, int f) {
+    const std::span<const double> turn = wanted.frame(f);
+    const Mat3d asked = rotation_by({turn[0], turn[1], turn[2]}) * first;
+    return norm(rotation_vector(turn_at(clip.frame(f)) * transpose(asked)));
+  };
+  double most_free = 0.0;
+  for (int f = 0; f < held.frames; ++f) {
+    EXPECT_LT(off(held, f), 1e-5) << f;
+    most_free = std::max(most_free, off(free, f));
+  }
+  EXPECT_GT(most_free, 1e-3);  // error of angles alone
 }
 
 TEST(HeldResample, NothingHeldIsTheSplineOfAngles) {
