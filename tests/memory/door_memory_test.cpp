@@ -33,6 +33,9 @@ constexpr const char* kTask = R"({"character": "half_body", "evaluations": 20, "
 constexpr const char* kReach = R"({"evaluations": 20, "candidates": 1,
     "goals": [{"effector": "right_hand", "position_m": [-0.2, 0.9, 0.4]}]})";
 
+constexpr const char* kWork = R"({"version": 2, "evaluations": 20, "candidates": 1, "actions": [
+    {"goals": [{"effector": "right_hand", "position_m": [-0.2, 0.9, 0.4]}]}]})";
+
 // Arguments of the functions, made while there is memory.
 struct Hands {
   std::string bvh = person_bvh();
@@ -43,6 +46,7 @@ struct Hands {
   shigusa_character* file = nullptr;
   shigusa_result* result = nullptr;
   shigusa_result* own = nullptr;  // of the character from a file
+  shigusa_result* work = nullptr;
 };
 
 struct Step {
@@ -131,11 +135,17 @@ const std::vector<Step>& steps() {
        [](const Hands& h) {
          return result_of(shigusa_replay, h.result, 1, R"(["right_elbow.weight=2.5"])");
        }},
+      {"shigusa_replay_work",
+       [](const Hands& h) {
+         return result_of(shigusa_replay_work, h.work, 1, R"({"set": ["squat_deg=20"]})", nullptr);
+       }},
       {"shigusa_mirror", [](const Hands& h) { return result_of(shigusa_mirror, h.result); }},
       {"shigusa_result_describe",
        [](const Hands& h) { return text(shigusa_result_describe, h.result); }},
       {"shigusa_result_parameters",
        [](const Hands& h) { return text(shigusa_result_parameters, h.result, 1); }},
+      {"shigusa_result_action_parameters",
+       [](const Hands& h) { return text(shigusa_result_action_parameters, h.work, 1, 1); }},
       {"shigusa_result_export bvh", [](const Hands& h) { return exported(h.result, "bvh"); }},
       {"shigusa_result_export csv", [](const Hands& h) { return exported(h.result, "csv"); }},
       {"shigusa_result_export svg", [](const Hands& h) { return exported(h.result, "svg"); }},
@@ -219,6 +229,8 @@ Hands made_hands() {
   EXPECT_EQ(shigusa_generate(hands.human, kReach, 1, nullptr, &hands.result), SHIGUSA_OK)
       << shigusa_message();
   EXPECT_EQ(shigusa_generate(hands.file, kReach, 1, nullptr, &hands.own), SHIGUSA_OK)
+      << shigusa_message();
+  EXPECT_EQ(shigusa_generate(hands.human, kWork, 1, nullptr, &hands.work), SHIGUSA_OK)
       << shigusa_message();
   shigusa_bytes* bytes = nullptr;
   EXPECT_EQ(shigusa_result_describe(hands.result, &bytes), SHIGUSA_OK);

@@ -168,6 +168,17 @@ SHIGUSA_API shigusa_status shigusa_restore_watched(const shigusa_character* char
 SHIGUSA_API shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
                                           const char* assignments, shigusa_result** edited);
 
+/** Edits one candidate of a task with actions. `edit`: JSON such as {"action": 2, "set":
+ * ["squat_deg=60"], "again": [3], "keep": [1, 2], "seed": 5}, as the options of `shigusa edit`;
+ * null changes nothing. `set` changes the first motion of `action` (default 1), and the actions
+ * behind it go on from where it now ends. Actions in `again` are searched anew, for several
+ * candidates; with `keep` alone all actions but these are. Another `seed` than the task's finds
+ * other motions. `watch` may be null; a stopped search ends with its best so far. Candidates and
+ * actions count from 1. Fails on a task without actions and an unknown action. */
+SHIGUSA_API shigusa_status shigusa_replay_work(const shigusa_result* result, int32_t candidate,
+                                               const char* edit, const shigusa_watch* watch,
+                                               shigusa_result** edited);
+
 /** Mirror images of all candidates, with the other side's hands and feet, by the same character
  * from the same start. */
 SHIGUSA_API shigusa_status shigusa_mirror(const shigusa_result* result, shigusa_result** mirrored);
@@ -188,6 +199,12 @@ SHIGUSA_API shigusa_status shigusa_result_describe(const shigusa_result* result,
  * such as "right_knee.flexion.weight" can also be locked by "right_knee.flexion.locked=true". */
 SHIGUSA_API shigusa_status shigusa_result_parameters(const shigusa_result* result,
                                                      int32_t candidate, shigusa_bytes** json);
+
+/** Editable parameters of the motion of one action, from 1, in the same form: those that
+ * shigusa_replay_work sets. An empty list of an action without a motion, such as a wait. */
+SHIGUSA_API shigusa_status shigusa_result_action_parameters(const shigusa_result* result,
+                                                            int32_t candidate, int32_t action,
+                                                            shigusa_bytes** json);
 
 /** Exports a candidate to a written format (shigusa_facts), such as "bvh". Fails if this build or
  * the character does not support it. Candidate 0: all of them in one GLB. */

@@ -51,6 +51,19 @@ Result<MotionPlayer*> player_of(const shigusa_result& result, TaskFile& file) {
   return &*result.player;
 }
 
+// One candidate of a piece of work after an edit.
+Result<void> worked(const shigusa_result& result, int32_t candidate, const WorkEdit& edit,
+                    const Progress& progress, shigusa_result** edited) {
+  StoredResult stored = stored_result(result.file, result.generation);
+  const auto begin = std::chrono::steady_clock::now();
+  SHG_TRY_ASSIGN(GenerateResult whole, replay_work(result.task, stored, candidate, edit, progress));
+  Task task = result.task;
+  task.seed = stored.task.seed;
+  *edited = new shigusa_result{std::move(stored.task), std::move(task), std::move(whole),
+                               replay_info("edit", begin)};
+  return {};
+}
+
 // Fails if the result has no candidate of that number.
 Result<void> check_candidate(const shigusa_result& result, int32_t candidate) {
   const size_t count = result.generation.candidates.size();
@@ -116,20 +129,29 @@ shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
     SHG_TRY(need("result", result, "edited", edited));
     SHG_TRY_ASSIGN(const auto changes,
                    parse_assignments(assignments == nullptr ? "[]" : assignments, "assignments"));
+    if (!result->task.actions.empty()) {
+      return worked(*result, candidate, {.assignments = changes}, {}, edited);
+    }
     StoredResult stored = stored_result(result->file, result->generation);
     const auto begin = std::chrono::steady_clock::now();
-    if (!result->task.actions.empty()) {
-      SHG_TRY_ASSIGN(GenerateResult whole,
-                     replay_work(result->task, stored, candidate, {.assignments = changes}));
-      *edited = new shigusa_result{std::move(stored.task), result->task, std::move(whole),
-                                   replay_info("edit", begin)};
-      return {};
-    }
     SHG_TRY_ASSIGN(MotionPlayer * player, player_of(*result, stored.task));
     SHG_TRY_ASSIGN(GenerateResult generation, replay(*player, stored, candidate, changes));
     *edited = new shigusa_result{std::move(stored.task), player->task(), std::move(generation),
                                  replay_info("edit", begin)};
     return {};
+  });
+}
+
+shigusa_status shigusa_replay_work(const shigusa_result* result, int32_t candidate,
+                                   const char* edit, const shigusa_watch* watch,
+                                   shigusa_result** edited) {
+  return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
+    SHG_TRY(need("result", result, "edited", edited));
+    SHG_TRY_ASSIGN(const WorkEdit parsed, parse_work_edit(edit == nullptr ? "{}" : edit, "edit"));
+    Watched watched(watch, arithmetic);
+    Result<void> done = worked(*result, candidate, parsed, watched.progress(), edited);
+    watched.pass_on();
+    return done;
   });
 }
 
@@ -165,6 +187,17 @@ shigusa_status shigusa_result_parameters(const shigusa_result* result, int32_t c
     const Candidate& of = generation.candidates[static_cast<size_t>(candidate - 1)];
     return give(format_parameters(editable_parameters(*generation.parameters, of.parameters)),
                 json);
+  });
+}
+
+shigusa_status shigusa_result_action_parameters(const shigusa_result* result, int32_t candidate,
+                                                int32_t action, shigusa_bytes** json) {
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "json", json));
+    SHG_TRY(check_candidate(*result, candidate));
+    const GenerateResult& generation = result->generation;
+    const Candidate& of = generation.candidates[static_cast<size_t>(candidate - 1)];
+    return give(format_parameters(action_parameters(*generation.parameters, of, action)), json);
   });
 }
 

@@ -99,6 +99,29 @@ class Calls {
   json<T>(scratch: Scratch, call: (at: number) => number): T {
     return JSON.parse(new TextDecoder().decode(this.bytes(scratch, call))) as T;
   }
+
+  /** The result of a call that is watched. */
+  watched(watch: Watch | undefined, call: (watch: number) => number): DoorResult {
+    const { module } = this;
+    let thrown: { error: unknown } | undefined;
+    // nothing may be thrown through the module, which would not unwind
+    module.report = (fraction, evaluations, best_score) => {
+      try {
+        return watch?.({ fraction, evaluations, best_score }) === true;
+      } catch (error) {
+        thrown = { error };
+        return true;
+      }
+    };
+    try {
+      const result = new DoorResult(this, call(watch === undefined ? 0 : module._shigusa_script_watch()));
+      if (thrown === undefined) return result;
+      result.free();
+    } catch (error) {
+      if (thrown === undefined) throw error;
+    }
+    throw thrown.error;
+  }
 }
 
 /** A body with what its file tells. */
@@ -133,6 +156,12 @@ export class DoorResult {
   parameters(candidate: number): Parameter[] {
     return this.calls.with((scratch) => this.calls.json<Parameter[]>(scratch, (at) =>
       this.calls.module._shigusa_result_parameters(this.pointer, candidate, at)));
+  }
+
+  /** Those of the motion of one action (from 1) of a piece of work; none where nothing moves. */
+  actionParameters(candidate: number, action: number): Parameter[] {
+    return this.calls.with((scratch) => this.calls.json<Parameter[]>(scratch, (at) =>
+      this.calls.module._shigusa_result_action_parameters(this.pointer, candidate, action, at)));
   }
 
   /** A copy, which outlives the result. */
@@ -177,6 +206,15 @@ export class DoorResult {
       const list = scratch.text(JSON.stringify(assignments));
       return new DoorResult(this.calls, this.calls.made(scratch, (at) =>
         this.calls.module._shigusa_replay(this.pointer, candidate, list, at)));
+    });
+  }
+
+  /** A candidate of a piece of work after an edit: one candidate, or several where an action is searched anew. */
+  replayWork(candidate: number, edit: WorkEdit, watch?: Watch): DoorResult {
+    return this.calls.with((scratch) => {
+      const text = scratch.text(JSON.stringify(edit));
+      return this.calls.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
+        this.calls.module._shigusa_replay_work(this.pointer, candidate, text, pointer, at)));
     });
   }
 
@@ -241,7 +279,7 @@ export class Door {
   generate(character: DoorCharacter | null, task: Task | string, watch?: Watch): DoorResult {
     return this.calls.with((scratch) => {
       const text = scratch.text(typeof task === 'string' ? task : JSON.stringify(task));
-      return this.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
+      return this.calls.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
         this.calls.module._shigusa_generate(character?.pointer ?? 0, text, 1, pointer, at)));
     });
   }
@@ -251,32 +289,9 @@ export class Door {
   restore(character: DoorCharacter | null, summary: Summary | string, watch?: Watch): DoorResult {
     return this.calls.with((scratch) => {
       const text = scratch.text(typeof summary === 'string' ? summary : JSON.stringify(summary));
-      return this.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
+      return this.calls.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
         this.calls.module._shigusa_restore_watched(character?.pointer ?? 0, text, pointer, at)));
     });
-  }
-
-  /** The result of a call that is watched. */
-  private watched(watch: Watch | undefined, call: (watch: number) => number): DoorResult {
-    const { module } = this.calls;
-    let thrown: { error: unknown } | undefined;
-    // nothing may be thrown through the module, which would not unwind
-    module.report = (fraction, evaluations, best_score) => {
-      try {
-        return watch?.({ fraction, evaluations, best_score }) === true;
-      } catch (error) {
-        thrown = { error };
-        return true;
-      }
-    };
-    try {
-      const result = new DoorResult(this.calls, call(watch === undefined ? 0 : module._shigusa_script_watch()));
-      if (thrown === undefined) return result;
-      result.free();
-    } catch (error) {
-      if (thrown === undefined) throw error;
-    }
-    throw thrown.error;
   }
 
   scoreClip(name: string, bytes: Uint8Array, options?: object): object {

@@ -311,6 +311,15 @@ export interface GenerateOptions {
   onProgress?: (progress: Progress) => void;
 }
 
+/** A change of one candidate of a piece of work; actions count from 1. */
+export interface WorkEdit {
+  action?: number; // whose motion `set` changes; 1 when not given. Those behind it go on from where it now ends
+  set?: string[]; // "squat_deg=60", of the action's parameters
+  again?: number[]; // actions that are searched anew, for several candidates
+  keep?: number[]; // actions that stay: without `again`, the others are searched anew
+  seed?: number; // of that search; the task's when not given
+}
+
 /** The facts of a format of files. */
 export interface FormatFacts {
   name: string; // "bvh", which files that are written end in
@@ -418,6 +427,11 @@ export interface Engine {
   replay(
     character: Character, summary: Summary, candidate: number, assignments: string[], slot?: string,
   ): Promise<Generated | undefined>;
+  /** A candidate (from 1) of a piece of work after an edit of one of its actions, or with some of them searched anew. An
+   *  abort ends it at once. */
+  replayWork(
+    character: Character, summary: Summary, candidate: number, edit: WorkEdit, options?: GenerateOptions,
+  ): Promise<Generated>;
   /** All candidates of a result anew, from its JSON. An abort ends it at once. */
   restore(character: Character, summary: Summary, options?: GenerateOptions): Promise<Generated>;
   mirror(character: Character, summary: Summary): Promise<Generated>;

@@ -33,11 +33,13 @@ export interface ShigusaModule {
   _shigusa_generate(character: number, task: number, threads: number, watch: number, result: number): number;
   _shigusa_restore_watched(character: number, summary: number, watch: number, result: number): number;
   _shigusa_replay(result: number, candidate: number, assignments: number, edited: number): number;
+  _shigusa_replay_work(result: number, candidate: number, edit: number, watch: number, edited: number): number;
   _shigusa_mirror(result: number, mirrored: number): number;
   _shigusa_result_free(result: number): void;
   _shigusa_result_candidates(result: number): number;
   _shigusa_result_describe(result: number, json: number): number;
   _shigusa_result_parameters(result: number, candidate: number, json: number): number;
+  _shigusa_result_action_parameters(result: number, candidate: number, action: number, json: number): number;
   _shigusa_result_export_with(
     result: number, candidate: number, format: number, options: number, file: number,
   ): number;
