@@ -149,6 +149,14 @@ struct WorkScore {
 /// of the things that its actions take and put down.
 [[nodiscard]] Result<MotionCost> candidate_cost(const Task& task, const Candidate& candidate,
                                                 const Ergonomics& ergonomics);
+
+/// Centres of pressure of a candidate that is at rest before and after, with the loads in its hands
+/// and on the feet that stand: (frames) m, on the floor; see centres_of_pressure of a body.
+[[nodiscard]] std::vector<Vec3d> centres_of_pressure(const Task& task, const Candidate& candidate);
+/// Balance margins of the same: (frames), see support_frames of a body.
+[[nodiscard]] std::vector<SupportFrame> support_frames(const Task& task,
+                                                       const Candidate& candidate);
+
 /// The ergonomics of a request, of a person of that sex if it names none.
 [[nodiscard]] Ergonomics ergonomics_of(const Request& request, Sex sex);
 

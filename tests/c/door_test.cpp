@@ -127,6 +127,19 @@ TEST(CInterface, SeriesAreOfOneLength) {
   EXPECT_NEAR(1e3 * least, candidate.at("support").at("centre_of_mass").at("least_mm"), 1e-6);
 }
 
+TEST(CInterface, TheFloorBearsTheLoadInTheHand) {
+  const Outcome result = outcome_of(nullptr, R"({"seed": 3, "evaluations": 200, "goals": [
+      {"effector": "right_hand", "position_m": [-0.2, 1.1, 0.5], "load_kg": 6}]})");
+  const Table support = table_of(result.get(), 1, SHIGUSA_SUPPORT);
+  const Json told = json_of(result.get()).at("candidates").at(0).at("support");
+  for (const size_t column : {size_t{0}, size_t{1}}) {
+    double least = 1e9;
+    for (size_t f = 0; f < support.frames; ++f) least = std::fmin(least, support.at(f, column));
+    const Json& margin = told.at(column == 0 ? "centre_of_mass" : "pressure");
+    EXPECT_NEAR(1e3 * least, margin.at("least_mm").get<double>(), 1e-6);
+  }
+}
+
 TEST(CInterface, AnEditedParameterKeepsTheHandOnItsGoal) {
   const Character human = character_of(R"("human")");
   const Outcome result = outcome_of(human.get(), kLowReach);

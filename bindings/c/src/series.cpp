@@ -65,7 +65,7 @@ std::vector<double> table_of(const shigusa_result& result, const Candidate& cand
       for (const Vec3d& at : motion.centre_of_mass) add(at, table);
       break;
     case SHIGUSA_SUPPORT:
-      for (const SupportFrame& frame : support_frames(result.task.body, motion)) {
+      for (const SupportFrame& frame : support_frames(result.task, candidate)) {
         table.insert(table.end(), {frame.centre_of_mass, frame.pressure});
       }
       break;
