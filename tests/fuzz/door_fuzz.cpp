@@ -118,6 +118,12 @@ void look_through(const shigusa_character* character, const shigusa_result* resu
       std::size_t frames = 0, columns = 0;
       require(done(shigusa_result_series(result, k, series, &values, &frames, &columns)));
       for (std::size_t i = 0; i < frames * columns; ++i) require(values[i] - values[i] == 0.0);
+      shigusa_bytes* table = nullptr;
+      shigusa_bytes* about = nullptr;
+      const char* const options = R"({"fps": 12, "place": "file"})";
+      require(done(shigusa_result_table(result, k, series, options, &table, &about)));
+      shigusa_bytes_free(table);
+      shigusa_bytes_free(about);
     }
   }
   shigusa_result* again = nullptr;

@@ -106,6 +106,16 @@ shigusa_status series_at(const Hands& hands) {
   return status;
 }
 
+shigusa_status table(const Hands& hands) {
+  shigusa_bytes* values = nullptr;
+  shigusa_bytes* about = nullptr;
+  const shigusa_status status = shigusa_result_table(
+      hands.result, 1, SHIGUSA_TORQUES, R"({"fps": 30, "place": "file"})", &values, &about);
+  shigusa_bytes_free(values);
+  shigusa_bytes_free(about);
+  return status;
+}
+
 // A refused call, whose reason is read: a failure needs memory too.
 shigusa_status refused(const Hands&) {
   const shigusa_status status = created(R"({"source": "human", "stature_m": 99})", "");
@@ -156,6 +166,7 @@ const std::vector<Step>& steps() {
        }},
       {"shigusa_result_series", all_series},
       {"shigusa_result_series_at", series_at},
+      {"shigusa_result_table", table},
       {"shigusa_score_clip",
        [](const Hands& h) {
          return text(shigusa_score_clip, "a.bvh", static_cast<const void*>(h.bvh.data()),

@@ -26,10 +26,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Exports a function from the library. */
+/** Exports a function from the library; of a static library in Windows define SHIGUSA_STATIC. */
 #if defined(__EMSCRIPTEN__)
 #define SHIGUSA_API __attribute__((used, visibility("default")))
-#elif defined(__GNUC__)
+#elif defined(_WIN32) && defined(SHIGUSA_BUILDS_C)
+#define SHIGUSA_API __declspec(dllexport)
+#elif defined(_WIN32) && !defined(SHIGUSA_STATIC)
+#define SHIGUSA_API __declspec(dllimport)
+#elif defined(__GNUC__) && !defined(_WIN32)
 #define SHIGUSA_API __attribute__((visibility("default")))
 #else
 #define SHIGUSA_API
@@ -41,6 +45,9 @@ extern "C" {
 
 /** Version of the functions and numbers of this header; incremented by incompatible changes. */
 #define SHIGUSA_ABI_VERSION 1
+
+/** Version of the library that this header is of. */
+#define SHIGUSA_HEADER_VERSION "0.1.0"
 
 /** SHIGUSA_ABI_VERSION of the library's build. */
 SHIGUSA_API uint32_t shigusa_abi_version(void);
@@ -62,6 +69,12 @@ enum {
   SHIGUSA_FAULT = 8,            /**< an error within the library: please report it */
   SHIGUSA_HOST = 9              /**< a function of the caller threw; the message is from it */
 };
+
+/** Whether this library has all of a header, to be called first, as
+ * shigusa_check_version(SHIGUSA_ABI_VERSION, SHIGUSA_HEADER_VERSION). Fails with a message that
+ * names both versions if the ABI is another one, or the library older than the header
+ * (SHIGUSA_UNSUPPORTED). */
+SHIGUSA_API shigusa_status shigusa_check_version(uint32_t abi_version, const char* header_version);
 
 /** Message of the calling thread's last failure, "" if there was none. Valid until this thread's
  * next failure. */
@@ -116,10 +129,14 @@ SHIGUSA_API void shigusa_character_free(shigusa_character* character);
 
 /** Description of a character: the object that `shigusa body --json` prints, with the nodes of
  * SHIGUSA_NODE_TRANSLATIONS and _ROTATIONS: "nodes": [{"name", "parent" (index or -1), "offset"
- * [x, y, z], "scale" [x, y, z] (along its own axes, constant in a motion; absent if 1),
- * "file_node" (glTF: index in the file)}], "node_unit_m" (metres per unit of their translations),
- * "support_polygon" [[x, z], …] (m, of the feet), and "feet": [{"effector", "sole_m" [[x, y, z],
- * …] (its corners relative to the effector, in the effector's frame), "floor_m" (lower bound of
+ * [x, y, z] and "rotation" [x, y, z, w] (in its parent, in the posture that was measured), "scale"
+ * [x, y, z] (along its own axes, constant in a motion; absent if 1), "file_node" (glTF: index in
+ * the file), "rest" {"offset", "rotation", "scale"} (as the file has it at rest; absent if the
+ * same)}], "node_unit_m" (metres per unit of their translations),
+ * "support_polygon" [[x, z], …] (m, of the feet), "placement" (of a file: {"unit_m", "origin",
+ * "left", "up", "ahead"}, with which a place p of the file is at unit_m · ((p - origin) · left, (p
+ * - origin) · up, (p - origin) · ahead) in the world), and "feet": [{"effector", "sole_m" [[x, y,
+ * z], …] (its corners relative to the effector, in the effector's frame), "floor_m" (lower bound of
  * the corners), "least_m" (the effector's height with the sole oriented as at the start)}], and
  * "doubt_messages": the doubts as messages (shigusa_failure). */
 SHIGUSA_API shigusa_status shigusa_character_describe(const shigusa_character* character,
@@ -248,13 +265,23 @@ SHIGUSA_API shigusa_status shigusa_result_series(const shigusa_result* result, i
                                                  shigusa_series series, const double** values,
                                                  size_t* frames, size_t* columns);
 
-/** The series of time, angles, nodes and things at a rate of `fps` (Hz, 1 to 240), as in exported
- * files: `table` holds frames × columns doubles, row by row. Other series exist only at the
- * motion's own frames (SHIGUSA_UNSUPPORTED). */
+/** A series at a rate of `fps` (Hz, 1 to 240), as in exported files: `table` holds frames ×
+ * columns doubles, row by row. Torques, centre of mass and support lie on lines between the
+ * motion's own frames; all others are those of the posture there. */
 SHIGUSA_API shigusa_status shigusa_result_series_at(const shigusa_result* result, int32_t candidate,
                                                     shigusa_series series, double fps,
                                                     shigusa_bytes** table, size_t* frames,
                                                     size_t* columns);
+
+/** A series with the meaning of its columns. `options`: null, or {"fps": 24, "place": "file"}. fps:
+ * as above; absent: the motion's own frames. place: where nodes move: "world" (y up, as goals are
+ * given), or "file": where the character stands in its file, in the file's axes. `table`: doubles,
+ * row by row. `about`: JSON {"name" ("node_rotations"), "unit" ("s", "rad", "N m", "m" or ""),
+ * "fps", "shape" ([frames, names, components], where columns have these), "names" (of joints,
+ * nodes, effectors, things, or the two of support), "components" (["x", "y", "z", "w"])}. */
+SHIGUSA_API shigusa_status shigusa_result_table(const shigusa_result* result, int32_t candidate,
+                                                shigusa_series series, const char* options,
+                                                shigusa_bytes** table, shigusa_bytes** about);
 
 /* ---- Recorded motion ------------------------------------------------------------------------- */
 

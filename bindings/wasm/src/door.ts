@@ -7,7 +7,7 @@ import createModule, { type ShigusaModule } from './module/shigusa.mjs';
 import {
   seriesNames, type Candidate, type CharacterDescription, type CharacterSpec, type EngineFailure, type ExportOptions,
   type Facts, type Generated, type Parameter, type Progress, type SampledName, type Series, type SeriesName,
-  type Summary, type Task,
+  type SeriesTable, type Summary, type TableOptions, type Task, type WorkEdit,
 } from './types.js';
 
 export { EngineError } from './errors.js';
@@ -89,7 +89,11 @@ class Calls {
   }
 
   bytes(scratch: Scratch, call: (at: number) => number): Uint8Array {
-    const bytes = this.made(scratch, call);
+    return this.taken(this.made(scratch, call));
+  }
+
+  /** A copy of the module's bytes, which are given back. */
+  taken(bytes: number): Uint8Array {
     const begin = this.module._shigusa_bytes_data(bytes);
     const copy = this.module.HEAPU8.slice(begin, begin + this.module._shigusa_bytes_size(bytes));
     this.module._shigusa_bytes_free(bytes);
@@ -187,6 +191,20 @@ export class DoorResult {
       return {
         frames: this.calls.word(size), columns: this.calls.word(size + 4), values: new Float64Array(table.buffer as ArrayBuffer),
       };
+    });
+  }
+
+  /** A series with what its columns mean, at any rate and in either place. */
+  table(candidate: number, name: SeriesName, options: TableOptions = {}): SeriesTable {
+    return this.calls.with((scratch) => {
+      const chosen = scratch.text(JSON.stringify(options));
+      const kept = scratch.room(4);
+      const about = this.calls.json<Omit<SeriesTable, keyof Series>>(scratch, (at) =>
+        this.calls.module._shigusa_result_table(
+          this.pointer, candidate, seriesNames.indexOf(name), chosen, kept, at));
+      const values = new Float64Array(this.calls.taken(this.calls.word(kept)).buffer as ArrayBuffer);
+      const frames = about.shape[0] as number;
+      return { ...about, frames, columns: about.shape.slice(1).reduce((all, size) => all * size, 1), values };
     });
   }
 

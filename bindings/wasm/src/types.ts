@@ -26,8 +26,10 @@ export interface NodeDescription {
   name: string;
   parent: number; // index, or -1
   offset: Vec3; // where the start was measured, in units of node_unit_m
+  rotation: Quat; // in its parent, there
   scale?: Vec3; // along its own axes, in all of a motion; absent where it is 1
   file_node?: number; // of glTF: its index in the file
+  rest?: { offset: Vec3; rotation: Quat; scale: Vec3 }; // as the file has it at rest; absent where that is the same
 }
 
 /** A sentence of the engine's, or a value of one: a sentence of the facts by its key, with its values in order; a number,
@@ -392,8 +394,24 @@ export interface ExportOptions {
   only_this_clip?: boolean; // of GLB: the animations that the file has are left out
 }
 
-/** The series that can be had at any rate, as files have them. */
-export type SampledName = 'time' | 'angles' | 'node_translations' | 'node_rotations' | 'things';
+/** The series that can be had at any rate, as files have them: all. */
+export type SampledName = SeriesName;
+
+/** How a series is read as a table. */
+export interface TableOptions {
+  fps?: number; // as files have them; the motion's own frames when not given
+  place?: 'world' | 'file'; // where nodes move: file: where the character stands in its file, in the file's axes
+}
+
+/** A series with what its columns mean. */
+export interface SeriesTable extends Series {
+  name: SeriesName;
+  unit: string; // 's', 'rad', 'N m', 'm' or ''
+  fps: number;
+  shape: number[]; // frames × names × components, where columns have these
+  names?: string[]; // of joints, nodes, effectors, things, or the two of support
+  components?: string[]; // ['x', 'y', 'z', 'w']
+}
 
 /** A refusal of the engine: a code of the C interface and a sentence for a person, in English. */
 export interface EngineFailure {

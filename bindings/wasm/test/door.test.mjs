@@ -288,7 +288,14 @@ test('files and series have the rate that is asked for', () => {
   assert.equal(turns.frames, time.frames);
   assert.equal(turns.columns, own.columns);
   assert.deepEqual(turns.values.slice(-turns.columns), own.values.slice(-own.columns));
-  assert.equal(failureOf(() => result.sampled(1, 'torques', 24)).code, 'unsupported');
+  assert.equal(result.sampled(1, 'torques', 24).frames, time.frames);
+  const torques = result.table(1, 'torques', { fps: 24 });
+  assert.deepEqual(torques.values, result.sampled(1, 'torques', 24).values);
+  assert.deepEqual(torques.names, human.describe().joints.map(({ name }) => name));
+  assert.equal(torques.unit, 'N m');
+  const nodes = result.table(1, 'node_rotations', { place: 'file' });
+  assert.deepEqual(nodes.shape, [nodes.frames, nodes.names.length, 4]);
+  assert.deepEqual(nodes.values, result.series(1, 'node_rotations').values); // a built-in body has no file
   result.free();
 });
 

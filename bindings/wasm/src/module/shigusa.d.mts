@@ -19,6 +19,7 @@ export interface ShigusaModule {
 
   _shigusa_abi_version(): number;
   _shigusa_version(): number;
+  _shigusa_check_version(abi: number, version: number): number;
   _shigusa_message(): number;
   _shigusa_failure(json: number): number;
   _shigusa_bytes_data(bytes: number): number;
@@ -48,6 +49,9 @@ export interface ShigusaModule {
   ): number;
   _shigusa_result_series_at(
     result: number, candidate: number, series: number, fps: number, table: number, frames: number, columns: number,
+  ): number;
+  _shigusa_result_table(
+    result: number, candidate: number, series: number, options: number, table: number, about: number,
   ): number;
   _shigusa_score_clip(name: number, file: number, fileSize: number, options: number, json: number): number;
 }
