@@ -116,6 +116,17 @@ shigusa_status table(const Hands& hands) {
   return status;
 }
 
+shigusa_status many(const Hands& hands) {
+  const char* const tasks[] = {kTask, "{}"};
+  shigusa_result* made[2] = {};
+  shigusa_bytes* failures = nullptr;
+  const shigusa_status status =
+      shigusa_generate_all(hands.human, tasks, 2, 1, nullptr, made, &failures);
+  for (shigusa_result* result : made) shigusa_result_free(result);
+  shigusa_bytes_free(failures);
+  return status;
+}
+
 // A refused call, whose reason is read: a failure needs memory too.
 shigusa_status refused(const Hands&) {
   const shigusa_status status = created(R"({"source": "human", "stature_m": 99})", "");
@@ -139,6 +150,7 @@ const std::vector<Step>& steps() {
        [](const Hands& h) { return text(shigusa_character_describe, h.file); }},
       {"shigusa_generate",
        [](const Hands&) { return result_of(shigusa_generate, nullptr, kTask, 1, nullptr); }},
+      {"shigusa_generate_all", many},
       {"shigusa_restore",
        [](const Hands& h) { return result_of(shigusa_restore, h.human, h.summary.c_str()); }},
       {"shigusa_replay",

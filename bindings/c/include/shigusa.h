@@ -165,6 +165,17 @@ SHIGUSA_API shigusa_status shigusa_generate(const shigusa_character* character, 
                                             int32_t threads, const shigusa_watch* watch,
                                             shigusa_result** result);
 
+/** Searches motions for `count` tasks in one call, on `threads` threads in all, with the results of
+ * shigusa_generate for each. `results`: room for `count` results; null for a task that fails, which
+ * does not fail the call. `failures`: JSON list of null, or the failure of that task as of
+ * shigusa_failure, with the place "tasks[3]: …" where its text is wrong. `watch` tells the share
+ * of all tasks, then that of each with actions; a stopped call gives what it has, and
+ * tasks that have not begun fail. */
+SHIGUSA_API shigusa_status shigusa_generate_all(const shigusa_character* character,
+                                                const char* const* tasks, size_t count,
+                                                int32_t threads, const shigusa_watch* watch,
+                                                shigusa_result** results, shigusa_bytes** failures);
+
 /** Generates a result's motions again from its JSON (summary.json), without a search. `character`:
  * as above, and the same as that of the result; it is needed to export motions on its own
  * skeleton. */

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
+#include <memory>
 #include <shigusa/edit.hpp>
 #include <shigusa/run.hpp>
 
+#include "document/facts.hpp"
 #include "door.hpp"
 #include "watch.hpp"
 
@@ -24,6 +26,54 @@ Result<Task> task_of(TaskFile& file) {
                 "task: character");
   }
   return make_task(file, {});
+}
+
+Result<void> check_threads(int32_t threads) {
+  if (threads >= 0 && threads <= kMaxThreads) return {};
+  return fail(ErrorCode::invalid_argument,
+              "threads are " + std::to_string(threads) + "; allowed are 0 (all cores) to 1024");
+}
+
+// A task of many with what came of it.
+struct OneOfMany {
+  TaskFile file{};
+  Result<Task> task = fail(ErrorCode::cancelled, "was not begun");
+  Result<GenerateResult> found = fail(ErrorCode::cancelled, "was not begun");
+};
+
+OneOfMany one_of_many(const shigusa_character* character, const char* text, size_t index) {
+  OneOfMany one;
+  const std::string name = "tasks[" + std::to_string(index) + "]";
+  one.task = [&]() -> Result<Task> {
+    SHG_TRY(need(name.c_str(), text));
+    SHG_TRY_ASSIGN(one.file, parse_task(text, name));
+    put_character(character, one.file);
+    return task_of(one.file);
+  }();
+  return one;
+}
+
+// Tasks without actions beside each other, then each with actions.
+void find_all(std::vector<OneOfMany>& all, int threads, const Progress& progress) {
+  std::vector<Task> tasks;
+  std::vector<size_t> places;
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].task) {
+      all[i].found = tl::unexpected(all[i].task.error());
+      continue;
+    }
+    all[i].task->batch.threads = threads;
+    if (all[i].task->actions.empty()) {
+      tasks.push_back(*all[i].task);
+      places.push_back(i);
+    }
+  }
+  std::vector<Result<GenerateResult>> found = generate_all(tasks, threads, progress);
+  for (size_t k = 0; k < found.size(); ++k) all[places[k]].found = std::move(found[k]);
+  for (OneOfMany& one : all) {
+    if (!one.task || one.task->actions.empty() || progress.cancelled()) continue;
+    one.found = perform(*one.task, progress);
+  }
 }
 
 // All candidates of stored values as a result. Those without actions keep their player.
@@ -82,10 +132,7 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
                                 shigusa_result** result) {
   return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
     SHG_TRY(need("task", task, "result", result));
-    if (threads < 0 || threads > kMaxThreads) {
-      return fail(ErrorCode::invalid_argument,
-                  "threads are " + std::to_string(threads) + "; allowed are 0 (all cores) to 1024");
-    }
+    SHG_TRY(check_threads(threads));
     SHG_TRY_ASSIGN(TaskFile file, parse_task(task, "task"));
     put_character(character, file);
     SHG_TRY_ASSIGN(Task asked, task_of(file));
@@ -99,6 +146,35 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
     RunInfo info = search_info(asked, begin);
     *result = new shigusa_result{std::move(file), std::move(asked), std::move(generation),
                                  std::move(info)};
+    return {};
+  });
+}
+
+shigusa_status shigusa_generate_all(const shigusa_character* character, const char* const* tasks,
+                                    size_t count, int32_t threads, const shigusa_watch* watch,
+                                    shigusa_result** results, shigusa_bytes** failures) {
+  return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
+    SHG_TRY(need("tasks", tasks, "results", results, "failures", failures));
+    SHG_TRY(check_threads(threads));
+    std::vector<OneOfMany> all;
+    for (size_t i = 0; i < count; ++i) all.push_back(one_of_many(character, tasks[i], i));
+    Watched watched(watch, arithmetic);
+    const auto begin = std::chrono::steady_clock::now();
+    find_all(all, threads, watched.progress());
+    watched.pass_on();
+    std::vector<std::unique_ptr<shigusa_result>> made(count);
+    std::string told = "[";
+    for (size_t i = 0; i < count; ++i) {
+      auto& [file, task, found] = all[i];
+      told += i == 0 ? "" : ", ";
+      told += found ? "null" : format_failure(found.error());
+      if (!found) continue;
+      RunInfo info = search_info(*task, begin);
+      made[i].reset(new shigusa_result{std::move(file), std::move(*task), std::move(*found),
+                                       std::move(info)});
+    }
+    SHG_TRY(give(told + "]", failures));
+    for (size_t i = 0; i < count; ++i) results[i] = made[i].release();
     return {};
   });
 }
