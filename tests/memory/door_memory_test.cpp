@@ -127,6 +127,12 @@ shigusa_status many(const Hands& hands) {
   return status;
 }
 
+shigusa_status of_angles(const Hands& hands) {
+  static const std::vector<double> still(std::size_t{2} * 45, 0.0);
+  return result_of(shigusa_result_of_angles, hands.human, nullptr, still.data(), std::size_t{2},
+                   std::size_t{45}, 60.0);
+}
+
 // A refused call, whose reason is read: a failure needs memory too.
 shigusa_status refused(const Hands&) {
   const shigusa_status status = created(R"({"source": "human", "stature_m": 99})", "");
@@ -151,6 +157,7 @@ const std::vector<Step>& steps() {
       {"shigusa_generate",
        [](const Hands&) { return result_of(shigusa_generate, nullptr, kTask, 1, nullptr); }},
       {"shigusa_generate_all", many},
+      {"shigusa_result_of_angles", of_angles},
       {"shigusa_restore",
        [](const Hands& h) { return result_of(shigusa_restore, h.human, h.summary.c_str()); }},
       {"shigusa_replay",

@@ -176,6 +176,17 @@ SHIGUSA_API shigusa_status shigusa_generate_all(const shigusa_character* charact
                                                 int32_t threads, const shigusa_watch* watch,
                                                 shigusa_result** results, shigusa_bytes** failures);
 
+/** A result of one candidate from given angles, at rest before and after: its score, verdict,
+ * series and files are those of a motion. `angles`: frames (2 and more) × columns (a degree of
+ * freedom each, in the order of the description's joints; rad), row by row, at `fps` (Hz, 1 to
+ * 240). The base foot stands as the body does at its start. `task`: null, or text of a task file,
+ * whose criteria and obstacles are taken and whose goals are not. There are no parameters that
+ * would make the motion again, so that such a result cannot be restored, replayed or mirrored. */
+SHIGUSA_API shigusa_status shigusa_result_of_angles(const shigusa_character* character,
+                                                    const char* task, const double* angles,
+                                                    size_t frames, size_t columns, double fps,
+                                                    shigusa_result** result);
+
 /** Generates a result's motions again from its JSON (summary.json), without a search. `character`:
  * as above, and the same as that of the result; it is needed to export motions on its own
  * skeleton. */

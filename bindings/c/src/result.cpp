@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <shigusa/edit.hpp>
 #include <shigusa/run.hpp>
+#include <shigusa/score.hpp>
 
 #include "document/facts.hpp"
 #include "door.hpp"
@@ -175,6 +177,35 @@ shigusa_status shigusa_generate_all(const shigusa_character* character, const ch
     }
     SHG_TRY(give(told + "]", failures));
     for (size_t i = 0; i < count; ++i) results[i] = made[i].release();
+    return {};
+  });
+}
+
+shigusa_status shigusa_result_of_angles(const shigusa_character* character, const char* task,
+                                        const double* angles, size_t frames, size_t columns,
+                                        double fps, shigusa_result** result) {
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("angles", angles, "result", result));
+    SHG_TRY(check_rate(fps, "fps"));
+    TaskFile file;
+    if (task != nullptr) {
+      SHG_TRY_ASSIGN(file, parse_task(task, "task"));
+    }
+    put_character(character, file);
+    file.goals.clear();
+    SHG_TRY_ASSIGN(Task given, task_of(file));
+    const auto begin = std::chrono::steady_clock::now();
+    const size_t most = kFrameMax + 1;
+    Clip clip{.dofs = static_cast<int>(std::min(columns, most)),
+              .frames = static_cast<int>(std::min(frames, most)),
+              .frame_time = 1.0 / fps,
+              .angles = {}};
+    if (frames <= most && columns == static_cast<size_t>(given.body.dof_count())) {
+      clip.angles.assign(angles, angles + frames * columns);
+    }
+    SHG_TRY_ASSIGN(GenerateResult generation, given_motion(given, std::move(clip)));
+    *result = new shigusa_result{std::move(file), std::move(given), std::move(generation),
+                                 replay_info("angles", begin)};
     return {};
   });
 }
