@@ -29,8 +29,8 @@ constexpr const char* kOtherNumbers =
 struct Made {
   std::uint64_t number = 0;
   DrawnAgain again;
-  MotionPlayer player;
-  std::optional<GenerateResult> searched{};  // if its plan lacks these parameters
+  std::optional<MotionPlayer> player{};
+  std::optional<GenerateResult> searched{};  // if it is not played
 };
 
 class GlbWriter : public DataWriter {
@@ -57,8 +57,9 @@ class GlbWriter : public DataWriter {
     std::string made = "Motions are played from the data set's parameters.";
     if (searched_ > 0) {
       made = fmt::format(
-          "{} of them were searched anew, as the character moves by other freedoms than the data "
-          "set's person; the others are played from the data set's parameters.",
+          "{} of them were searched anew, by the same seed: pieces of work, and motions of a "
+          "character that moves by other freedoms than the data set's person. The others are "
+          "played from the data set's parameters.",
           searched_);
     }
     std::string text = about_export(job_, index_.motions());
@@ -80,33 +81,34 @@ class GlbWriter : public DataWriter {
   Result<std::string> glb_of(const DataMotion& motion) {
     SHG_TRY_ASSIGN(const Candidate candidate, candidate_of(motion));
     const Made& made = *made_;
-    return export_candidate(made.again.file.character, made.player.task(), candidate,
-                            FileFormat::glb, {.rate = job_.rate, .animation = motion.id()});
+    return export_candidate(made.again.file.character, made.again.task, candidate, FileFormat::glb,
+                            {.rate = job_.rate, .animation = motion.id()});
   }
 
   Result<Candidate> candidate_of(const DataMotion& motion) {
     SHG_TRY_ASSIGN(DrawnAgain again,
                    drawn_again(job_.data.plan, motion, person_ ? &*person_ : nullptr));
     SHG_TRY(check_formats(again.file.character, {FileFormat::glb}));
-    if (!again.task.actions.empty()) {
-      return fail(ErrorCode::unsupported,
-                  "is a piece of work, whose GLB `shigusa dataset` writes by --task", motion.id());
-    }
     if (!made_ || made_->number != motion.number()) {
-      SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(again.task));
-      made_.emplace(Made{motion.number(), std::move(again), std::move(player)});
+      made_.emplace(Made{.number = motion.number(), .again = std::move(again)});
     } else {
       made_->again = std::move(again);
     }
-    if (!made_->again.misfit.empty()) return searched_candidate(motion);
-    SHG_TRY_ASSIGN(GenerateResult result, made_->player.play(made_->again.parameters));
+    const Task& task = made_->again.task;
+    // a data set has the parameters of a single motion
+    if (!task.actions.empty() || !made_->again.misfit.empty()) return searched_candidate(motion);
+    if (!made_->player) {
+      SHG_TRY_ASSIGN(made_->player, MotionPlayer::of(task));
+    }
+    SHG_TRY_ASSIGN(GenerateResult result, made_->player->play(made_->again.parameters));
     if (!result.meets_goals()) ++missed_;
     return std::move(result.candidates.front());
   }
 
   Result<Candidate> searched_candidate(const DataMotion& motion) {
     if (!made_->searched) {
-      SHG_TRY_ASSIGN(made_->searched, generate(made_->player.task()));
+      const Task& task = made_->again.task;
+      SHG_TRY_ASSIGN(made_->searched, task.actions.empty() ? generate(task) : perform(task));
     }
     const auto& all = made_->searched->candidates;
     if (motion.rank() > all.size()) {

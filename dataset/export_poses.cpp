@@ -274,8 +274,8 @@ Result<DrawnAgain> drawn_again(const DatasetPlan& plan, const DataMotion& motion
     file.character.seat = own.seat;
     file.character.heels = own.heels;
   }
-  // the duration found by the search, if the task gives none
-  file.duration = motion.task.number("duration_s");
+  // the duration found by the search, if the task gives none; each action has its own
+  if (file.actions.empty()) file.duration = motion.task.number("duration_s");
   SHG_TRY_ASSIGN(Task task, make_task(file, {}));
   task.batch.threads = 1;
   task.layers.store = limb_store();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <shigusa/score.hpp>
 
 #include "core/hash.hpp"
 #include "core/index.hpp"
@@ -111,8 +112,8 @@ std::uint64_t MotionTable::row_size() const {
 
 void MotionTable::add(std::uint64_t number, std::size_t rank, const GenerateResult& generation) {
   const bool works = is_of_work(table_);
-  const Candidate candidate = works ? in_frames(generation.candidates[rank - 1], kWorkFrames)
-                                    : generation.candidates[rank - 1];
+  const Candidate& own = generation.candidates[rank - 1];
+  const Candidate candidate = works ? in_frames(own, kWorkFrames) : own;
   double error = 0.0;
   double turn = 0.0;
   for (const GoalResult& goal : candidate.goals) {
@@ -145,7 +146,7 @@ void MotionTable::add(std::uint64_t number, std::size_t rank, const GenerateResu
   table_["balance_m"].push(support ? support->centre_of_mass.distance : kNoNumber);
   add_parameters(candidate);
   if (works) add_work(task_, candidate, table_);
-  for (const DatasetSeries series : series_) add_series(series, candidate);
+  for (const DatasetSeries series : series_) add_series(series, candidate, own);
 }
 
 void MotionTable::add_parameters(const Candidate& candidate) {
@@ -155,7 +156,8 @@ void MotionTable::add_parameters(const Candidate& candidate) {
   }
 }
 
-void MotionTable::add_series(DatasetSeries series, const Candidate& candidate) {
+void MotionTable::add_series(DatasetSeries series, const Candidate& candidate,
+                             const Candidate& own) {
   const Motion& motion = candidate.motion;
   switch (series) {
     case DatasetSeries::angles:
@@ -179,7 +181,7 @@ void MotionTable::add_series(DatasetSeries series, const Candidate& candidate) {
       for (const Vec3d& point : motion.centre_of_mass) into(series).push(point);
       break;
     case DatasetSeries::pressure:
-      add_pressure(candidate);
+      add_pressure(own);
       break;
     case DatasetSeries::contacts:
       add_contacts(candidate);
@@ -221,19 +223,18 @@ void MotionTable::add_nodes(const Candidate& candidate, bool turns) {
   }
 }
 
-void MotionTable::add_pressure(const Candidate& candidate) {
+void MotionTable::add_pressure(const Candidate& own) {
   Column& into = table_["pressure"];
-  if (task_.body.feet().empty()) {
-    for (std::size_t k = 0; k < 2 * kDataFrames; ++k) into.push(kNoNumber);
-    return;
+  const std::size_t frames = frames_of(table_);
+  std::vector<double> numbers;
+  if (!task_.body.feet().empty()) {
+    for (const Vec3d& centre : centres_of_pressure(task_, own)) {
+      numbers.insert(numbers.end(), {centre.x, centre.z});
+    }
   }
-  // with the loads in its hands, on its planted feet
-  const Result<PreparedTask> standing = PreparedTask::of(task_);
-  const BodyModel& body = standing ? standing->task().body : task_.body;
-  for (const Vec3d& centre : centres_of_pressure(body, candidate.motion)) {
-    into.push(centre.x);
-    into.push(centre.z);
-  }
+  if (is_of_work(table_)) numbers = numbers_in_frames(numbers, 2, frames);
+  numbers.resize(2 * frames, kNoNumber);
+  for (const double number : numbers) into.push(number);
 }
 
 void MotionTable::add_contacts(const Candidate& candidate) {

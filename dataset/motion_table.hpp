@@ -32,9 +32,10 @@ class MotionTable {
  private:
   void describe();
   [[nodiscard]] Column& into(DatasetSeries series) { return table_[word_of(series)]; }
-  void add_series(DatasetSeries series, const Candidate& candidate);
+  // `own`: the candidate in its own frames, of which others are too coarse for differences.
+  void add_series(DatasetSeries series, const Candidate& candidate, const Candidate& own);
   void add_nodes(const Candidate& candidate, bool turns);
-  void add_pressure(const Candidate& candidate);
+  void add_pressure(const Candidate& own);
   void add_contacts(const Candidate& candidate);
   void add_parameters(const Candidate& candidate);
 

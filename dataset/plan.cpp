@@ -141,17 +141,14 @@ Result<void> read_series(JsonReader& reader, std::vector<DatasetSeries>& series)
   return {};
 }
 
-// Adds the series that pieces of work have more, unless the plan names its series, and fails on one
-// that they do not have.
-Result<void> adapt_series(const std::vector<TaskFile>& ends, bool named, const std::string& place,
-                          std::vector<DatasetSeries>& series) {
+// Adds the series that pieces of work have more, unless the plan names its series.
+void adapt_series(const std::vector<TaskFile>& ends, bool named,
+                  std::vector<DatasetSeries>& series) {
   const bool works = std::any_of(ends.begin(), ends.end(),
                                  [](const TaskFile& end) { return !end.actions.empty(); });
-  if (!works) return {};
-  if (!named) series.insert(series.end(), {DatasetSeries::actions, DatasetSeries::things});
-  if (std::find(series.begin(), series.end(), DatasetSeries::pressure) == series.end()) return {};
-  return fail(ErrorCode::invalid_argument, "has pressure, which is not known of tasks with actions",
-              place + ": series");
+  if (works && !named) {
+    series.insert(series.end(), {DatasetSeries::actions, DatasetSeries::things});
+  }
 }
 
 }  // namespace
@@ -186,7 +183,7 @@ Result<DatasetPlan> DatasetPlan::parse(std::string_view text, std::string_view n
   SHG_TRY(check_draws(made->task, place + ": task"));
   SHG_TRY_ASSIGN(const std::vector<TaskFile> ends,
                  ends_of(made->task, made->cast, place + ": task"));
-  SHG_TRY(adapt_series(ends, json.contains("series"), place, made->series));
+  adapt_series(ends, json.contains("series"), made->series);
   SHG_TRY_ASSIGN(const std::uint64_t bytes,
                  task_bytes(ends, made->cast, made->series, place + ": task"));
   SHG_TRY_ASSIGN(made->shard_tasks, shard_tasks_of(shard_tasks, bytes, place));

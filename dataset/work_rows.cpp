@@ -67,6 +67,12 @@ std::vector<std::string> thing_names(const Request& task) {
   return names;
 }
 
+std::vector<double> numbers_in_frames(const std::vector<double>& series, std::size_t width,
+                                      std::size_t frames) {
+  if (series.empty()) return {};
+  return numbers_at(times_of(frames, series.size() / width), series, width);
+}
+
 Candidate in_frames(const Candidate& candidate, std::size_t frames) {
   Candidate made = candidate;
   Motion& motion = made.motion;

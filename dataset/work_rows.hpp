@@ -16,6 +16,10 @@ namespace shigusa {
 // A candidate of a piece of work with `frames` frames at equal times.
 [[nodiscard]] Candidate in_frames(const Candidate& candidate, std::size_t frames);
 
+// A series of `width` numbers a frame with `frames` frames at equal times.
+[[nodiscard]] std::vector<double> numbers_in_frames(const std::vector<double>& series,
+                                                    std::size_t width, std::size_t frames);
+
 // Adds what a piece of work has beside a motion to its row.
 void add_work(const Request& task, const Candidate& candidate, Table& table);
 

@@ -100,7 +100,7 @@ BEGIN {
   face("scene", "scene")
   face("draw", "draw")
   face("character", "character")
-  face("document", "files report score")
+  face("document", "files report score series")
   face("edit", "edit")
   face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export dataset_read")
   face("shigusa", "shigusa")

@@ -120,7 +120,9 @@ Result<int> one_task(const DatasetPlan& plan, const DatasetOptions& options) {
   task.layers.store = limb_store();
   SHG_TRY(prepare_out(options.folder));
   const auto begin = std::chrono::steady_clock::now();
-  SHG_TRY_ASSIGN(const GenerateResult generation, generate(task, terminal_progress()));
+  const Progress progress = terminal_progress();
+  SHG_TRY_ASSIGN(const GenerateResult generation,
+                 task.actions.empty() ? generate(task, progress) : perform(task, progress));
   end_progress_line();
   return deliver({drawn.file, task, generation, search_info(task, begin)},
                  {.folder = options.folder, .settings = settings, .json = options.json});

@@ -99,8 +99,8 @@ Result<int> dataset_export(const ExportOptions& options) {
   }
   if (run.searched > 0) {
     note("searched anew",
-         fmt::format("{} motions, as the character moves by other freedoms than the data set's "
-                     "person",
+         fmt::format("{} motions: pieces of work, or as the character moves by other freedoms "
+                     "than the data set's person",
                      run.searched));
   }
   if (run.missed > 0) {

@@ -125,9 +125,12 @@ Result<std::vector<int>> actions_of(const char* option, const std::string& text,
   return actions;
 }
 
-// The edit of a piece of work: with --keep and without --again all others are searched anew.
 Result<WorkEdit> work_edit(const EditOptions& options, const Task& task) {
-  WorkEdit edit{.action = options.action, .assignments = options.assignments, .again = {}};
+  WorkEdit edit{.action = options.action,
+                .assignments = options.assignments,
+                .again = {},
+                .keep = {},
+                .seed = options.seed};
   const int most = static_cast<int>(task.actions.size());
   const bool given = !options.again.empty() || !options.keep.empty() || options.action != 1;
   if (most == 0 && given) {
@@ -135,11 +138,7 @@ Result<WorkEdit> work_edit(const EditOptions& options, const Task& task) {
                 "--action, --again, --keep");
   }
   SHG_TRY_ASSIGN(edit.again, actions_of("--again", options.again, most));
-  SHG_TRY_ASSIGN(const std::vector<int> kept, actions_of("--keep", options.keep, most));
-  for (int action = 1; edit.again.empty() && !kept.empty() && action <= most; ++action) {
-    const bool keeps = std::find(kept.begin(), kept.end(), action) != kept.end();
-    if (!keeps) edit.again.push_back(action);
-  }
+  SHG_TRY_ASSIGN(edit.keep, actions_of("--keep", options.keep, most));
   return edit;
 }
 
@@ -153,7 +152,6 @@ Result<int> edit(const EditOptions& options) {
   if (options.mirror) {
     SHG_TRY(mirror_result(stored));
   }
-  if (options.seed) stored.task.seed = *options.seed;
   SHG_TRY_ASSIGN(const Task task, make_task(stored.task, {}));
   SHG_TRY_ASSIGN(const WorkEdit work, work_edit(options, task));
   SHG_TRY_ASSIGN(const fs::path file, attach_character(options, stored));
@@ -174,7 +172,7 @@ Result<int> edit(const EditOptions& options) {
     const std::string hint = by_call ? comma_hint(place.substr(place.find('=') + 1)) : "";
     return fail(error.code, error.message.text + hint, (by_call ? "--set " : "") + place);
   }
-  if (!options.mirror && options.assignments.empty() && work.again.empty() &&
+  if (!options.mirror && options.assignments.empty() && work.again.empty() && work.keep.empty() &&
       options.files == FileOptions{}) {
     note("edit",
          "nothing was changed: --set NAME=VALUE changes a parameter, such as squat_deg=60; the "

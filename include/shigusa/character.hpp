@@ -177,8 +177,11 @@ struct CharacterNode {
   int parent = -1;   ///< index of an earlier node; -1 for a root
   Vec3d offset{};    ///< position in the parent's frame, in units of node_unit, in the posture that
                      ///< was measured
-  Vec3d scale{1, 1, 1};  ///< scale along its own axes, constant during a motion
-  int file_node = -1;    ///< glTF node index; -1 for other formats
+  Vec3d scale{1, 1, 1};       ///< scale along its own axes, constant during a motion
+  int file_node = -1;         ///< glTF node index; -1 for other formats
+  Quatd rotation{};           ///< rotation in its parent in that posture
+  LocalTransform rest{};      ///< the same at rest, as the file has it
+  Vec3d rest_scale{1, 1, 1};  ///< scale at rest
 };
 
 /// The nodes moved by node_motion, parents before children.
@@ -187,9 +190,21 @@ struct CharacterNode {
 /// Metres per unit of the nodes' translations.
 [[nodiscard]] double node_unit(const CharacterSpec& character);
 
+/// Where the nodes of a character move.
+enum class MotionPlace {
+  world,  ///< in the world of goals, y up, whatever the axes of a file; but see node_motion
+  file,   ///< where the character stands in its file, in the file's axes
+};
+/// The words of MotionPlace.
+template <>
+inline constexpr std::array kEnumWords<MotionPlace>{EnumWord{MotionPlace::world, "world"},
+                                                    EnumWord{MotionPlace::file, "file"}};
+
 /// Transforms of all nodes of a motion on the character's own skeleton, relative to the parent:
-/// (frames × nodes), translations in units of node_unit. Fingers stay as in the file.
+/// (frames × nodes), translations in units of node_unit. Fingers stay as in the file. A mirrored
+/// file's nodes always move in the file's place.
 [[nodiscard]] std::vector<LocalTransform> node_motion(const CharacterSpec& character,
-                                                      const PosedBody& body, const Clip& clip);
+                                                      const PosedBody& body, const Clip& clip,
+                                                      MotionPlace place = MotionPlace::world);
 
 }  // namespace shigusa

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <shigusa/files.hpp>
 #include <shigusa/generate.hpp>
 #include <shigusa/run.hpp>
@@ -39,6 +41,13 @@ struct EditableParameter {
 /// GenerateResult::parameters, `values` Candidate::parameters.
 [[nodiscard]] std::vector<EditableParameter> editable_parameters(const ParameterList& list,
                                                                  const Parameters& values);
+
+/// The editable parameters of a candidate's action, from 1: those that replay_work changes by
+/// WorkEdit::assignments; none of an action without a motion, such as a wait. `list` is
+/// GenerateResult::parameters.
+[[nodiscard]] std::vector<EditableParameter> action_parameters(const ParameterList& list,
+                                                               const Candidate& candidate,
+                                                               int action);
 
 /// Formats parameters as JSON: a list of {"name", "group", "kind", "value", "low", "high", "scale"
 /// ("linear" or "log"), "unit" ("" or "deg"), "locked", "sentence"}.
@@ -87,10 +96,16 @@ struct WorkEdit {
   int action = 1;                          ///< the action whose motion is edited, from 1
   std::vector<std::string> assignments{};  ///< see Request::fixed_assignments
   std::vector<int> again{};                ///< actions that are searched anew, from 1
+  std::vector<int> keep{};  ///< actions that stay; if given without `again`, others are searched
+  std::optional<std::uint64_t> seed{};  ///< seed of the search; empty: the task's
 };
+/// Parses an edit from JSON: {"action": 2, "set": ["squat_deg=60"], "again": [3], "keep": [1, 2],
+/// "seed": 5}, of which each may be absent.
+[[nodiscard]] Result<WorkEdit> parse_work_edit(std::string_view text, std::string_view name);
 /// Generates a candidate's actions again after the edit: the actions behind it go on from where it
 /// now ends, by the motions that they had. Where an action is searched anew, several candidates
-/// are found for it. `task` is that of the result (make_task), whose seed may be another.
+/// are found for it. `task` is that of the result (make_task); `stored` gets the edit's seed. Fails
+/// on an unknown action, and on assignments for one without a motion, such as a wait.
 [[nodiscard]] Result<GenerateResult> replay_work(const Task& task, StoredResult& stored,
                                                  int candidate, const WorkEdit& edit = {},
                                                  const Progress& progress = {});

@@ -253,7 +253,8 @@ struct FileSettings {
 /// with the task's finger play. `clip`: the candidate's motion at any rate.
 [[nodiscard]] std::vector<LocalTransform> node_motion(const CharacterSpec& character,
                                                       const Task& task, const Candidate& candidate,
-                                                      const Clip& clip);
+                                                      const Clip& clip,
+                                                      MotionPlace place = MotionPlace::world);
 
 /// Parses FileSettings from JSON such as {"fps": 24, "clip": "Reach", "joint_names": "mixamo",
 /// "in_place": true, "only_this_clip": true}; missing keys have the values of `usual`.

@@ -149,6 +149,21 @@ struct WorkScore {
 /// of the things that its actions take and put down.
 [[nodiscard]] Result<MotionCost> candidate_cost(const Task& task, const Candidate& candidate,
                                                 const Ergonomics& ergonomics);
+
+/// A motion of given angles as a result of one candidate, which can be measured and written as any
+/// other: torques, score, verdict, series. The task gives the body, the criteria and obstacles. The
+/// base foot stands, and the body is at rest before and after. There are no goals, and the
+/// parameters are not those of the motion, which cannot be played again. Fails on fewer than 2
+/// frames, another number of degrees of freedom, and angles that are no numbers.
+[[nodiscard]] Result<GenerateResult> given_motion(const Task& task, Clip clip);
+
+/// Centres of pressure of a candidate that is at rest before and after, with the loads in its hands
+/// and on the feet that stand: (frames) m, on the floor; see centres_of_pressure of a body.
+[[nodiscard]] std::vector<Vec3d> centres_of_pressure(const Task& task, const Candidate& candidate);
+/// Balance margins of the same: (frames), see support_frames of a body.
+[[nodiscard]] std::vector<SupportFrame> support_frames(const Task& task,
+                                                       const Candidate& candidate);
+
 /// The ergonomics of a request, of a person of that sex if it names none.
 [[nodiscard]] Ergonomics ergonomics_of(const Request& request, Sex sex);
 

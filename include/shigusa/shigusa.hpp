@@ -27,6 +27,7 @@
 #include <shigusa/scene.hpp>
 #include <shigusa/score.hpp>
 #include <shigusa/search.hpp>
+#include <shigusa/series.hpp>
 
 /// Major version of the library. CMake reads all three numbers here.
 #define SHIGUSA_VERSION_MAJOR 0

@@ -28,13 +28,28 @@ Json placement_to_json(const Placement& p) {
           {"ahead", to_json(p.ahead)}};
 }
 
+// Whether the node is in the posture that was measured as it is at rest.
+bool is_at_rest(const CharacterNode& node) {
+  const Quatd& a = node.rotation;
+  const Quatd& b = node.rest.rotation;
+  return node.offset == node.rest.translation && node.scale == node.rest_scale && a.x == b.x &&
+         a.y == b.y && a.z == b.z && a.w == b.w;
+}
+
 Json nodes_to_json(const CharacterSpec& spec, const PosedBody& posed) {
   Json list = Json::array();
   for (const CharacterNode& node : character_nodes(spec, posed)) {
-    list.push_back(
-        {{"name", node.name}, {"parent", node.parent}, {"offset", to_json(node.offset)}});
+    list.push_back({{"name", node.name},
+                    {"parent", node.parent},
+                    {"offset", to_json(node.offset)},
+                    {"rotation", to_json(node.rotation)}});
     if (node.scale != Vec3d{1, 1, 1}) list.back()["scale"] = to_json(node.scale);
     if (node.file_node >= 0) list.back()["file_node"] = node.file_node;
+    if (!is_at_rest(node)) {
+      list.back()["rest"] = {{"offset", to_json(node.rest.translation)},
+                             {"rotation", to_json(node.rest.rotation)},
+                             {"scale", to_json(node.rest_scale)}};
+    }
   }
   return list;
 }
@@ -204,7 +219,10 @@ std::vector<CharacterNode> character_nodes(const CharacterSpec& character, const
   std::vector<CharacterNode> nodes;
   if (!character.rig) {
     for (const SkeletonNode& node : body_skeleton(posed.body).nodes) {
-      nodes.push_back({node.name, node.parent, node.offset});
+      nodes.push_back({.name = node.name,
+                       .parent = node.parent,
+                       .offset = node.offset,
+                       .rest = {.translation = node.offset}});
     }
     return nodes;
   }
@@ -212,8 +230,20 @@ std::vector<CharacterNode> character_nodes(const CharacterSpec& character, const
   for (std::size_t i = 0; i < rig.rig.nodes.size(); ++i) {
     const int file_node = i < rig.file_node.size() ? rig.file_node[i] : -1;
     const RigNode& node = rig.rig.nodes[i];
-    nodes.push_back(
-        {rig.skeleton.nodes[i].name, node.parent, node.translation, node.scale, file_node});
+    GltfPlace rest{node.translation, node.rotation, node.scale};
+    if (i < rig.places.size()) {
+      rest = rig.places[i];
+    } else if (rig.format == FileFormat::bvh) {
+      rest = {.translation = rig.skeleton.nodes[i].offset};
+    }
+    nodes.push_back({.name = rig.skeleton.nodes[i].name,
+                     .parent = node.parent,
+                     .offset = node.translation,
+                     .scale = node.scale,
+                     .file_node = file_node,
+                     .rotation = node.rotation,
+                     .rest = {rest.translation, rest.rotation},
+                     .rest_scale = rest.scale});
   }
   return nodes;
 }
@@ -223,9 +253,9 @@ double node_unit(const CharacterSpec& character) {
 }
 
 std::vector<LocalTransform> node_motion(const CharacterSpec& character, const PosedBody& posed,
-                                        const Clip& clip) {
+                                        const Clip& clip, MotionPlace place) {
   if (!character.rig) return skeleton_motion(posed.body, clip).clip.local;
-  return rig_motion(posed, clip, character.rig->rig).local;
+  return rig_motion(posed, clip, character.rig->rig, {}, place == MotionPlace::file).local;
 }
 
 }  // namespace shigusa

@@ -135,9 +135,12 @@ class VrmSkeleton {
 }  // namespace
 
 std::vector<LocalTransform> node_motion(const CharacterSpec& character, const Task& task,
-                                        const Candidate& candidate, const Clip& clip) {
+                                        const Candidate& candidate, const Clip& clip,
+                                        MotionPlace place) {
   if (!character.rig) return node_motion(character, static_cast<const PosedBody&>(task), clip);
-  return rig_motion(task, clip, character.rig->rig, hand_play(task, candidate)).local;
+  return rig_motion(task, clip, character.rig->rig, hand_play(task, candidate),
+                    place == MotionPlace::file)
+      .local;
 }
 
 std::string vrma_bone(const CharacterRig& character, int node, bool fingers) {

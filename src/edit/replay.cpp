@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/say.hpp"
-#include "formats/json_text.hpp"
+#include "formats/json_reader.hpp"
 #include "plan/assignment.hpp"
 
 namespace shigusa {
@@ -37,6 +37,37 @@ Result<GenerateResult> each_of(int count, const Progress& progress, Replayed&& r
   return all;
 }
 
+// Whether a motion is of the action, from 1.
+auto is_of(int action) {
+  return [action](const WorkMotion& motion) {
+    return motion.action + 1 == static_cast<std::size_t>(action);
+  };
+}
+
+// A list of actions, from 1.
+void read_actions(JsonReader& reader, const char* key, std::vector<int>& into) {
+  if (!reader.has(key)) return;
+  const Json& list = reader.value(key);
+  const auto is_action = [](const Json& item) {
+    return item.is_number_unsigned() && item >= 1 && item <= kActionsMax;
+  };
+  if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_action)) {
+    return reader.wrong(key, say("action_list", kActionsMax));
+  }
+  into = list.get<std::vector<int>>();
+}
+
+// The actions of a task with `actions` that an edit searches anew.
+std::vector<int> searched_anew(const WorkEdit& edit, int actions) {
+  if (!edit.again.empty() || edit.keep.empty()) return edit.again;
+  std::vector<int> again;
+  for (int action = 1; action <= actions; ++action) {
+    const auto& keep = edit.keep;
+    if (std::find(keep.begin(), keep.end(), action) == keep.end()) again.push_back(action);
+  }
+  return again;
+}
+
 }  // namespace
 
 Result<std::vector<std::string>> parse_assignments(std::string_view text, std::string_view name) {
@@ -62,6 +93,19 @@ Result<GenerateResult> replay(MotionPlayer& player, StoredResult& stored, int ca
   return player.play(parameters);
 }
 
+Result<WorkEdit> parse_work_edit(std::string_view text, std::string_view name) {
+  SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
+  JsonReader reader(json, std::string(name) + ": ");
+  WorkEdit edit;
+  reader.integer("action", edit.action, 1, kActionsMax);
+  reader.texts("set", edit.assignments);
+  read_actions(reader, "again", edit.again);
+  read_actions(reader, "keep", edit.keep);
+  if (reader.has("seed")) reader.integer("seed", edit.seed.emplace(), 0, UINT64_MAX);
+  if (const auto& error = reader.finish()) return tl::unexpected(*error);
+  return edit;
+}
+
 Result<GenerateResult> replay_work(const Task& task, StoredResult& stored, int candidate,
                                    const WorkEdit& edit, const Progress& progress) {
   if (candidate < 1 || candidate > count_of(stored)) {
@@ -74,15 +118,11 @@ Result<GenerateResult> replay_work(const Task& task, StoredResult& stored, int c
   };
   SHG_TRY(check(edit.action));
   for (const int action : edit.again) SHG_TRY(check(action));
+  for (const int action : edit.keep) SHG_TRY(check(action));
   std::vector<WorkMotion>& motions = stored.motions[static_cast<std::size_t>(candidate - 1)];
-  const auto of = [](int action) {
-    return [action](const WorkMotion& motion) {
-      return motion.action + 1 == static_cast<std::size_t>(action);
-    };
-  };
-  for (const int action : edit.again) std::erase_if(motions, of(action));
+  for (const int action : searched_anew(edit, actions)) std::erase_if(motions, is_of(action));
   if (!edit.assignments.empty()) {
-    const auto own = std::find_if(motions.begin(), motions.end(), of(edit.action));
+    const auto own = std::find_if(motions.begin(), motions.end(), is_of(edit.action));
     if (own == motions.end()) {
       return fail(ErrorCode::invalid_argument, say("action_at_rest", edit.action));
     }
@@ -93,7 +133,18 @@ Result<GenerateResult> replay_work(const Task& task, StoredResult& stored, int c
       }
     }
   }
-  return perform_again(task, motions, progress);
+  if (!edit.seed) return perform_again(task, motions, progress);
+  Task seeded = task;
+  seeded.seed = stored.task.seed = *edit.seed;
+  return perform_again(seeded, motions, progress);
+}
+
+std::vector<EditableParameter> action_parameters(const ParameterList& list,
+                                                 const Candidate& candidate, int action) {
+  const auto& motions = candidate.motions;
+  const auto own = std::find_if(motions.begin(), motions.end(), is_of(action));
+  if (own == motions.end()) return {};
+  return editable_parameters(list, own->values);
 }
 
 Result<GenerateResult> replay_all(MotionPlayer& player, StoredResult& stored,

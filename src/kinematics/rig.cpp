@@ -36,13 +36,14 @@ struct NodeDriver {
 
 class RigMover {
  public:
-  RigMover(const PosedBody& posed, const Rig& rig, const HandPlay& hands)
-      : RigMover(posed, rig, hands, human_frames(rig.rest), human_frames(rig.start)) {}
+  RigMover(const PosedBody& posed, const Rig& rig, const HandPlay& hands, bool in_file)
+      : RigMover(posed, rig, hands, in_file, human_frames(rig.rest), human_frames(rig.start)) {}
 
-  RigMover(const PosedBody& posed, const Rig& rig, const HandPlay& hands, const HumanFrames& rest,
-           const HumanFrames& start)
+  RigMover(const PosedBody& posed, const Rig& rig, const HandPlay& hands, bool in_file,
+           const HumanFrames& rest, const HumanFrames& start)
       : body_(posed.body),
         rig_(rig),
+        in_file_(in_file || rig.placement.mirrored()),
         start_(home_kinematics(posed)),
         now_(body_),
         twists_(body_, rig, rest, start, start_),
@@ -130,7 +131,7 @@ class RigMover {
     const Placement& file = rig_.placement;
     const Mat3d axes = transpose(Mat3d{file.left, file.up, file.ahead});
     const Vec3d at = move * file.to_world(rest.translation);
-    if (!file.mirrored()) return {move.rotation * (axes * rest.rotation), at * (1.0 / file.unit)};
+    if (!in_file_) return {move.rotation * (axes * rest.rotation), at * (1.0 / file.unit)};
     return {transpose(axes) * (move.rotation * (axes * rest.rotation)),
             transpose_times(axes, at) * (1.0 / file.unit) + file.origin};
   }
@@ -183,6 +184,7 @@ class RigMover {
 
   const BodyModel& body_;
   const Rig& rig_;
+  bool in_file_;  // placements are in the file's axes, and not in the world's
   Kinematics<double> start_;
   Kinematics<double> now_;
   LimbTwists twists_;
@@ -196,9 +198,9 @@ class RigMover {
 
 }  // namespace
 
-RigMotion rig_motion(const PosedBody& body, const Clip& clip, const Rig& rig,
-                     const HandPlay& hands) {
-  return RigMover(body, rig, hands).play(clip);
+RigMotion rig_motion(const PosedBody& body, const Clip& clip, const Rig& rig, const HandPlay& hands,
+                     bool in_file) {
+  return RigMover(body, rig, hands, in_file).play(clip);
 }
 
 }  // namespace shigusa

@@ -61,7 +61,7 @@ struct RigMotion {
 
 // A clip of the body as a motion of the rig: joint positions are exactly the body's, in shigusa's
 // world divided by the rig's unit. (For a mirrored rig they are in the file's own axes, as no
-// rotation undoes a mirror.)
+// rotation undoes a mirror.) `in_file`: where the rig stands in its file instead, in its axes.
 //
 // Each mapped bone moves rigidly with the link of the body's node of that name, from its rest pose:
 // R_node(t) = R_link(t) R_link(0)ᵀ F_start F_restᵀ R_node(rest), F the segment's frames in the two
@@ -78,6 +78,6 @@ struct RigMotion {
 //
 // Finger turns are added, see rig_fingers.hpp: no goal and no criterion depends on them.
 [[nodiscard]] RigMotion rig_motion(const PosedBody& body, const Clip& clip, const Rig& rig,
-                                   const HandPlay& hands = {});
+                                   const HandPlay& hands = {}, bool in_file = false);
 
 }  // namespace shigusa

@@ -95,6 +95,17 @@ TEST_F(DatasetCommand, OneTaskIsAnOrdinaryResult) {
   EXPECT_EQ(edited.exit_code, 0) << edited.err;
 }
 
+TEST_F(DatasetCommand, OneTaskMayBeAPieceOfWork) {
+  work_.put("work.json", R"({"version": 1, "seed": 3, "tasks": 2,
+    "task": {"version": 2, "candidates": 1, "evaluations": 60, "actions": [
+      {"goals": [{"effector": "right_hand", "position_m": [-0.2, 1.1, 0.4]}]},
+      {"wait_s": {"uniform": [0.1, 0.3]}}]}})");
+  const ProgramRun one = run({"work.json", "--out", "one", "--task", "1", "--formats", "csv"});
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  const Json summary = Json::parse(work_.get("one/summary.json"));
+  EXPECT_EQ(summary.at("candidates").at(0).at("actions").size(), 2u);
+}
+
 TEST_F(DatasetCommand, InterruptedItEndsOnAWholeShard) {
   Json plan = Json::parse(kPlan);
   plan["tasks"] = 100'000;

@@ -100,6 +100,127 @@ TEST(CInterfaceOfWork, AnEditAndAMirrorImageAreWhole) {
   expect_at(table_of(made, 1, SHIGUSA_THINGS), 0, 1, {0.3, 0.9, 0.35});
 }
 
+constexpr const char* kThreeReaches =
+    R"({"version": 2, "seed": 3, "evaluations": 200, "candidates": 2, "actions": [
+        {"goals": [{"effector": "right_hand", "position_m": [-0.2, 1.0, 0.5]}]},
+        {"wait_s": 0.5},
+        {"goals": [{"effector": "right_hand", "position_m": [-0.3, 0.6, 0.45]}]},
+        {"goals": [{"effector": "left_hand", "position_m": [0.3, 1.3, 0.4]}]}]})";
+
+const shigusa_result* three_reaches() {
+  static const Outcome made = outcome_of(nullptr, kThreeReaches);
+  return made.get();
+}
+
+Outcome worked(const char* edit) {
+  shigusa_result* made = nullptr;
+  EXPECT_EQ(shigusa_replay_work(three_reaches(), 1, edit, nullptr, &made), SHIGUSA_OK)
+      << shigusa_message();
+  return Outcome(made);
+}
+
+// The motions' values, by which they are made.
+Json motions_of(const shigusa_result* result) {
+  return json_of(result).at("candidates").at(0).at("motions");
+}
+
+// Angles until the end of an action, from 1, of the first candidate.
+std::vector<double> angles_until(const shigusa_result* result, std::size_t action) {
+  const Table times = table_of(result, 1, SHIGUSA_TIME);
+  const Table angles = table_of(result, 1, SHIGUSA_ANGLES);
+  const double end =
+      json_of(result).at("candidates").at(0).at("actions").at(action - 1).at("end_s");
+  std::vector<double> until;
+  for (std::size_t f = 0; f < times.frames && times.at(f, 0) <= end + 1e-9; ++f) {
+    for (std::size_t d = 0; d < angles.columns; ++d) until.push_back(angles.at(f, d));
+  }
+  return until;
+}
+
+TEST(CInterfaceOfWork, AnEditOfOneActionLeavesThoseBeforeIt) {
+  const Outcome edited = worked(R"({"action": 3, "set": ["squat_deg=70"]})");
+  ASSERT_NE(edited, nullptr);
+  EXPECT_EQ(shigusa_result_candidates(edited.get()), 1);
+  EXPECT_EQ(angles_until(edited.get(), 2), angles_until(three_reaches(), 2));
+  EXPECT_NE(angles_until(edited.get(), 3), angles_until(three_reaches(), 3));
+  const Json actions = json_of(edited.get()).at("candidates").at(0).at("actions");
+  ASSERT_EQ(actions.size(), 4U);
+  EXPECT_LE(actions.at(3).at("reached").at(0).at("error_mm"), 1.0);
+  const auto value_of = [&](const shigusa_result* result, int action) {
+    for (const Json& one :
+         Json::parse(text_of(shigusa_result_action_parameters, result, 1, action))) {
+      if (one.at("name") == "squat_deg") return one.at("value").get<double>();
+    }
+    return 0.0;
+  };
+  EXPECT_EQ(value_of(edited.get(), 3), 70.0);
+  EXPECT_EQ(value_of(edited.get(), 4), value_of(three_reaches(), 4));
+  EXPECT_EQ(text_of(shigusa_result_action_parameters, edited.get(), 1, 1),
+            text_of(shigusa_result_parameters, edited.get(), 1));
+  EXPECT_EQ(Json::parse(text_of(shigusa_result_action_parameters, edited.get(), 1, 2)),
+            Json::array());
+}
+
+TEST(CInterfaceOfWork, AnEditOfNothingIsTheCandidate) {
+  EXPECT_EQ(table_of(worked(nullptr).get(), 1, SHIGUSA_ANGLES).values,
+            table_of(three_reaches(), 1, SHIGUSA_ANGLES).values);
+}
+
+TEST(CInterfaceOfWork, AnActionIsSearchedAnewWithAnotherSeed) {
+  const Outcome again = worked(R"({"again": [3], "seed": 11})");
+  ASSERT_NE(again, nullptr);
+  EXPECT_EQ(json_of(again.get()).at("task").at("seed"), 11);
+  const Json motions = motions_of(again.get());
+  const Json own = motions_of(three_reaches());
+  ASSERT_EQ(motions.size(), own.size());
+  EXPECT_EQ(motions.at(0), own.at(0));
+  EXPECT_NE(motions.at(1), own.at(1));
+  EXPECT_EQ(motions.at(2), own.at(2));
+  // the others are kept, and an edit of the edit is of its own seed
+  const Outcome kept = worked(R"({"keep": [1, 2, 4], "seed": 11})");
+  EXPECT_EQ(motions_of(kept.get()), motions);
+  shigusa_result* made = nullptr;
+  ASSERT_EQ(shigusa_replay_work(again.get(), 1, R"({"again": [3]})", nullptr, &made), SHIGUSA_OK);
+  EXPECT_EQ(motions_of(Outcome(made).get()), motions);
+}
+
+TEST(CInterfaceOfWork, ASearchAnewCanBeWatched) {
+  int reports = 0;
+  const shigusa_watch watch{[](void* user, double, std::int32_t, double) {
+                              ++*static_cast<int*>(user);
+                              return 0;
+                            },
+                            &reports};
+  shigusa_result* made = nullptr;
+  ASSERT_EQ(shigusa_replay_work(three_reaches(), 1, R"({"again": [4]})", &watch, &made),
+            SHIGUSA_OK);
+  shigusa_result_free(made);
+  EXPECT_GT(reports, 0);
+}
+
+TEST(CInterfaceOfWork, WrongEditsAreTold) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {R"({"action": 5})", "no action 5; the task has 4"},
+      {R"({"again": [1, 9]})", "no action 9"},
+      {R"({"keep": [7]})", "no action 7"},
+      {R"({"again": 3})", "again: must be a list of actions, 1 to 64"},
+      {R"({"keep": [0]})", "keep: must be a list of actions"},
+      {R"({"action": 2, "set": ["squat_deg=20"]})", "action 2 has no motion"},
+      {R"({"set": ["squatt_deg=20"]})", "squatt_deg"},
+      {R"({"sett": []})", "sett"},
+      {R"([])", "edit"}};
+  for (const auto& [edit, says] : wrong) {
+    shigusa_result* none = nullptr;
+    EXPECT_NE(shigusa_replay_work(three_reaches(), 1, edit, nullptr, &none), SHIGUSA_OK) << edit;
+    EXPECT_THAT(shigusa_message(), testing::HasSubstr(says));
+    EXPECT_EQ(none, nullptr);
+  }
+  shigusa_result* none = nullptr;
+  const Outcome one = outcome_of(nullptr, kLowReach);
+  EXPECT_EQ(shigusa_replay_work(one.get(), 1, nullptr, nullptr, &none), SHIGUSA_INVALID_ARGUMENT);
+  EXPECT_THAT(shigusa_message(), testing::HasSubstr("the task has 0"));
+}
+
 // Nothing moves, so that there are no parameters of a search.
 TEST(CInterfaceOfWork, WaitingAloneIsWork) {
   const Outcome result = outcome_of(nullptr, R"({"version": 2, "actions": [{"wait_s": 0.5}]})");

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Data sets of pieces of work: actions and things are drawn, and kept with the whole motion.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cstring>
+#include <shigusa/dataset_export.hpp>
+#include <shigusa/score.hpp>
 
 #include "dataset/plans.hpp"
 
@@ -95,12 +100,74 @@ TEST(DatasetOfWork, GoalsOfAnActionStandBesideEachOther) {
   EXPECT_NEAR(goals[1].position.x - goals[0].position.x, 0.4, 1e-12);
 }
 
-TEST(DatasetOfWork, HasNoPressure) {
+// The floor bears the cup in the hand too.
+TEST(DatasetOfWork, KeepsThePressureOfTheWholePiece) {
   Json json = cup_plan();
+  json["tasks"] = 1;
+  json["task"]["things"]["cup"]["mass_kg"] = 4;
   json["series"] = {"angles", "pressure"};
-  const auto plan = DatasetPlan::parse(json.dump(), "plan.json", {});
-  ASSERT_FALSE(plan);
-  EXPECT_THAT(plan.error().to_string(), HasSubstr("pressure"));
+  const DatasetPlan plan = plan_of_json(json);
+  const WorkFolder work;
+  made(plan, {.folder = work.path(), .threads = 1});
+  ShardTables shard(work.path(), 0);
+  const auto pressure = shard.motions["pressure"].as<float>();
+  ASSERT_EQ(pressure.size(), 2 * kFrames);
+  TaskFile file = plan.task(0).value().file;
+  Task task = make_task(file, {}).value();
+  const Candidate whole = perform(task).value().candidates.front();
+  const std::vector<Vec3d> own = centres_of_pressure(task, whole);
+  EXPECT_NEAR(pressure[0], own.front().x, 1e-6);
+  EXPECT_NEAR(pressure[1], own.front().z, 1e-6);
+  EXPECT_NEAR(pressure[2 * kFrames - 2], own.back().x, 1e-6);
+  EXPECT_NEAR(pressure[2 * kFrames - 1], own.back().z, 1e-6);
+  const auto middle = static_cast<double>(own.size() - 1) / 2.0;
+  const Vec3d before = own[static_cast<std::size_t>(middle)];
+  const Vec3d after = own[static_cast<std::size_t>(middle + 0.5)];
+  EXPECT_NEAR(pressure[kFrames - 1], 0.5 * (before.x + after.x), 1e-6);
+  EXPECT_NEAR(pressure[kFrames], 0.5 * (before.z + after.z), 1e-6);
+}
+
+// Number of the file's nodes of that name.
+std::ptrdiff_t nodes_named(const std::string& glb, const std::string& name) {
+  std::uint32_t size = 0;
+  std::memcpy(&size, glb.data() + 12, sizeof size);
+  const Json json = Json::parse(glb.substr(20, size));
+  return std::count_if(json["nodes"].begin(), json["nodes"].end(),
+                       [&](const Json& node) { return node.value("name", "") == name; });
+}
+
+TEST(DatasetOfWork, LeavesAsGlbWithItsThings) {
+  if (!has_mannequin()) GTEST_SKIP() << "no mannequin";
+  const DatasetPlan plan = plan_of_json(cup_plan());
+  const WorkFolder work;
+  ASSERT_TRUE(keep_plan(plan, work.path()));
+  made(plan, {.folder = work.path(), .threads = 1});
+  const WorkFolder out;
+  const auto run =
+      export_dataset({.from = work.path(), .to = out.path(), .format = DataFormat::glb});
+  ASSERT_TRUE(run) << run.error().to_string();
+  EXPECT_EQ(run->motions, 2U);
+  EXPECT_EQ(run->left_out, 0U) << run->why;
+  EXPECT_EQ(run->searched, 2U);
+  EXPECT_EQ(run->missed, 0U);
+  std::map<std::string, std::string> files;
+  for (const auto& [name, bytes] : out.contents()) {
+    if (name.ends_with(".glb")) files[name] = out.get(name);
+  }
+  ASSERT_EQ(files.size(), 2U);
+  for (std::uint64_t number = 0; number < 2; ++number) {
+    // the file that the task itself gives
+    TaskFile file = plan.task(number).value().file;
+    const Task task = make_task(file, {}).value();
+    const Candidate found = perform(task).value().candidates.front();
+    const std::string name = fmt::format("motions/0000/{:06}-1.glb", number);
+    ASSERT_TRUE(files.contains(name));
+    EXPECT_EQ(nodes_named(files[name], "cup"), 1);
+    const auto own = export_candidate(file.character, task, found, FileFormat::glb,
+                                      {.animation = fmt::format("{:06}-1", number)});
+    ASSERT_TRUE(own);
+    EXPECT_TRUE(*own == files[name]) << name;
+  }
 }
 
 }  // namespace

@@ -83,5 +83,23 @@ TEST(Assignments, AreAListOfTexts) {
   }
 }
 
+TEST(WorkEdits, AreReadFromJson) {
+  const WorkEdit edit =
+      parse_work_edit(
+          R"({"action": 2, "set": ["bow=0.1"], "again": [3], "keep": [1, 4], "seed": 5})", "edit")
+          .value();
+  EXPECT_EQ(edit.action, 2);
+  EXPECT_THAT(edit.assignments, ElementsAre("bow=0.1"));
+  EXPECT_THAT(edit.again, ElementsAre(3));
+  EXPECT_THAT(edit.keep, ElementsAre(1, 4));
+  EXPECT_EQ(edit.seed, 5u);
+  EXPECT_FALSE(parse_work_edit("{}", "edit")->seed);
+  for (const char* wrong :
+       {R"({"action": 0})", R"({"action": 65})", R"({"again": [0]})", R"({"again": [65]})",
+        R"({"keep": [1.5]})", R"({"keep": 1})", R"({"seed": -1})", R"({"set": [1]})"}) {
+    EXPECT_FALSE(parse_work_edit(wrong, "edit")) << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace shigusa

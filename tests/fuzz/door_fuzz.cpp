@@ -5,7 +5,7 @@
 //
 // An input is a line of one letter and text, a second line, and a file's bytes:
 //   c{"source": "hero.glb"} / a task, or nothing / the file: create, describe and generate
-//   r / nothing / a summary: restore, export and replay
+//   r / an edit of work, or nothing / a summary: restore, export, replay and edit
 //   sclip.bvh / options, or nothing / the clip: score
 // scripts/fuzz makes such inputs of the other targets' corpora and of real characters.
 #include <shigusa.h>
@@ -112,11 +112,18 @@ void look_through(const shigusa_character* character, const shigusa_result* resu
       (void)text_of(shigusa_result_export, result, k, format.c_str());
     }
     require(!text_of(shigusa_result_parameters, result, k).empty());
+    require(!text_of(shigusa_result_action_parameters, result, k, 1).empty());
     for (shigusa_series series = SHIGUSA_TIME; series <= SHIGUSA_THINGS; ++series) {
       const double* values = nullptr;
       std::size_t frames = 0, columns = 0;
       require(done(shigusa_result_series(result, k, series, &values, &frames, &columns)));
       for (std::size_t i = 0; i < frames * columns; ++i) require(values[i] - values[i] == 0.0);
+      shigusa_bytes* table = nullptr;
+      shigusa_bytes* about = nullptr;
+      const char* const options = R"({"fps": 12, "place": "file"})";
+      require(done(shigusa_result_table(result, k, series, options, &table, &about)));
+      shigusa_bytes_free(table);
+      shigusa_bytes_free(about);
     }
   }
   shigusa_result* again = nullptr;
@@ -142,7 +149,7 @@ void create(const std::string& spec, const std::string& task, std::string_view f
   look_through(made, result);
 }
 
-void restore(const std::string& summary) {
+void restore(const std::string& edit, const std::string& summary) {
   if (summary.size() > kMostSummary) return;
   const Json told = shallow(summary);
   if (!told.is_object() || !told.contains("task") || !told.contains("candidates")) return;
@@ -154,6 +161,11 @@ void restore(const std::string& summary) {
   if (!done(shigusa_restore(nullptr, summary.c_str(), &result))) return;
   const Outcome held(result);
   look_through(nullptr, result);
+  if (edit.empty() || !is_quick(told["task"])) return;
+  shigusa_result* edited = nullptr;
+  if (!done(shigusa_replay_work(result, 1, edit.c_str(), nullptr, &edited))) return;
+  const Outcome held_too(edited);
+  look_through(nullptr, edited);
 }
 
 void score(const std::string& name, const std::string& options, std::string_view clip) {
@@ -178,7 +190,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (first.empty()) return 0;
   const std::string text = first.substr(1);
   if (first[0] == 'c') create(text, second, rest);
-  if (first[0] == 'r') restore(std::string(rest));
+  if (first[0] == 'r') restore(second, std::string(rest));
   if (first[0] == 's') score(text, second, rest);
   return 0;
 }

@@ -33,6 +33,9 @@ constexpr const char* kTask = R"({"character": "half_body", "evaluations": 20, "
 constexpr const char* kReach = R"({"evaluations": 20, "candidates": 1,
     "goals": [{"effector": "right_hand", "position_m": [-0.2, 0.9, 0.4]}]})";
 
+constexpr const char* kWork = R"({"version": 2, "evaluations": 20, "candidates": 1, "actions": [
+    {"goals": [{"effector": "right_hand", "position_m": [-0.2, 0.9, 0.4]}]}]})";
+
 // Arguments of the functions, made while there is memory.
 struct Hands {
   std::string bvh = person_bvh();
@@ -43,6 +46,7 @@ struct Hands {
   shigusa_character* file = nullptr;
   shigusa_result* result = nullptr;
   shigusa_result* own = nullptr;  // of the character from a file
+  shigusa_result* work = nullptr;
 };
 
 struct Step {
@@ -102,6 +106,33 @@ shigusa_status series_at(const Hands& hands) {
   return status;
 }
 
+shigusa_status table(const Hands& hands) {
+  shigusa_bytes* values = nullptr;
+  shigusa_bytes* about = nullptr;
+  const shigusa_status status = shigusa_result_table(
+      hands.result, 1, SHIGUSA_TORQUES, R"({"fps": 30, "place": "file"})", &values, &about);
+  shigusa_bytes_free(values);
+  shigusa_bytes_free(about);
+  return status;
+}
+
+shigusa_status many(const Hands& hands) {
+  const char* const tasks[] = {kTask, "{}"};
+  shigusa_result* made[2] = {};
+  shigusa_bytes* failures = nullptr;
+  const shigusa_status status =
+      shigusa_generate_all(hands.human, tasks, 2, 1, nullptr, made, &failures);
+  for (shigusa_result* result : made) shigusa_result_free(result);
+  shigusa_bytes_free(failures);
+  return status;
+}
+
+shigusa_status of_angles(const Hands& hands) {
+  static const std::vector<double> still(std::size_t{2} * 45, 0.0);
+  return result_of(shigusa_result_of_angles, hands.human, nullptr, still.data(), std::size_t{2},
+                   std::size_t{45}, 60.0);
+}
+
 // A refused call, whose reason is read: a failure needs memory too.
 shigusa_status refused(const Hands&) {
   const shigusa_status status = created(R"({"source": "human", "stature_m": 99})", "");
@@ -125,17 +156,25 @@ const std::vector<Step>& steps() {
        [](const Hands& h) { return text(shigusa_character_describe, h.file); }},
       {"shigusa_generate",
        [](const Hands&) { return result_of(shigusa_generate, nullptr, kTask, 1, nullptr); }},
+      {"shigusa_generate_all", many},
+      {"shigusa_result_of_angles", of_angles},
       {"shigusa_restore",
        [](const Hands& h) { return result_of(shigusa_restore, h.human, h.summary.c_str()); }},
       {"shigusa_replay",
        [](const Hands& h) {
          return result_of(shigusa_replay, h.result, 1, R"(["right_elbow.weight=2.5"])");
        }},
+      {"shigusa_replay_work",
+       [](const Hands& h) {
+         return result_of(shigusa_replay_work, h.work, 1, R"({"set": ["squat_deg=20"]})", nullptr);
+       }},
       {"shigusa_mirror", [](const Hands& h) { return result_of(shigusa_mirror, h.result); }},
       {"shigusa_result_describe",
        [](const Hands& h) { return text(shigusa_result_describe, h.result); }},
       {"shigusa_result_parameters",
        [](const Hands& h) { return text(shigusa_result_parameters, h.result, 1); }},
+      {"shigusa_result_action_parameters",
+       [](const Hands& h) { return text(shigusa_result_action_parameters, h.work, 1, 1); }},
       {"shigusa_result_export bvh", [](const Hands& h) { return exported(h.result, "bvh"); }},
       {"shigusa_result_export csv", [](const Hands& h) { return exported(h.result, "csv"); }},
       {"shigusa_result_export svg", [](const Hands& h) { return exported(h.result, "svg"); }},
@@ -146,6 +185,7 @@ const std::vector<Step>& steps() {
        }},
       {"shigusa_result_series", all_series},
       {"shigusa_result_series_at", series_at},
+      {"shigusa_result_table", table},
       {"shigusa_score_clip",
        [](const Hands& h) {
          return text(shigusa_score_clip, "a.bvh", static_cast<const void*>(h.bvh.data()),
@@ -219,6 +259,8 @@ Hands made_hands() {
   EXPECT_EQ(shigusa_generate(hands.human, kReach, 1, nullptr, &hands.result), SHIGUSA_OK)
       << shigusa_message();
   EXPECT_EQ(shigusa_generate(hands.file, kReach, 1, nullptr, &hands.own), SHIGUSA_OK)
+      << shigusa_message();
+  EXPECT_EQ(shigusa_generate(hands.human, kWork, 1, nullptr, &hands.work), SHIGUSA_OK)
       << shigusa_message();
   shigusa_bytes* bytes = nullptr;
   EXPECT_EQ(shigusa_result_describe(hands.result, &bytes), SHIGUSA_OK);

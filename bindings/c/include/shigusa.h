@@ -26,10 +26,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Exports a function from the library. */
+/** Exports a function from the library; of a static library in Windows define SHIGUSA_STATIC. */
 #if defined(__EMSCRIPTEN__)
 #define SHIGUSA_API __attribute__((used, visibility("default")))
-#elif defined(__GNUC__)
+#elif defined(_WIN32) && defined(SHIGUSA_BUILDS_C)
+#define SHIGUSA_API __declspec(dllexport)
+#elif defined(_WIN32) && !defined(SHIGUSA_STATIC)
+#define SHIGUSA_API __declspec(dllimport)
+#elif defined(__GNUC__) && !defined(_WIN32)
 #define SHIGUSA_API __attribute__((visibility("default")))
 #else
 #define SHIGUSA_API
@@ -41,6 +45,9 @@ extern "C" {
 
 /** Version of the functions and numbers of this header; incremented by incompatible changes. */
 #define SHIGUSA_ABI_VERSION 1
+
+/** Version of the library that this header is of. */
+#define SHIGUSA_HEADER_VERSION "0.1.0"
 
 /** SHIGUSA_ABI_VERSION of the library's build. */
 SHIGUSA_API uint32_t shigusa_abi_version(void);
@@ -62,6 +69,12 @@ enum {
   SHIGUSA_FAULT = 8,            /**< an error within the library: please report it */
   SHIGUSA_HOST = 9              /**< a function of the caller threw; the message is from it */
 };
+
+/** Whether this library has all of a header, to be called first, as
+ * shigusa_check_version(SHIGUSA_ABI_VERSION, SHIGUSA_HEADER_VERSION). Fails with a message that
+ * names both versions if the ABI is another one, or the library older than the header
+ * (SHIGUSA_UNSUPPORTED). */
+SHIGUSA_API shigusa_status shigusa_check_version(uint32_t abi_version, const char* header_version);
 
 /** Message of the calling thread's last failure, "" if there was none. Valid until this thread's
  * next failure. */
@@ -116,10 +129,14 @@ SHIGUSA_API void shigusa_character_free(shigusa_character* character);
 
 /** Description of a character: the object that `shigusa body --json` prints, with the nodes of
  * SHIGUSA_NODE_TRANSLATIONS and _ROTATIONS: "nodes": [{"name", "parent" (index or -1), "offset"
- * [x, y, z], "scale" [x, y, z] (along its own axes, constant in a motion; absent if 1),
- * "file_node" (glTF: index in the file)}], "node_unit_m" (metres per unit of their translations),
- * "support_polygon" [[x, z], …] (m, of the feet), and "feet": [{"effector", "sole_m" [[x, y, z],
- * …] (its corners relative to the effector, in the effector's frame), "floor_m" (lower bound of
+ * [x, y, z] and "rotation" [x, y, z, w] (in its parent, in the posture that was measured), "scale"
+ * [x, y, z] (along its own axes, constant in a motion; absent if 1), "file_node" (glTF: index in
+ * the file), "rest" {"offset", "rotation", "scale"} (as the file has it at rest; absent if the
+ * same)}], "node_unit_m" (metres per unit of their translations),
+ * "support_polygon" [[x, z], …] (m, of the feet), "placement" (of a file: {"unit_m", "origin",
+ * "left", "up", "ahead"}, with which a place p of the file is at unit_m · ((p - origin) · left, (p
+ * - origin) · up, (p - origin) · ahead) in the world), and "feet": [{"effector", "sole_m" [[x, y,
+ * z], …] (its corners relative to the effector, in the effector's frame), "floor_m" (lower bound of
  * the corners), "least_m" (the effector's height with the sole oriented as at the start)}], and
  * "doubt_messages": the doubts as messages (shigusa_failure). */
 SHIGUSA_API shigusa_status shigusa_character_describe(const shigusa_character* character,
@@ -148,6 +165,28 @@ SHIGUSA_API shigusa_status shigusa_generate(const shigusa_character* character, 
                                             int32_t threads, const shigusa_watch* watch,
                                             shigusa_result** result);
 
+/** Searches motions for `count` tasks in one call, on `threads` threads in all, with the results of
+ * shigusa_generate for each. `results`: room for `count` results; null for a task that fails, which
+ * does not fail the call. `failures`: JSON list of null, or the failure of that task as of
+ * shigusa_failure, with the place "tasks[3]: …" where its text is wrong. `watch` tells the share
+ * of all tasks, then that of each with actions; a stopped call gives what it has, and
+ * tasks that have not begun fail. */
+SHIGUSA_API shigusa_status shigusa_generate_all(const shigusa_character* character,
+                                                const char* const* tasks, size_t count,
+                                                int32_t threads, const shigusa_watch* watch,
+                                                shigusa_result** results, shigusa_bytes** failures);
+
+/** A result of one candidate from given angles, at rest before and after: its score, verdict,
+ * series and files are those of a motion. `angles`: frames (2 and more) × columns (a degree of
+ * freedom each, in the order of the description's joints; rad), row by row, at `fps` (Hz, 1 to
+ * 240). The base foot stands as the body does at its start. `task`: null, or text of a task file,
+ * whose criteria and obstacles are taken and whose goals are not. There are no parameters that
+ * would make the motion again, so that such a result cannot be restored, replayed or mirrored. */
+SHIGUSA_API shigusa_status shigusa_result_of_angles(const shigusa_character* character,
+                                                    const char* task, const double* angles,
+                                                    size_t frames, size_t columns, double fps,
+                                                    shigusa_result** result);
+
 /** Generates a result's motions again from its JSON (summary.json), without a search. `character`:
  * as above, and the same as that of the result; it is needed to export motions on its own
  * skeleton. */
@@ -167,6 +206,17 @@ SHIGUSA_API shigusa_status shigusa_restore_watched(const shigusa_character* char
  * from where it now ends. Candidates count from 1. */
 SHIGUSA_API shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
                                           const char* assignments, shigusa_result** edited);
+
+/** Edits one candidate of a task with actions. `edit`: JSON such as {"action": 2, "set":
+ * ["squat_deg=60"], "again": [3], "keep": [1, 2], "seed": 5}, as the options of `shigusa edit`;
+ * null changes nothing. `set` changes the first motion of `action` (default 1), and the actions
+ * behind it go on from where it now ends. Actions in `again` are searched anew, for several
+ * candidates; with `keep` alone all actions but these are. Another `seed` than the task's finds
+ * other motions. `watch` may be null; a stopped search ends with its best so far. Candidates and
+ * actions count from 1. Fails on a task without actions and an unknown action. */
+SHIGUSA_API shigusa_status shigusa_replay_work(const shigusa_result* result, int32_t candidate,
+                                               const char* edit, const shigusa_watch* watch,
+                                               shigusa_result** edited);
 
 /** Mirror images of all candidates, with the other side's hands and feet, by the same character
  * from the same start. */
@@ -188,6 +238,12 @@ SHIGUSA_API shigusa_status shigusa_result_describe(const shigusa_result* result,
  * such as "right_knee.flexion.weight" can also be locked by "right_knee.flexion.locked=true". */
 SHIGUSA_API shigusa_status shigusa_result_parameters(const shigusa_result* result,
                                                      int32_t candidate, shigusa_bytes** json);
+
+/** Editable parameters of the motion of one action, from 1, in the same form: those that
+ * shigusa_replay_work sets. An empty list of an action without a motion, such as a wait. */
+SHIGUSA_API shigusa_status shigusa_result_action_parameters(const shigusa_result* result,
+                                                            int32_t candidate, int32_t action,
+                                                            shigusa_bytes** json);
 
 /** Exports a candidate to a written format (shigusa_facts), such as "bvh". Fails if this build or
  * the character does not support it. Candidate 0: all of them in one GLB. */
@@ -231,13 +287,23 @@ SHIGUSA_API shigusa_status shigusa_result_series(const shigusa_result* result, i
                                                  shigusa_series series, const double** values,
                                                  size_t* frames, size_t* columns);
 
-/** The series of time, angles, nodes and things at a rate of `fps` (Hz, 1 to 240), as in exported
- * files: `table` holds frames × columns doubles, row by row. Other series exist only at the
- * motion's own frames (SHIGUSA_UNSUPPORTED). */
+/** A series at a rate of `fps` (Hz, 1 to 240), as in exported files: `table` holds frames ×
+ * columns doubles, row by row. Torques, centre of mass and support lie on lines between the
+ * motion's own frames; all others are those of the posture there. */
 SHIGUSA_API shigusa_status shigusa_result_series_at(const shigusa_result* result, int32_t candidate,
                                                     shigusa_series series, double fps,
                                                     shigusa_bytes** table, size_t* frames,
                                                     size_t* columns);
+
+/** A series with the meaning of its columns. `options`: null, or {"fps": 24, "place": "file"}. fps:
+ * as above; absent: the motion's own frames. place: where nodes move: "world" (y up, as goals are
+ * given), or "file": where the character stands in its file, in the file's axes. `table`: doubles,
+ * row by row. `about`: JSON {"name" ("node_rotations"), "unit" ("s", "rad", "N m", "m" or ""),
+ * "fps", "shape" ([frames, names, components], where columns have these), "names" (of joints,
+ * nodes, effectors, things, or the two of support), "components" (["x", "y", "z", "w"])}. */
+SHIGUSA_API shigusa_status shigusa_result_table(const shigusa_result* result, int32_t candidate,
+                                                shigusa_series series, const char* options,
+                                                shigusa_bytes** table, shigusa_bytes** about);
 
 /* ---- Recorded motion ------------------------------------------------------------------------- */
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "door.hpp"
 
+#include <array>
+#include <charconv>
 #include <exception>
 #include <new>
+#include <optional>
 #include <shigusa/shigusa.hpp>
 #include <string_view>
 #include <system_error>
@@ -42,6 +45,20 @@ shigusa_status status_of(ErrorCode code) {
       return SHIGUSA_CANCELLED;
   }
   return SHIGUSA_FAULT;
+}
+
+// The three numbers of a version, "0.1.0".
+std::optional<std::array<int, 3>> version_numbers(std::string_view text) {
+  std::array<int, 3> numbers{};
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), numbers[k]);
+    if (error != std::errc{} || numbers[k] < 0) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    if (k == 2) break;
+    if (!text.starts_with('.')) return std::nullopt;
+    text.remove_prefix(1);
+  }
+  return text.empty() ? std::optional(numbers) : std::nullopt;
 }
 
 }  // namespace
@@ -89,6 +106,26 @@ extern "C" {
 uint32_t shigusa_abi_version(void) { return SHIGUSA_ABI_VERSION; }
 
 const char* shigusa_version(void) { return SHIGUSA_VERSION; }
+
+shigusa_status shigusa_check_version(uint32_t abi_version, const char* header_version) {
+  using namespace shigusa;
+  return door::guarded([&]() -> Result<void> {
+    SHG_TRY(door::need("header_version", header_version));
+    const auto header = door::version_numbers(header_version);
+    if (!header) {
+      return fail(ErrorCode::invalid_argument,
+                  "header_version is no version such as " SHIGUSA_VERSION);
+    }
+    const std::array<int, 3> own{SHIGUSA_VERSION_MAJOR, SHIGUSA_VERSION_MINOR,
+                                 SHIGUSA_VERSION_PATCH};
+    if (abi_version == SHIGUSA_ABI_VERSION && own >= *header) return {};
+    return fail(ErrorCode::unsupported, "the program was made for shigusa " +
+                                            std::string(header_version) + " with ABI " +
+                                            std::to_string(abi_version) +
+                                            ", and the library is " SHIGUSA_VERSION " with ABI " +
+                                            std::to_string(SHIGUSA_ABI_VERSION));
+  });
+}
 
 const char* shigusa_message(void) { return shigusa::door::failure_text(); }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
+#include <memory>
 #include <shigusa/edit.hpp>
 #include <shigusa/run.hpp>
+#include <shigusa/score.hpp>
 
+#include "document/facts.hpp"
 #include "door.hpp"
 #include "watch.hpp"
 
@@ -24,6 +28,54 @@ Result<Task> task_of(TaskFile& file) {
                 "task: character");
   }
   return make_task(file, {});
+}
+
+Result<void> check_threads(int32_t threads) {
+  if (threads >= 0 && threads <= kMaxThreads) return {};
+  return fail(ErrorCode::invalid_argument,
+              "threads are " + std::to_string(threads) + "; allowed are 0 (all cores) to 1024");
+}
+
+// A task of many with what came of it.
+struct OneOfMany {
+  TaskFile file{};
+  Result<Task> task = fail(ErrorCode::cancelled, "was not begun");
+  Result<GenerateResult> found = fail(ErrorCode::cancelled, "was not begun");
+};
+
+OneOfMany one_of_many(const shigusa_character* character, const char* text, size_t index) {
+  OneOfMany one;
+  const std::string name = "tasks[" + std::to_string(index) + "]";
+  one.task = [&]() -> Result<Task> {
+    SHG_TRY(need(name.c_str(), text));
+    SHG_TRY_ASSIGN(one.file, parse_task(text, name));
+    put_character(character, one.file);
+    return task_of(one.file);
+  }();
+  return one;
+}
+
+// Tasks without actions beside each other, then each with actions.
+void find_all(std::vector<OneOfMany>& all, int threads, const Progress& progress) {
+  std::vector<Task> tasks;
+  std::vector<size_t> places;
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].task) {
+      all[i].found = tl::unexpected(all[i].task.error());
+      continue;
+    }
+    all[i].task->batch.threads = threads;
+    if (all[i].task->actions.empty()) {
+      tasks.push_back(*all[i].task);
+      places.push_back(i);
+    }
+  }
+  std::vector<Result<GenerateResult>> found = generate_all(tasks, threads, progress);
+  for (size_t k = 0; k < found.size(); ++k) all[places[k]].found = std::move(found[k]);
+  for (OneOfMany& one : all) {
+    if (!one.task || one.task->actions.empty() || progress.cancelled()) continue;
+    one.found = perform(*one.task, progress);
+  }
 }
 
 // All candidates of stored values as a result. Those without actions keep their player.
@@ -51,6 +103,19 @@ Result<MotionPlayer*> player_of(const shigusa_result& result, TaskFile& file) {
   return &*result.player;
 }
 
+// One candidate of a piece of work after an edit.
+Result<void> worked(const shigusa_result& result, int32_t candidate, const WorkEdit& edit,
+                    const Progress& progress, shigusa_result** edited) {
+  StoredResult stored = stored_result(result.file, result.generation);
+  const auto begin = std::chrono::steady_clock::now();
+  SHG_TRY_ASSIGN(GenerateResult whole, replay_work(result.task, stored, candidate, edit, progress));
+  Task task = result.task;
+  task.seed = stored.task.seed;
+  *edited = new shigusa_result{std::move(stored.task), std::move(task), std::move(whole),
+                               replay_info("edit", begin)};
+  return {};
+}
+
 // Fails if the result has no candidate of that number.
 Result<void> check_candidate(const shigusa_result& result, int32_t candidate) {
   const size_t count = result.generation.candidates.size();
@@ -69,10 +134,7 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
                                 shigusa_result** result) {
   return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
     SHG_TRY(need("task", task, "result", result));
-    if (threads < 0 || threads > kMaxThreads) {
-      return fail(ErrorCode::invalid_argument,
-                  "threads are " + std::to_string(threads) + "; allowed are 0 (all cores) to 1024");
-    }
+    SHG_TRY(check_threads(threads));
     SHG_TRY_ASSIGN(TaskFile file, parse_task(task, "task"));
     put_character(character, file);
     SHG_TRY_ASSIGN(Task asked, task_of(file));
@@ -86,6 +148,64 @@ shigusa_status shigusa_generate(const shigusa_character* character, const char* 
     RunInfo info = search_info(asked, begin);
     *result = new shigusa_result{std::move(file), std::move(asked), std::move(generation),
                                  std::move(info)};
+    return {};
+  });
+}
+
+shigusa_status shigusa_generate_all(const shigusa_character* character, const char* const* tasks,
+                                    size_t count, int32_t threads, const shigusa_watch* watch,
+                                    shigusa_result** results, shigusa_bytes** failures) {
+  return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
+    SHG_TRY(need("tasks", tasks, "results", results, "failures", failures));
+    SHG_TRY(check_threads(threads));
+    std::vector<OneOfMany> all;
+    for (size_t i = 0; i < count; ++i) all.push_back(one_of_many(character, tasks[i], i));
+    Watched watched(watch, arithmetic);
+    const auto begin = std::chrono::steady_clock::now();
+    find_all(all, threads, watched.progress());
+    watched.pass_on();
+    std::vector<std::unique_ptr<shigusa_result>> made(count);
+    std::string told = "[";
+    for (size_t i = 0; i < count; ++i) {
+      auto& [file, task, found] = all[i];
+      told += i == 0 ? "" : ", ";
+      told += found ? "null" : format_failure(found.error());
+      if (!found) continue;
+      RunInfo info = search_info(*task, begin);
+      made[i].reset(new shigusa_result{std::move(file), std::move(*task), std::move(*found),
+                                       std::move(info)});
+    }
+    SHG_TRY(give(told + "]", failures));
+    for (size_t i = 0; i < count; ++i) results[i] = made[i].release();
+    return {};
+  });
+}
+
+shigusa_status shigusa_result_of_angles(const shigusa_character* character, const char* task,
+                                        const double* angles, size_t frames, size_t columns,
+                                        double fps, shigusa_result** result) {
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("angles", angles, "result", result));
+    SHG_TRY(check_rate(fps, "fps"));
+    TaskFile file;
+    if (task != nullptr) {
+      SHG_TRY_ASSIGN(file, parse_task(task, "task"));
+    }
+    put_character(character, file);
+    file.goals.clear();
+    SHG_TRY_ASSIGN(Task given, task_of(file));
+    const auto begin = std::chrono::steady_clock::now();
+    const size_t most = kFrameMax + 1;
+    Clip clip{.dofs = static_cast<int>(std::min(columns, most)),
+              .frames = static_cast<int>(std::min(frames, most)),
+              .frame_time = 1.0 / fps,
+              .angles = {}};
+    if (frames <= most && columns == static_cast<size_t>(given.body.dof_count())) {
+      clip.angles.assign(angles, angles + frames * columns);
+    }
+    SHG_TRY_ASSIGN(GenerateResult generation, given_motion(given, std::move(clip)));
+    *result = new shigusa_result{std::move(file), std::move(given), std::move(generation),
+                                 replay_info("angles", begin)};
     return {};
   });
 }
@@ -116,20 +236,29 @@ shigusa_status shigusa_replay(const shigusa_result* result, int32_t candidate,
     SHG_TRY(need("result", result, "edited", edited));
     SHG_TRY_ASSIGN(const auto changes,
                    parse_assignments(assignments == nullptr ? "[]" : assignments, "assignments"));
+    if (!result->task.actions.empty()) {
+      return worked(*result, candidate, {.assignments = changes}, {}, edited);
+    }
     StoredResult stored = stored_result(result->file, result->generation);
     const auto begin = std::chrono::steady_clock::now();
-    if (!result->task.actions.empty()) {
-      SHG_TRY_ASSIGN(GenerateResult whole,
-                     replay_work(result->task, stored, candidate, {.assignments = changes}));
-      *edited = new shigusa_result{std::move(stored.task), result->task, std::move(whole),
-                                   replay_info("edit", begin)};
-      return {};
-    }
     SHG_TRY_ASSIGN(MotionPlayer * player, player_of(*result, stored.task));
     SHG_TRY_ASSIGN(GenerateResult generation, replay(*player, stored, candidate, changes));
     *edited = new shigusa_result{std::move(stored.task), player->task(), std::move(generation),
                                  replay_info("edit", begin)};
     return {};
+  });
+}
+
+shigusa_status shigusa_replay_work(const shigusa_result* result, int32_t candidate,
+                                   const char* edit, const shigusa_watch* watch,
+                                   shigusa_result** edited) {
+  return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
+    SHG_TRY(need("result", result, "edited", edited));
+    SHG_TRY_ASSIGN(const WorkEdit parsed, parse_work_edit(edit == nullptr ? "{}" : edit, "edit"));
+    Watched watched(watch, arithmetic);
+    Result<void> done = worked(*result, candidate, parsed, watched.progress(), edited);
+    watched.pass_on();
+    return done;
   });
 }
 
@@ -165,6 +294,17 @@ shigusa_status shigusa_result_parameters(const shigusa_result* result, int32_t c
     const Candidate& of = generation.candidates[static_cast<size_t>(candidate - 1)];
     return give(format_parameters(editable_parameters(*generation.parameters, of.parameters)),
                 json);
+  });
+}
+
+shigusa_status shigusa_result_action_parameters(const shigusa_result* result, int32_t candidate,
+                                                int32_t action, shigusa_bytes** json) {
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "json", json));
+    SHG_TRY(check_candidate(*result, candidate));
+    const GenerateResult& generation = result->generation;
+    const Candidate& of = generation.candidates[static_cast<size_t>(candidate - 1)];
+    return give(format_parameters(action_parameters(*generation.parameters, of, action)), json);
   });
 }
 

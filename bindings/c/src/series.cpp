@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/character.hpp>
+#include <shigusa/series.hpp>
 
 #include "door.hpp"
 
@@ -8,87 +8,8 @@ using namespace shigusa::door;
 
 namespace {
 
-constexpr size_t kSeries = SHIGUSA_THINGS + 1;
-
-void add(const Vec3d& v, std::vector<double>& table) { table.insert(table.end(), {v.x, v.y, v.z}); }
-
-void add_times(const Clip& clip, std::vector<double>& table) {
-  for (int f = 0; f < clip.frames; ++f) table.push_back(f * clip.frame_time);
-}
-
-void add_poses(const std::vector<ThingMotion>& things, size_t frames, std::vector<double>& table) {
-  for (size_t f = 0; f < frames; ++f) {
-    for (const ThingMotion& thing : things) {
-      if (thing.poses.size() != frames) continue;
-      add(thing.poses[f].translation, table);
-      const Quatd q = to_quat(thing.poses[f].rotation);
-      table.insert(table.end(), {q.x, q.y, q.z, q.w});
-    }
-  }
-}
-
-struct NodeTables {
-  std::vector<double> translations;
-  std::vector<double> rotations;
-};
-
-NodeTables node_tables(const shigusa_result& result, const Candidate& candidate, const Clip& clip) {
-  NodeTables tables;
-  for (const LocalTransform& local :
-       node_motion(result.file.character, result.task, candidate, clip)) {
-    add(local.translation, tables.translations);
-    const Quatd& q = local.rotation;
-    tables.rotations.insert(tables.rotations.end(), {q.x, q.y, q.z, q.w});
-  }
-  return tables;
-}
-
-bool is_of_nodes(shigusa_series series) {
-  return series == SHIGUSA_NODE_TRANSLATIONS || series == SHIGUSA_NODE_ROTATIONS;
-}
-
-// Table of one series that is not of nodes, frame by frame.
-std::vector<double> table_of(const shigusa_result& result, const Candidate& candidate,
-                             shigusa_series series) {
-  const Motion& motion = candidate.motion;
-  const auto frames = static_cast<size_t>(motion.clip.frames);
-  std::vector<double> table;
-  switch (series) {
-    case SHIGUSA_TIME:
-      add_times(motion.clip, table);
-      break;
-    case SHIGUSA_ANGLES:
-      return motion.clip.angles;
-    case SHIGUSA_TORQUES:
-      return motion.torques;
-    case SHIGUSA_CENTRE_OF_MASS:
-      for (const Vec3d& at : motion.centre_of_mass) add(at, table);
-      break;
-    case SHIGUSA_SUPPORT:
-      for (const SupportFrame& frame : support_frames(result.task.body, motion)) {
-        table.insert(table.end(), {frame.centre_of_mass, frame.pressure});
-      }
-      break;
-    case SHIGUSA_EFFECTORS:
-      for (size_t f = 0; f < frames; ++f) {
-        for (const std::vector<Vec3d>& effector : motion.effectors) add(effector[f], table);
-      }
-      break;
-    case SHIGUSA_UPPER_LIMITS:
-      for (int f = 0; f < motion.clip.frames; ++f) {
-        for (int d = 0; d < motion.clip.dofs; ++d) {
-          table.push_back(upper_limit(result.task.body, d, motion.clip.frame(f)));
-        }
-      }
-      break;
-    case SHIGUSA_THINGS:
-      add_poses(candidate.things, frames, table);
-      break;
-    default:
-      break;
-  }
-  return table;
-}
+constexpr size_t kSeries = kEnumWords<MotionSeries>.size();
+static_assert(kSeries == SHIGUSA_THINGS + 1);
 
 // Fails if the result has no such candidate or series.
 Result<void> check_series(const shigusa_result& result, int32_t candidate, shigusa_series series) {
@@ -103,6 +24,22 @@ Result<void> check_series(const shigusa_result& result, int32_t candidate, shigu
   return {};
 }
 
+Result<SeriesTable> table_of(const shigusa_result& result, int32_t candidate, shigusa_series series,
+                             const SeriesSettings& settings = {}) {
+  SHG_TRY(check_series(result, candidate, series));
+  const auto& of = result.generation.candidates[static_cast<size_t>(candidate - 1)];
+  return motion_series(result.file.character, result.task, of, static_cast<MotionSeries>(series),
+                       settings);
+}
+
+Result<void> give_values(const SeriesTable& table, shigusa_bytes** bytes) {
+  return give(
+      {reinterpret_cast<const char*>(table.values.data()), table.values.size() * sizeof(double)},
+      bytes);
+}
+
+size_t columns_of(size_t values, size_t frames) { return frames == 0 ? 0 : values / frames; }
+
 }  // namespace
 
 extern "C" shigusa_status shigusa_result_series(const shigusa_result* result, int32_t candidate,
@@ -115,18 +52,14 @@ extern "C" shigusa_status shigusa_result_series(const shigusa_result* result, in
     const auto index = static_cast<size_t>(candidate - 1);
     auto& kept = result->series;
     if (kept.empty()) kept.assign(all.size(), std::vector<std::vector<double>>(kSeries));
-    std::vector<std::vector<double>>& tables = kept[index];
-    std::vector<double>& table = tables[static_cast<size_t>(series)];
-    if (table.empty() && is_of_nodes(series)) {
-      NodeTables made = node_tables(*result, all[index], all[index].motion.clip);
-      tables[SHIGUSA_NODE_TRANSLATIONS] = std::move(made.translations);
-      tables[SHIGUSA_NODE_ROTATIONS] = std::move(made.rotations);
-    } else if (table.empty()) {
-      table = table_of(*result, all[index], series);
+    std::vector<double>& table = kept[index][static_cast<size_t>(series)];
+    if (table.empty()) {
+      SHG_TRY_ASSIGN(SeriesTable made, table_of(*result, candidate, series));
+      table = std::move(made.values);
     }
     *values = table.data();
     *frames = static_cast<size_t>(all[index].motion.clip.frames);
-    *columns = *frames == 0 ? 0 : table.size() / *frames;
+    *columns = columns_of(table.size(), *frames);
     return {};
   });
 }
@@ -137,29 +70,26 @@ extern "C" shigusa_status shigusa_result_series_at(const shigusa_result* result,
                                                    size_t* columns) {
   return guarded([&]() -> Result<void> {
     SHG_TRY(need("result", result, "table", table, "frames", frames, "columns", columns));
-    SHG_TRY(check_series(*result, candidate, series));
-    SHG_TRY(check_rate(fps, "fps"));
-    if (series != SHIGUSA_TIME && series != SHIGUSA_ANGLES && series != SHIGUSA_THINGS &&
-        !is_of_nodes(series)) {
-      return fail(ErrorCode::unsupported,
-                  "series " + std::to_string(series) + " is of the motion's own frames alone");
-    }
-    const auto index = static_cast<size_t>(candidate - 1);
-    const Candidate& of = result->generation.candidates[index];
-    const Clip clip = motion_at(result->task.body, of, fps);
-    std::vector<double> values;
-    if (series == SHIGUSA_TIME) add_times(clip, values);
-    if (series == SHIGUSA_ANGLES) values = clip.angles;
-    if (series == SHIGUSA_THINGS) {
-      add_poses(things_at(of, fps), static_cast<size_t>(clip.frames), values);
-    }
-    if (is_of_nodes(series)) {
-      NodeTables tables = node_tables(*result, of, clip);
-      values = std::move(series == SHIGUSA_NODE_ROTATIONS ? tables.rotations : tables.translations);
-    }
-    *frames = static_cast<size_t>(clip.frames);
-    *columns = values.size() / *frames;
-    return give({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)},
-                table);
+    SHG_TRY_ASSIGN(const SeriesTable made, table_of(*result, candidate, series, {.rate = fps}));
+    SHG_TRY(give_values(made, table));
+    *frames = made.frames;
+    *columns = columns_of(made.values.size(), made.frames);
+    return {};
+  });
+}
+
+extern "C" shigusa_status shigusa_result_table(const shigusa_result* result, int32_t candidate,
+                                               shigusa_series series, const char* options,
+                                               shigusa_bytes** table, shigusa_bytes** about) {
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("result", result, "table", table, "about", about));
+    SHG_TRY_ASSIGN(const SeriesSettings settings,
+                   parse_series_settings(options == nullptr ? "{}" : options, "options"));
+    SHG_TRY_ASSIGN(const SeriesTable made, table_of(*result, candidate, series, settings));
+    auto told = std::make_unique<shigusa_bytes>(
+        shigusa_bytes{format_series(static_cast<MotionSeries>(series), made)});
+    SHG_TRY(give_values(made, table));
+    *about = told.release();
+    return {};
   });
 }

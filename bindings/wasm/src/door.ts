@@ -7,7 +7,7 @@ import createModule, { type ShigusaModule } from './module/shigusa.mjs';
 import {
   seriesNames, type Candidate, type CharacterDescription, type CharacterSpec, type EngineFailure, type ExportOptions,
   type Facts, type Generated, type Parameter, type Progress, type SampledName, type Series, type SeriesName,
-  type Summary, type Task,
+  type SeriesTable, type Summary, type TableOptions, type Task, type WorkEdit,
 } from './types.js';
 
 export { EngineError } from './errors.js';
@@ -89,7 +89,11 @@ class Calls {
   }
 
   bytes(scratch: Scratch, call: (at: number) => number): Uint8Array {
-    const bytes = this.made(scratch, call);
+    return this.taken(this.made(scratch, call));
+  }
+
+  /** A copy of the module's bytes, which are given back. */
+  taken(bytes: number): Uint8Array {
     const begin = this.module._shigusa_bytes_data(bytes);
     const copy = this.module.HEAPU8.slice(begin, begin + this.module._shigusa_bytes_size(bytes));
     this.module._shigusa_bytes_free(bytes);
@@ -98,6 +102,29 @@ class Calls {
 
   json<T>(scratch: Scratch, call: (at: number) => number): T {
     return JSON.parse(new TextDecoder().decode(this.bytes(scratch, call))) as T;
+  }
+
+  /** The result of a call that is watched. */
+  watched(watch: Watch | undefined, call: (watch: number) => number): DoorResult {
+    const { module } = this;
+    let thrown: { error: unknown } | undefined;
+    // nothing may be thrown through the module, which would not unwind
+    module.report = (fraction, evaluations, best_score) => {
+      try {
+        return watch?.({ fraction, evaluations, best_score }) === true;
+      } catch (error) {
+        thrown = { error };
+        return true;
+      }
+    };
+    try {
+      const result = new DoorResult(this, call(watch === undefined ? 0 : module._shigusa_script_watch()));
+      if (thrown === undefined) return result;
+      result.free();
+    } catch (error) {
+      if (thrown === undefined) throw error;
+    }
+    throw thrown.error;
   }
 }
 
@@ -135,6 +162,12 @@ export class DoorResult {
       this.calls.module._shigusa_result_parameters(this.pointer, candidate, at)));
   }
 
+  /** Those of the motion of one action (from 1) of a piece of work; none where nothing moves. */
+  actionParameters(candidate: number, action: number): Parameter[] {
+    return this.calls.with((scratch) => this.calls.json<Parameter[]>(scratch, (at) =>
+      this.calls.module._shigusa_result_action_parameters(this.pointer, candidate, action, at)));
+  }
+
   /** A copy, which outlives the result. */
   series(candidate: number, name: SeriesName): Series {
     const { module } = this.calls;
@@ -161,6 +194,20 @@ export class DoorResult {
     });
   }
 
+  /** A series with what its columns mean, at any rate and in either place. */
+  table(candidate: number, name: SeriesName, options: TableOptions = {}): SeriesTable {
+    return this.calls.with((scratch) => {
+      const chosen = scratch.text(JSON.stringify(options));
+      const kept = scratch.room(4);
+      const about = this.calls.json<Omit<SeriesTable, keyof Series>>(scratch, (at) =>
+        this.calls.module._shigusa_result_table(
+          this.pointer, candidate, seriesNames.indexOf(name), chosen, kept, at));
+      const values = new Float64Array(this.calls.taken(this.calls.word(kept)).buffer as ArrayBuffer);
+      const frames = about.shape[0] as number;
+      return { ...about, frames, columns: about.shape.slice(1).reduce((all, size) => all * size, 1), values };
+    });
+  }
+
   /** Candidate 0: all of them in one GLB. */
   export(candidate: number, format: string, options: ExportOptions = {}): Uint8Array {
     return this.calls.with((scratch) => {
@@ -177,6 +224,15 @@ export class DoorResult {
       const list = scratch.text(JSON.stringify(assignments));
       return new DoorResult(this.calls, this.calls.made(scratch, (at) =>
         this.calls.module._shigusa_replay(this.pointer, candidate, list, at)));
+    });
+  }
+
+  /** A candidate of a piece of work after an edit: one candidate, or several where an action is searched anew. */
+  replayWork(candidate: number, edit: WorkEdit, watch?: Watch): DoorResult {
+    return this.calls.with((scratch) => {
+      const text = scratch.text(JSON.stringify(edit));
+      return this.calls.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
+        this.calls.module._shigusa_replay_work(this.pointer, candidate, text, pointer, at)));
     });
   }
 
@@ -241,7 +297,7 @@ export class Door {
   generate(character: DoorCharacter | null, task: Task | string, watch?: Watch): DoorResult {
     return this.calls.with((scratch) => {
       const text = scratch.text(typeof task === 'string' ? task : JSON.stringify(task));
-      return this.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
+      return this.calls.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
         this.calls.module._shigusa_generate(character?.pointer ?? 0, text, 1, pointer, at)));
     });
   }
@@ -251,32 +307,9 @@ export class Door {
   restore(character: DoorCharacter | null, summary: Summary | string, watch?: Watch): DoorResult {
     return this.calls.with((scratch) => {
       const text = scratch.text(typeof summary === 'string' ? summary : JSON.stringify(summary));
-      return this.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
+      return this.calls.watched(watch, (pointer) => this.calls.made(scratch, (at) =>
         this.calls.module._shigusa_restore_watched(character?.pointer ?? 0, text, pointer, at)));
     });
-  }
-
-  /** The result of a call that is watched. */
-  private watched(watch: Watch | undefined, call: (watch: number) => number): DoorResult {
-    const { module } = this.calls;
-    let thrown: { error: unknown } | undefined;
-    // nothing may be thrown through the module, which would not unwind
-    module.report = (fraction, evaluations, best_score) => {
-      try {
-        return watch?.({ fraction, evaluations, best_score }) === true;
-      } catch (error) {
-        thrown = { error };
-        return true;
-      }
-    };
-    try {
-      const result = new DoorResult(this.calls, call(watch === undefined ? 0 : module._shigusa_script_watch()));
-      if (thrown === undefined) return result;
-      result.free();
-    } catch (error) {
-      if (thrown === undefined) throw error;
-    }
-    throw thrown.error;
   }
 
   scoreClip(name: string, bytes: Uint8Array, options?: object): object {

@@ -5,6 +5,7 @@ import { EngineError } from './errors.js';
 import { Lane } from './lane.js';
 import type {
   Character, CharacterSpec, Engine, ExportOptions, Facts, GenerateOptions, Generated, SampledName, Series, Summary, Task,
+  WorkEdit,
 } from './types.js';
 
 export { EngineError } from './errors.js';
@@ -153,6 +154,17 @@ class WorkerEngine implements Engine {
     return this.quick.run({
       call: { kind: 'replay', character: character.id, summary, candidate, assignments }, character, slot,
     });
+  }
+
+  replayWork(
+    character: Character, summary: Summary, candidate: number, edit: WorkEdit, options: GenerateOptions = {},
+  ): Promise<Generated> {
+    const { signal, onProgress } = options;
+    const progress = onProgress !== undefined;
+    return always(this.search.run({
+      call: { kind: 'replayWork', character: character.id, summary, candidate, edit, progress },
+      character, signal, onProgress,
+    }));
   }
 
   restore(character: Character, summary: Summary, options: GenerateOptions = {}): Promise<Generated> {

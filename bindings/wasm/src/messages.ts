@@ -3,7 +3,7 @@
 // what it must know of characters and calls, one at a time; it answers each call once, after any progress.
 import type {
   CharacterDescription, CharacterSpec, EngineFailure, ExportOptions, Facts, Generated, Progress, SampledName,
-  Series, Summary, Task,
+  Series, Summary, Task, WorkEdit,
 } from './types.js';
 
 export type Call =
@@ -12,6 +12,9 @@ export type Call =
   | { kind: 'open'; character: number }
   | { kind: 'generate'; character: number; task: Task; progress: boolean }
   | { kind: 'replay'; character: number; summary: Summary; candidate: number; assignments: string[] }
+  | {
+    kind: 'replayWork'; character: number; summary: Summary; candidate: number; edit: WorkEdit; progress: boolean;
+  }
   | { kind: 'restore'; character: number; summary: Summary; progress: boolean }
   | { kind: 'mirror'; character: number; summary: Summary }
   | {
@@ -28,6 +31,7 @@ export interface Answers {
   open: CharacterDescription;
   generate: Generated;
   replay: Generated;
+  replayWork: Generated;
   restore: Generated;
   mirror: Generated;
   export: Uint8Array;

@@ -80,6 +80,11 @@ export class Server {
         const result = this.result(door, call.character, call.summary);
         return timed(() => result.replay(call.candidate, call.assignments));
       }
+      case 'replayWork': {
+        const result = this.result(door, call.character, call.summary);
+        const watch = call.progress ? this.watch(id) : undefined;
+        return timed(() => result.replayWork(call.candidate, call.edit, watch));
+      }
       case 'restore': {
         const character = this.character(door, call.character);
         const watch = call.progress ? this.watch(id) : undefined;

@@ -26,8 +26,10 @@ export interface NodeDescription {
   name: string;
   parent: number; // index, or -1
   offset: Vec3; // where the start was measured, in units of node_unit_m
+  rotation: Quat; // in its parent, there
   scale?: Vec3; // along its own axes, in all of a motion; absent where it is 1
   file_node?: number; // of glTF: its index in the file
+  rest?: { offset: Vec3; rotation: Quat; scale: Vec3 }; // as the file has it at rest; absent where that is the same
 }
 
 /** A sentence of the engine's, or a value of one: a sentence of the facts by its key, with its values in order; a number,
@@ -311,6 +313,15 @@ export interface GenerateOptions {
   onProgress?: (progress: Progress) => void;
 }
 
+/** A change of one candidate of a piece of work; actions count from 1. */
+export interface WorkEdit {
+  action?: number; // whose motion `set` changes; 1 when not given. Those behind it go on from where it now ends
+  set?: string[]; // "squat_deg=60", of the action's parameters
+  again?: number[]; // actions that are searched anew, for several candidates
+  keep?: number[]; // actions that stay: without `again`, the others are searched anew
+  seed?: number; // of that search; the task's when not given
+}
+
 /** The facts of a format of files. */
 export interface FormatFacts {
   name: string; // "bvh", which files that are written end in
@@ -383,8 +394,24 @@ export interface ExportOptions {
   only_this_clip?: boolean; // of GLB: the animations that the file has are left out
 }
 
-/** The series that can be had at any rate, as files have them. */
-export type SampledName = 'time' | 'angles' | 'node_translations' | 'node_rotations' | 'things';
+/** The series that can be had at any rate, as files have them: all. */
+export type SampledName = SeriesName;
+
+/** How a series is read as a table. */
+export interface TableOptions {
+  fps?: number; // as files have them; the motion's own frames when not given
+  place?: 'world' | 'file'; // where nodes move: file: where the character stands in its file, in the file's axes
+}
+
+/** A series with what its columns mean. */
+export interface SeriesTable extends Series {
+  name: SeriesName;
+  unit: string; // 's', 'rad', 'N m', 'm' or ''
+  fps: number;
+  shape: number[]; // frames × names × components, where columns have these
+  names?: string[]; // of joints, nodes, effectors, things, or the two of support
+  components?: string[]; // ['x', 'y', 'z', 'w']
+}
 
 /** A refusal of the engine: a code of the C interface and a sentence for a person, in English. */
 export interface EngineFailure {
@@ -418,6 +445,11 @@ export interface Engine {
   replay(
     character: Character, summary: Summary, candidate: number, assignments: string[], slot?: string,
   ): Promise<Generated | undefined>;
+  /** A candidate (from 1) of a piece of work after an edit of one of its actions, or with some of them searched anew. An
+   *  abort ends it at once. */
+  replayWork(
+    character: Character, summary: Summary, candidate: number, edit: WorkEdit, options?: GenerateOptions,
+  ): Promise<Generated>;
   /** All candidates of a result anew, from its JSON. An abort ends it at once. */
   restore(character: Character, summary: Summary, options?: GenerateOptions): Promise<Generated>;
   mirror(character: Character, summary: Summary): Promise<Generated>;

@@ -84,6 +84,28 @@ test('a piece of work tells its actions and the ways of its things', () => {
   for (const one of [result, again]) one.free();
 });
 
+test('one action of a piece of work is edited, and one is searched anew', () => {
+  const reach = (position_m) => ({ goals: [{ effector: 'right_hand', position_m }] });
+  const result = door.generate(human, {
+    version: 2, seed: 3, evaluations: 64, candidates: 1,
+    actions: [reach([-0.2, 1.0, 0.5]), { wait_s: 0.2 }, reach([-0.3, 0.7, 0.45])],
+  });
+  const squat = (of, action) => of.actionParameters(1, action).find(({ name }) => name === 'squat_deg').value;
+  const edited = result.replayWork(1, { action: 3, set: ['squat_deg=55'] });
+  near(squat(edited, 3), 55, 1e-9);
+  assert.equal(squat(edited, 1), squat(result, 1));
+  assert.deepEqual(edited.actionParameters(1, 2), []);
+  assert.ok(edited.read().candidates[0].summary.actions[2].reached[0].error_mm < 1);
+  const reports = [];
+  const again = result.replayWork(1, { keep: [1, 2], seed: 5 }, (progress) => { reports.push(progress.evaluations); });
+  assert.ok(reports.length > 0);
+  const { summary } = again.read();
+  assert.equal(summary.task.seed, 5);
+  assert.equal(squat(again, 1), squat(result, 1));
+  assert.match(failureOf(() => result.replayWork(1, { again: [4] })).message, /no action 4; the task has 3/);
+  for (const one of [result, edited, again]) one.free();
+});
+
 test('stature is as it was asked for', () => {
   const small = door.character({ source: 'human', stature_m: 1.5 });
   near(small.describe().stature_m, 1.5, 1e-9);
@@ -266,7 +288,14 @@ test('files and series have the rate that is asked for', () => {
   assert.equal(turns.frames, time.frames);
   assert.equal(turns.columns, own.columns);
   assert.deepEqual(turns.values.slice(-turns.columns), own.values.slice(-own.columns));
-  assert.equal(failureOf(() => result.sampled(1, 'torques', 24)).code, 'unsupported');
+  assert.equal(result.sampled(1, 'torques', 24).frames, time.frames);
+  const torques = result.table(1, 'torques', { fps: 24 });
+  assert.deepEqual(torques.values, result.sampled(1, 'torques', 24).values);
+  assert.deepEqual(torques.names, human.describe().joints.map(({ name }) => name));
+  assert.equal(torques.unit, 'N m');
+  const nodes = result.table(1, 'node_rotations', { place: 'file' });
+  assert.deepEqual(nodes.shape, [nodes.frames, nodes.names.length, 4]);
+  assert.deepEqual(nodes.values, result.series(1, 'node_rotations').values); // a built-in body has no file
   result.free();
 });
 

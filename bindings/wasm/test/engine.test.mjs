@@ -88,6 +88,18 @@ test('a summary is enough to replay, mirror, restore and export', async () => {
   assert.equal(typeof score, 'object');
 });
 
+test('a summary is enough to edit one action of a piece of work', async () => {
+  const reach = (position_m) => ({ goals: [{ effector: 'right_hand', position_m }] });
+  const { summary } = await engine.generate(human, {
+    version: 2, seed: 3, evaluations: 64, candidates: 1, actions: [reach([-0.2, 1.0, 0.5]), reach([-0.3, 0.7, 0.45])],
+  });
+  let reports = 0;
+  const again = await engine.replayWork(human, summary, 1, { again: [2], seed: 5 }, { onProgress: () => reports++ });
+  assert.ok(reports > 0);
+  assert.deepEqual(again.summary.candidates[0].motions[0], summary.candidates[0].motions[0]);
+  assert.ok(again.summary.candidates[0].actions[1].reached[0].error_mm < 1);
+});
+
 test('a result of many candidates that is restored ends at once when it is aborted', async () => {
   const { summary } = await engine.generate(human, smallTask);
   const many = { ...summary, candidates: Array.from({ length: 1000 }, () => summary.candidates[0]) };

@@ -69,6 +69,10 @@ inline constexpr std::array kResults{
                 "second by --fps"},
     MessageText{"robot_mirror", "{} is a robot, whose mirror image is another robot"},
     MessageText{"assignments_list", "must be a list [ … ] of texts such as \"squat_deg=60\""},
+    MessageText{"angles_shape",
+                "{} frames of {} angles; allowed are 2 frames and more of {} angles, one for each "
+                "degree of freedom"},
+    MessageText{"no_angle", "an angle is no finite number up to {:g} rad"},
     MessageText{"stopped_after", "stopped after {} of {} candidates"},
     MessageText{"stopped_before", "stopped before this task began"},
     MessageText{"off_the_motion", "{:.4f} mm off the motion; {:.4f} mm"},

@@ -37,6 +37,7 @@ inline constexpr std::array kTasks{
         "via_where",
         "via is of goals, without hold_s, that goals of the same effectors without via follow"},
     MessageText{"no_action", "no action {}; the task has {}"},
+    MessageText{"action_list", "must be a list of actions, 1 to {}, such as [1, 2]"},
     MessageText{"action_at_rest", "action {} has no motion to edit"},
     MessageText{"no_such_way", "way {} of {} to take the thing"},
     MessageText{"action_fails",

@@ -19,6 +19,7 @@ export interface ShigusaModule {
 
   _shigusa_abi_version(): number;
   _shigusa_version(): number;
+  _shigusa_check_version(abi: number, version: number): number;
   _shigusa_message(): number;
   _shigusa_failure(json: number): number;
   _shigusa_bytes_data(bytes: number): number;
@@ -33,11 +34,13 @@ export interface ShigusaModule {
   _shigusa_generate(character: number, task: number, threads: number, watch: number, result: number): number;
   _shigusa_restore_watched(character: number, summary: number, watch: number, result: number): number;
   _shigusa_replay(result: number, candidate: number, assignments: number, edited: number): number;
+  _shigusa_replay_work(result: number, candidate: number, edit: number, watch: number, edited: number): number;
   _shigusa_mirror(result: number, mirrored: number): number;
   _shigusa_result_free(result: number): void;
   _shigusa_result_candidates(result: number): number;
   _shigusa_result_describe(result: number, json: number): number;
   _shigusa_result_parameters(result: number, candidate: number, json: number): number;
+  _shigusa_result_action_parameters(result: number, candidate: number, action: number, json: number): number;
   _shigusa_result_export_with(
     result: number, candidate: number, format: number, options: number, file: number,
   ): number;
@@ -46,6 +49,9 @@ export interface ShigusaModule {
   ): number;
   _shigusa_result_series_at(
     result: number, candidate: number, series: number, fps: number, table: number, frames: number, columns: number,
+  ): number;
+  _shigusa_result_table(
+    result: number, candidate: number, series: number, options: number, table: number, about: number,
   ): number;
   _shigusa_score_clip(name: number, file: number, fileSize: number, options: number, json: number): number;
 }

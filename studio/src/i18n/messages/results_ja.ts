@@ -45,6 +45,8 @@ export const results: Readonly<Record<string, string>> = {
   file_frames: '{0} フレーム × {1} ノードは、ファイルに入る {2} を超えます。毎秒のフレーム数を減らしてください。',
   robot_mirror: '{0} はロボットです。鏡像は別のロボットになります。',
   assignments_list: '"squat_deg=60" のような文字列のリスト [ … ] にしてください。',
+  angles_shape: '{1} 個の角度が {0} フレームあります。2 フレーム以上、自由度ごとに一つ、計 {2} 個の角度にしてください。',
+  no_angle: '角度に {0} rad 以下の有限の数でないものがあります。',
   stopped_after: '候補 {1} 個のうち {0} 個で止めました。',
   stopped_before: 'このタスクを始める前に止めました。',
   off_the_motion: '動作から {0} mm 離れています（許容は {1} mm）',

@@ -26,6 +26,7 @@ export const tasks: Readonly<Record<string, string>> = {
   actions_by_flat: 'プリセット flat のものです。',
   via_where: 'via は、あとに同じ所の goals が続く goals のものです。',
   no_action: '動作 {0} はありません。この課題には {1} あります。',
+  action_list: '[1, 2] のような動作の番号（1～{0}）のリストにしてください。',
   action_at_rest: '動作 {0} には変えられる動きがありません。',
   no_such_way: '物の取り方 {0} は {1} 通りの中にありません。',
   action_fails: '動作 {0}（{1}）は届きません。残りは {2} mm と {3}° です。それより前は残してあります。',
