@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <string>
 
+#include "body/load.hpp"
 #include "core/index.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "simd/pack.hpp"
@@ -214,7 +217,7 @@ TEST(Collision, DepthInAHeldThingIsThatOfItsBox) {
     std::vector<double> angles = posed.home.angles;
     for (std::size_t d = 0; d < angles.size(); ++d) {
       const Dof& dof = posed.body.dofs()[d];
-      angles[d] = clamp(angles[d] + random.uniform(-1.0, 1.0), dof.min_angle, dof.max_angle);
+      angles[d] = clamp(angles[d] + random.uniform(-1.0, 1.0), dof.limits.low, dof.limits.high);
     }
     forward_kinematics<double>(posed, angles, placed);
     const Mat3d& turn = placed.link_rotation(crate.link);
