@@ -74,9 +74,9 @@ struct Limit {
   LimitKind kind = LimitKind::load;  ///< what was varied
   LimitEnd end = LimitEnd::nowhere;  ///< how the search ended
   double value = 0.0;                ///< kg or m
-  /// Whether all seeds hold at kSharpMargin (of a place at least 1 cm) within the limit, and none
-  /// at as much beyond it. If not, all hold within, as a rule, and some beyond: the limit is the
-  /// lower end of a range in which the verdict depends on the search.
+  /// Whether all seeds hold just within kSharpMargin (of a place at least 1 cm) of the limit, and
+  /// none at as much beyond it. If not, all hold within, as a rule, and some beyond: the limit is
+  /// the lower end of a range in which the verdict depends on the search.
   bool sharp = false;
   /// A value beyond the limit at which the first seed holds again: the verdict is not monotone.
   std::optional<double> again{};
@@ -90,8 +90,9 @@ struct Limit {
 ///   1. The range, from an empty load or the task's own place to the bound, is tried at 13 values
 ///      with the first seed. The limit lies where the values from the first that holds end to hold.
 ///   2. Bisection to 2 % of the value, or 2 mm: a value holds if most of the seeds hold.
-///   3. Both sides are verified at kSharpMargin with all seeds: the limit moves inwards until all
-///      hold within, else outwards while any holds beyond (see Limit::sharp).
+///   3. Both sides are verified with all seeds at 0.6 of kSharpMargin, so that other seeds agree at
+///      the whole of it: the limit moves inwards until all hold that were tried within, else
+///      outwards while any holds beyond (see Limit::sharp).
 /// A seed holds if its first candidate reaches the goals, is possible, and scores at most
 /// LimitSettings::score. Same task, same result, for any number of threads (Task::batch). Fails on
 /// a task without goals and actions, on a load without a goal of a hand or a grasp, on other limits

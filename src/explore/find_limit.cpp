@@ -15,7 +15,10 @@ namespace {
 
 constexpr int kScanSteps = 12;       // of the range, with the first seed
 constexpr double kPrecision = 0.02;  // of the value, at which the bisection ends
-constexpr int kMoves = 8;            // of the limit while both sides are verified
+constexpr int kMoves = 12;           // of the limit while both sides are verified
+// Share of kSharpMargin at which both sides are verified: few seeds tell where all hold only
+// roughly, and other seeds shall hold at the whole of it.
+constexpr double kVerified = 0.6;
 
 // Facts of a kind.
 struct KindTraits {
@@ -141,13 +144,15 @@ class LimitSearch {
   Result<void> attempt(const std::vector<double>& values, int seeds);
   // Number of all seeds that hold at a value.
   Result<int> count(double value);
+  // Whether all that was tried from the first value to this one holds.
+  [[nodiscard]] bool holds_up_to(double value) const;
   Result<void> scan();
   Result<void> bisect(double fails);
   Result<void> verify();
   void tell_why();
 
   [[nodiscard]] double margin(double value) const {
-    return max(kSharpMargin * abs(value), kind_.least_margin);
+    return kVerified * max(kSharpMargin * abs(value), kind_.least_margin);
   }
   // A value so far beyond another, up to the bound.
   [[nodiscard]] double beyond(double value, double by) const {
@@ -229,6 +234,15 @@ Result<int> LimitSearch::count(double value) {
   return trials_[value].count();
 }
 
+bool LimitSearch::holds_up_to(double value) const {
+  return std::all_of(trials_.begin(), trials_.end(), [&](const auto& each) {
+    const auto& [at, trial] = each;
+    const bool within =
+        kind_.direction * (at - first_) >= 0.0 && kind_.direction * (value - at) >= 0.0;
+    return !within || trial.count() == static_cast<int>(trial.holds.size());
+  });
+}
+
 // Finds the first step of the range after which values end to hold.
 Result<void> LimitSearch::scan() {
   std::vector<double> values;
@@ -266,10 +280,11 @@ Result<void> LimitSearch::verify() {
   bool inwards = false;
   for (int k = 0; k < kMoves; ++k) {
     const double value = limit_.value;
-    SHG_TRY_ASSIGN(const int inside, count(within(value, margin(value))));
+    const double inner = within(value, margin(value));
+    SHG_TRY(count(inner));
     const double outer = beyond(value, margin(value));
     SHG_TRY_ASSIGN(const int outside, count(outer));
-    const bool in = inside == settings_.seeds;
+    const bool in = holds_up_to(inner);
     if (in && outer == bound_ && outside == settings_.seeds) {
       limit_.end = LimitEnd::beyond;
       limit_.value = bound_;
