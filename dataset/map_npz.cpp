@@ -16,11 +16,13 @@ Result<std::string> map_npz(const BodyModel& body, const ReachMap& map) {
   }
   std::vector<std::int32_t> verdicts;
   std::vector<std::int32_t> dofs;
+  std::vector<std::int32_t> rebas;
   std::vector<float> scores;
   std::vector<float> strengths;
   for (const MapPlace& place : map.places) {
     verdicts.push_back(place.verdict ? static_cast<std::int32_t>(*place.verdict) : -1);
     dofs.push_back(place.dof);
+    rebas.push_back(place.reba.value_or(-1));
     scores.push_back(static_cast<float>(place.score));
     strengths.push_back(static_cast<float>(place.strength));
   }
@@ -33,6 +35,7 @@ Result<std::string> map_npz(const BodyModel& body, const ReachMap& map) {
                        {"verdicts", npy::texts(all_words<Verdict>())},
                        {"score", npy::floats(scores, shape)},
                        {"strength", npy::floats(strengths, shape)},
+                       {"reba", npy::integers(rebas, shape)},
                        {"joint", npy::integers(dofs, shape)},
                        {"joints", npy::texts(joints)},
                        {"effector", npy::text(map.effector)}});

@@ -23,6 +23,7 @@ struct LimitOptions {
   std::vector<std::string> people;  // SEX:STATURE
   std::optional<double> score;
   std::optional<double> bound;
+  std::string thing;  // of a piece of work
   int seeds = LimitSettings{}.seeds;
   bool json = false;
 };
@@ -134,7 +135,8 @@ Result<int> limit(const LimitOptions& options) {
   SHG_TRY_ASSIGN(const TaskFile file, task_file_of(options.input));
   const CharacterSpec& own = file.character;
   std::vector<std::string> people = options.people;
-  if (people.empty() && is_built_in(own) && !own.stature && !own.mass) people = kUsualPeople;
+  const bool any_person = is_built_in(own) && !own.stature && !own.mass;
+  if (people.empty() && any_person && file.actions.empty()) people = kUsualPeople;
   std::vector<TaskFile> files;
   for (const std::string& text : people) {
     files.push_back(file);
@@ -151,7 +153,8 @@ Result<int> limit(const LimitOptions& options) {
     if (k == 0) note_other_axes(task);
     const std::string name = people.empty() ? task.body.name() : people[k];
     for (const LimitKind kind : std::span(word->kinds).first(word->count)) {
-      const LimitSettings settings{kind, options.score, options.bound, options.seeds};
+      const LimitSettings settings{kind, options.score, options.bound, options.seeds,
+                                   options.thing};
       const Result<Limit> found = find_limit(task, settings, terminal_progress());
       end_progress_line();
       if (!found) return tl::unexpected(in_task(found.error(), options.input, "limit"));
@@ -188,15 +191,16 @@ void add_limit(CLI::App& app, int& exit_code) {
            {.group = group,
             .brief = "What grows until the task is no longer possible",
             .full = "What grows until the task is no longer possible: the load in the hands with "
-                    "goals, in all; the height of the goals, up and down; or their distance from "
-                    "the feet. All goals move together.",
+                    "goals, in all, or in a task with actions the mass of a thing; the height of "
+                    "the goals, up and down; or their distance from the feet. All goals move "
+                    "together.",
             .form = fmt::format("{}", fmt::join(limit_words(), "|"))});
   describe(c->add_option("--people", o.people)->delimiter(',')->allow_extra_args(false),
            {.group = group,
             .brief = "Whose limits, with commas between (default: four people)",
             .full = fmt::format("Whose limits, with commas between: a sex and a stature, in metres "
-                                "or p5, p50, p95. When not given, {} for a built-in body without "
-                                "--stature and --mass, else the task's own.",
+                                "or p5, p50, p95. When not given, {} for goals of a built-in "
+                                "body without --stature and --mass, else the task's own.",
                                 fmt::join(kUsualPeople, ", ")),
             .form = "SEX:STATURE,…"});
   describe(c->add_option("--score", o.score)->check(number(1e-6, 1e6)),
@@ -209,6 +213,13 @@ void add_limit(CLI::App& app, int& exit_code) {
             .full = "Last value tried, in kilograms or metres; when not given, 100 kg, the floor, "
                     "1.5 statures of height and 1 of distance.",
             .form = "VALUE"});
+  describe(c->add_option("--load-of", o.thing),
+           {.group = group,
+            .brief = "Thing of a piece of work that gets heavier (default: the first)",
+            .full = "In a task with actions: the thing whose mass grows; when not given, the first "
+                    "that an action grasps.",
+            .form = "THING",
+            .rare = true});
   describe(c->add_option("--seeds", o.seeds)->check(whole_number(1, kLimitSeedsMax)),
            {.group = group,
             .brief = "Searches that must agree at a value (default 5)",

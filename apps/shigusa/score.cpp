@@ -9,6 +9,7 @@
 #include <shigusa/score.hpp>
 
 #include "commands.hpp"
+#include "next_step.hpp"
 #include "table.hpp"
 #include "text_table.hpp"
 #include "usage.hpp"
@@ -25,6 +26,7 @@ struct ScoreOptions {
   std::optional<std::string> criteria;
   std::optional<double> smooth;  // Hz
   bool cost = false;
+  std::string ergonomics;  // NAME=VALUE,…, or empty
   bool json = false;
 };
 
@@ -75,6 +77,12 @@ std::string action_words(const ActionScore& action) {
   return words;
 }
 
+// The ergonomics of a task or of none, after the options.
+Result<Ergonomics> ergonomics_after(const ScoreOptions& options, const Ergonomics& ergonomics) {
+  if (options.ergonomics.empty()) return ergonomics;
+  return placed("--ergonomics", with_assignments(ergonomics, options.ergonomics));
+}
+
 // Scores the clip as the actions of a task.
 Result<int> score_actions(const ScoreOptions& options, const ScoreSettings& settings) {
   const std::filesystem::path path = *options.task;
@@ -90,7 +98,10 @@ Result<int> score_actions(const ScoreOptions& options, const ScoreSettings& sett
   SHG_TRY_ASSIGN(const RecordedMotion recorded,
                  read_clip(options.clip, options.person, std::move(character), settings.first));
   ScoreSettings asked = settings;
-  if (options.cost || task.cost) asked.ergonomics = ergonomics_of(task, file.character.sex);
+  if (options.cost || task.cost) {
+    SHG_TRY_ASSIGN(asked.ergonomics,
+                   ergonomics_after(options, ergonomics_of(task, file.character.sex)));
+  }
   const Result<WorkScore> score = score_work(recorded, task, asked);
   if (!score) return fail(score.error().code, score.error().to_string(), options.clip);
   for (const Message& doubt : recorded.doubts) note(recorded.body.name(), doubt.text);
@@ -124,7 +135,9 @@ Result<int> score(const ScoreOptions& options) {
   if (character.source == options.clip) character.frame = settings.first;
   SHG_TRY_ASSIGN(const RecordedMotion recorded,
                  read_clip(options.clip, options.person, std::move(character), settings.first));
-  if (options.cost) settings.ergonomics.emplace();
+  if (options.cost) {
+    SHG_TRY_ASSIGN(settings.ergonomics, ergonomics_after(options, {}));
+  }
   const Result<ClipScore> score = score_clip(recorded, settings);
   if (!score) return fail(score.error().code, score.error().to_string(), options.clip);
   for (const Message& doubt : recorded.doubts) note(recorded.body.name(), doubt.text);
@@ -189,6 +202,14 @@ void add_score(CLI::App& app, int& exit_code) {
             .full = "What the motion costs the body by REBA, RULA, EN 1005-4 and, with a task, the "
                     "revised NIOSH lifting equation, the loads at L5/S1, and joint torques beside "
                     "people's strengths; with the ergonomics of the task."});
+  describe(c->add_option("--ergonomics", o.ergonomics),
+           {.group = scoring,
+            .brief = "For --cost: coupling=poor,lifts_per_min=4,lifting_time=long",
+            .full = "What the motion does not tell, for --cost: the keys of \"ergonomics\" in a "
+                    "task, with commas between. Example: `--ergonomics "
+                    "coupling=poor,lifts_per_min=4`.",
+            .form = "NAME=VALUE,…",
+            .rare = true});
   describe(c->add_flag("--json", o.json),
            {.group = heading(OptionGroup::output), .brief = "Print JSON"});
   c->callback([options, &exit_code] { exit_code = exit_code_of(score(*options)); });

@@ -219,7 +219,7 @@ std::string candidate_table(const BodyModel& body, const Candidates& candidates,
 
 // Summary of a run in a few lines: status, body and goals, then counts and time.
 std::string headline(const FinishedRun& run) {
-  const auto& [file, task, generation, info] = run;
+  const auto& [file, task, generation, info, costs] = run;
   std::string text = hanging(printable(
       fmt::format("{}: {}, {}", word_of(generation.status), task.body.name(), asked_words(task))));
   std::string found = fmt::format("{:.2f} s of motion", generation.duration);
@@ -266,7 +266,7 @@ void note_supports(const FinishedRun& run) {
 
 // Reports on stderr where the result differs from the request.
 void note_run(const FinishedRun& run, const Judgement& start) {
-  const auto& [file, task, generation, info] = run;
+  const auto& [file, task, generation, info, costs] = run;
   for (const Message& doubt : task.doubts) note(task.body.name(), doubt.text);
   if (generation.log.replay_differs > 0) {
     note("search", fmt::format("{} of {} candidates scored up to {:.4f} otherwise in the search's "
@@ -377,8 +377,10 @@ std::string cost_lines(const MotionCost& cost) {
   return text;
 }
 
-Result<int> deliver(const FinishedRun& run, const Delivery& delivery) {
+Result<int> deliver(FinishedRun run, const Delivery& delivery) {
   const auto& [folder, settings, json] = delivery;
+  SHG_TRY_ASSIGN(const std::vector<MotionCost> costs, candidate_costs(run));
+  run.costs = costs;
   SHG_TRY_ASSIGN(const WrittenResult written, write_result(folder, run, settings));
   for (const Message& each : written.notes) note("files", each.text);
   const Judgement start = fault_of_start(run);
@@ -388,11 +390,8 @@ Result<int> deliver(const FinishedRun& run, const Delivery& delivery) {
     print_out("{}", written.summary);
   } else {
     print_out("{}{}", headline(run), candidate_table(run.task.body, generation.candidates, start));
-    for (std::size_t i = 0; run.task.cost && i < generation.candidates.size(); ++i) {
-      const Ergonomics ergonomics = ergonomics_of(run.task, run.file.character.sex);
-      SHG_TRY_ASSIGN(const MotionCost cost,
-                     candidate_cost(run.task, generation.candidates[i], ergonomics));
-      print_out("candidate {}\n{}\n", i + 1, cost_lines(cost));
+    for (std::size_t i = 0; run.task.cost && i < costs.size(); ++i) {
+      print_out("candidate {}\n{}\n", i + 1, cost_lines(costs[i]));
     }
     const std::string_view ending = picture_ending(settings.formats);
     for (std::size_t i = 0; !ending.empty() && i < generation.candidates.size(); ++i) {

@@ -21,6 +21,6 @@ struct Delivery {
   bool json = false;  // prints summary.json in place of the table
 };
 // Writes a run's result and prints it; returns the exit code.
-[[nodiscard]] Result<int> deliver(const FinishedRun& run, const Delivery& delivery);
+[[nodiscard]] Result<int> deliver(FinishedRun run, const Delivery& delivery);
 
 }  // namespace shigusa::app

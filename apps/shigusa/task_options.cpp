@@ -316,8 +316,6 @@ Result<Value> parse(const AnyField& field, const std::string& text) {
     return placed(field.traits.option, mixture_named(text));
   } else if constexpr (std::same_as<Value, Habit>) {
     return placed(field.traits.option, habit_of(text));
-  } else if constexpr (std::same_as<Value, Ergonomics>) {
-    return Ergonomics{};  // of files alone, as its field has no option
   } else if constexpr (std::same_as<Value, std::string>) {
     return text;
   } else if constexpr (std::same_as<Value, Texts>) {
@@ -374,6 +372,12 @@ Result<void> apply_field(const Field<Request, Value>& field, const std::optional
   field.set(request, *number);
   return {};
 }
+Result<void> apply_field(const Field<Request, Ergonomics>& field,
+                         const std::optional<std::string>& text, Request& request) {
+  SHG_TRY_ASSIGN(request.ergonomics,
+                 placed(field.traits.option, with_assignments(request.ergonomics, *text)));
+  return {};
+}
 Result<void> apply_field(const Field<Request, bool>& field, bool truth, Request& request) {
   field.set(request, truth);
   return {};
@@ -408,7 +412,7 @@ std::string mixture_choices() {
 }
 
 std::string_view option_example(std::string_view option) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kExamples{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kExamples{{
       {"--goal", "right_hand=-0.2,1.1,0.4"},
       {"--load", "right_hand=5"},
       {"--rotation", "right_hand=0,0,0,1"},
@@ -422,6 +426,7 @@ std::string_view option_example(std::string_view option) {
       {"--support", "left_hand=thigh"},
       {"--fix", "squat_deg=60"},
       {"--habit", "knees=2.1,round_deg=8"},
+      {"--ergonomics", "coupling=poor,lifts_per_min=4"},
       {"--thing", "cup=-0.2,0.9,0.4,0.08,0.1,0.08,0.3"},
       {"--then", "right_hand=-0.2,1.1,0.4"},
   }};

@@ -155,7 +155,8 @@ struct LiftCost {
   Lift destination{};             ///< where it is put
   LiftIndex at_origin{};          ///< judged there
   LiftIndex at_destination{};     ///< judged there
-  std::optional<double> index{};  ///< the worse LI of those that count
+  double limit = 0.0;             ///< kg, the lower RWL of the ends that count
+  std::optional<double> index{};  ///< LI by that limit; empty if no load is allowed
   std::vector<Message> notes{};   ///< where the equation does not apply
 };
 
@@ -190,5 +191,10 @@ struct MotionCost {
 /// Computes what a motion costs.
 [[nodiscard]] Result<MotionCost> motion_cost(const CostInput& input,
                                              const Ergonomics& ergonomics = {});
+
+/// The worst score by REBA of a motion alone, MotionCost::reba.score.worst; nothing for a body
+/// without arms or trunk.
+[[nodiscard]] std::optional<int> worst_reba(const CostInput& input,
+                                            const Ergonomics& ergonomics = {});
 
 }  // namespace shigusa

@@ -17,7 +17,9 @@ namespace shigusa {
 
 /// The quantity that is increased or decreased until a task is no longer possible.
 enum class LimitKind {
-  load,      ///< kg, sum of the loads in the hands with goals, in their own proportion, or evenly
+  /// kg, sum of the loads in the hands with goals, in their own proportion, or evenly; of a task
+  /// with actions the mass of a thing
+  load,
   lowest,    ///< m, height of the goals' middle; all goals move together
   highest,   ///< m, height of the goals' middle; all goals move together
   farthest,  ///< m, horizontal distance of the goals' middle from that of the feet, in its
@@ -48,6 +50,8 @@ struct LimitSettings {
   /// own place. Empty: 100 kg, the floor, 1.5 statures of height, 1 stature of distance.
   std::optional<double> bound{};
   int seeds = 5;  ///< 1..kLimitSeedsMax: the task's seed and those that follow it
+  /// Of a task with actions: the thing whose mass is varied; empty: the first that is grasped.
+  std::string thing{};
 };
 
 /// How the search for a limit ended.
@@ -70,9 +74,9 @@ struct Limit {
   LimitKind kind = LimitKind::load;  ///< what was varied
   LimitEnd end = LimitEnd::nowhere;  ///< how the search ended
   double value = 0.0;                ///< kg or m
-  /// Whether all seeds hold at kSharpMargin (of a place at least 1 cm) within the limit, and none
-  /// at as much beyond it. If not, all hold within, as a rule, and some beyond: the limit is the
-  /// lower end of a range in which the verdict depends on the search.
+  /// Whether all seeds hold just within kSharpMargin (of a place at least 1 cm) of the limit, and
+  /// none at as much beyond it. If not, all hold within, as a rule, and some beyond: the limit is
+  /// the lower end of a range in which the verdict depends on the search.
   bool sharp = false;
   /// A value beyond the limit at which the first seed holds again: the verdict is not monotone.
   std::optional<double> again{};
@@ -81,16 +85,19 @@ struct Limit {
   int trials = 0;                  ///< searches made, one for each value and seed
 };
 
-/// Finds the limit of a task with goals: of each value, `seeds` searches as generate() makes them.
+/// Finds the limit of a task: of each value, `seeds` searches as generate() or, of a task with
+/// actions, perform() makes them.
 ///   1. The range, from an empty load or the task's own place to the bound, is tried at 13 values
 ///      with the first seed. The limit lies where the values from the first that holds end to hold.
 ///   2. Bisection to 2 % of the value, or 2 mm: a value holds if most of the seeds hold.
-///   3. Both sides are verified at kSharpMargin with all seeds: the limit moves inwards until all
-///      hold within, else outwards while any holds beyond (see Limit::sharp).
+///   3. Both sides are verified with all seeds at 0.6 of kSharpMargin, so that other seeds agree at
+///      the whole of it: the limit moves inwards until all hold that were tried within, else
+///      outwards while any holds beyond (see Limit::sharp).
 /// A seed holds if its first candidate reaches the goals, is possible, and scores at most
 /// LimitSettings::score. Same task, same result, for any number of threads (Task::batch). Fails on
-/// a task with actions or without goals, on a load without a goal of a hand, on settings out of
-/// range, as generate() does, and with ErrorCode::cancelled.
+/// a task without goals and actions, on a load without a goal of a hand or a grasp, on other limits
+/// of actions, on settings out of range, as generate() and perform() do, and with
+/// ErrorCode::cancelled.
 [[nodiscard]] Result<Limit> find_limit(const Task& task, const LimitSettings& settings,
                                        const Progress& progress = {});
 
@@ -114,6 +121,7 @@ struct MapPlace {
   double strength = 0.0;             ///< largest torque as a share of its joint's strength
   int dof = -1;                      ///< dof of that torque; -1 out of reach
   double duration = 0.0;             ///< s
+  std::optional<int> reba{};         ///< worst score by REBA; empty out of reach or without arms
 };
 
 /// The costs of places on a grid.
@@ -136,15 +144,14 @@ struct ReachMap {
   [[nodiscard]] std::optional<int> plane(Axis axis, double coordinate) const;
 };
 
-/// Computes what the places about a body cost its first goal's effector. The task's other fields,
-/// other goals among them, stay as they are, and the first goal's own position is ignored.
-/// Places out of reach (seems_in_reach) are not searched. The others are searched from a coarse
-/// grid to the finest, each from the motions of places around it: where one of these does as well,
-/// it is taken, else few motions are searched. So scores are upper bounds, and verdicts near an
-/// edge may differ
-/// from those of generate(). Same task, same map, for any number of threads (Task::batch). Fails on
-/// a task with actions, without goals, or of a preset other than flat, on settings out of range, as
-/// generate() does, and with ErrorCode::cancelled.
+/// Computes what the places about a body cost its first goal's effector, REBA by Task::ergonomics.
+/// The task's other fields, other goals among them, stay as they are, and the first goal's own
+/// position is ignored. Places out of reach (seems_in_reach) are not searched. The others are
+/// searched from a coarse grid to the finest, each from the motions of places around it: where one
+/// of these does as well, it is taken, else few motions are searched. So scores are upper bounds,
+/// and verdicts near an edge may differ from those of generate(). Same task, same map, for any
+/// number of threads (Task::batch). Fails on a task with actions, without goals, or of a preset
+/// other than flat, on settings out of range, as generate() does, and with ErrorCode::cancelled.
 [[nodiscard]] Result<ReachMap> reach_map(const Task& task, const MapSettings& settings = {},
                                          const Progress& progress = {});
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <shigusa/character.hpp>
+#include <shigusa/cost.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/explore.hpp>
 #include <shigusa/generate.hpp>
@@ -54,6 +55,12 @@ struct TaskFile : Request {
 [[nodiscard]] Result<Habit> read_habit(const std::filesystem::path& path);
 /// Formats a habit as such a text.
 [[nodiscard]] std::string format_habit(const Habit& habit);
+
+/// Ergonomics after assignments by the keys of files, with commas between:
+/// "coupling=poor,lifts_per_min=4,thresholds.upright_rad=0.1". Fails on a key or a value that is
+/// not allowed.
+[[nodiscard]] Result<Ergonomics> with_assignments(const Ergonomics& ergonomics,
+                                                  std::string_view assignments);
 
 /// The JSON schema of task files; docs/task.schema.json holds it.
 [[nodiscard]] std::string task_schema();
@@ -103,6 +110,8 @@ struct FinishedRun {
   const Task& task;                  ///< make_task of the file
   const GenerateResult& generation;  ///< the motions
   RunInfo info{};                    ///< facts about the run
+  /// candidate_costs, if they were computed already; else they are where a result tells them.
+  std::span<const MotionCost> costs{};
 };
 
 /// The largest deviation over all frames of a written file from the motion, measured by reading the
@@ -302,10 +311,12 @@ struct FileSettings {
 inline constexpr std::size_t kMaxLimbFile = 1 << 16;
 
 /// A map of reach as CSV (RFC 4180): a row for each place with its position (m), verdict or
-/// `unreachable`, score, largest share of a joint's strength, that joint and the duration (s).
+/// `unreachable`, score, largest share of a joint's strength, that joint, the duration (s)
+/// and the worst score by REBA.
 [[nodiscard]] std::string map_csv(const BodyModel& body, const ReachMap& map);
 /// A map of reach as a GLB file: a bead at each place in reach, in a mesh for each verdict,
-/// coloured by verdict and score; metres, the body's world.
+/// coloured by verdict and score, with the worst score by REBA as the attribute `_REBA`, 0 for
+/// none; metres, the body's world.
 [[nodiscard]] std::string map_glb(const ReachMap& map);
 /// A section of a map of reach as SVG: the places in the plane nearest to a coordinate (m) on an
 /// axis, with the body in its start posture. Fails if no plane is that near.

@@ -129,8 +129,9 @@ struct VerdictBounds {
 };
 /// Bounds of the torque as a share of a joint's strength. Strengths are those of an average person;
 /// a standard deviation of a quarter of the mean is assumed within one sex, so that one person in
-/// forty has 1.5 times as much.
-inline constexpr VerdictBounds kStrengthBounds{1.0, 1.5};
+/// forty has 1.5 times as much. The first bound leaves a margin above 1, where the criterion
+/// feasibility begins: searches end at that border, to either side of it.
+inline constexpr VerdictBounds kStrengthBounds{1.02, 1.5};
 /// Bounds of the torque as a share of a robot's effort limit, which its file states exactly.
 inline constexpr VerdictBounds kEffortBounds{1.0, 1.0};
 /// Bounds of the distance of the centre of pressure outside the support polygon (m). Soles are

@@ -16,6 +16,8 @@
 
 namespace shigusa {
 
+struct FinishedRun;
+
 /// Cutoff frequency (Hz) of the smoothing of recorded angles: people's motion is slower, and faster
 /// changes are noise that second differences amplify (D. A. Winter, Biomechanics and Motor Control
 /// of Human Movement).
@@ -164,6 +166,9 @@ struct WorkScore {
 [[nodiscard]] std::vector<SupportFrame> support_frames(const Task& task,
                                                        const Candidate& candidate);
 
+/// The costs of a run's candidates that its result tells, in their order: of a task that asks for
+/// them (Request::cost) and of one with actions; else empty. Fails as candidate_cost does.
+[[nodiscard]] Result<std::vector<MotionCost>> candidate_costs(const FinishedRun& run);
 /// The ergonomics of a request, of a person of that sex if it names none.
 [[nodiscard]] Ergonomics ergonomics_of(const Request& request, Sex sex);
 

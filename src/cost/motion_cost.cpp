@@ -80,6 +80,18 @@ class Coster {
     hips_ = body_.dofs_of(JointKind::hip, flexion);
   }
 
+  std::optional<int> worst_reba() {
+    std::optional<int> worst;
+    for (int f = 0; f < clip().frames; ++f) {
+      forward_kinematics<double>(body_, clip().frame(f), placed_);
+      const PostureAngles angles = meter_.measure(placed_, clip().frame(f));
+      for (const auto& side : reba_at(angles, load_at(f))) {
+        if (side) worst = std::max(worst.value_or(0), side->score);
+      }
+    }
+    return worst;
+  }
+
   Result<MotionCost> cost() {
     place_frames();
     for (int f = 0; f < clip().frames; ++f) add_frame(f);
@@ -118,17 +130,26 @@ class Coster {
     }
   }
 
+  // With the left arm, with the right.
+  [[nodiscard]] std::array<std::optional<RebaScore>, 2> reba_at(const PostureAngles& angles,
+                                                                const PostureLoad& load) const {
+    std::array<std::optional<RebaScore>, 2> scores;
+    for (const Side side : {Side::left, Side::right}) {
+      const auto parts = reba_parts(angles, side, load, ergonomics_);
+      if (parts) scores[side == Side::left ? 0 : 1] = reba_score(*parts);
+    }
+    return scores;
+  }
+
   void add_frame(int f) {
     forward_kinematics<double>(body_, clip().frame(f), placed_);
     FrameCost& frame = cost_.frames.emplace_back();
     frame.time = f * clip().frame_time;
     frame.angles = meter_.measure(placed_, clip().frame(f));
     const PostureLoad load = load_at(f);
+    frame.reba = reba_at(frame.angles, load);
     for (const Side side : {Side::left, Side::right}) {
       const std::size_t k = side == Side::left ? 0 : 1;
-      if (const auto parts = reba_parts(frame.angles, side, load, ergonomics_)) {
-        frame.reba[k] = reba_score(*parts);
-      }
       if (const auto parts = rula_parts(frame.angles, side, load, ergonomics_)) {
         frame.rula[k] = rula_score(*parts, ergonomics_.rula_edition);
       }
@@ -265,6 +286,7 @@ class Coster {
       const LiftIndex& worse = both && lift.at_destination.limit < lift.at_origin.limit
                                    ? lift.at_destination
                                    : lift.at_origin;
+      lift.limit = worse.limit;
       lift.index = worse.index;
       tasks.push_back({worse.free_limit, span.mass, span.mass, ergonomics_.lifts_per_min,
                        ergonomics_.lifting_time, lift.origin.vertical});
@@ -317,6 +339,10 @@ class Coster {
 };
 
 }  // namespace
+
+std::optional<int> worst_reba(const CostInput& input, const Ergonomics& ergonomics) {
+  return Coster(input, ergonomics).worst_reba();
+}
 
 Result<MotionCost> motion_cost(const CostInput& input, const Ergonomics& ergonomics) {
   const std::size_t frames = index(input.motion.clip.frames);

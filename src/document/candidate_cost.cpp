@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <shigusa/files.hpp>
 #include <shigusa/score.hpp>
 
 #include "core/index.hpp"
+#include "problem/task_goals.hpp"
 
 namespace shigusa {
 namespace {
@@ -91,17 +93,21 @@ Result<MotionCost> candidate_cost(const Task& task, const Candidate& candidate,
   const std::vector<Hold> holds = holds_of(task, candidate);
   std::vector<HeldSpan> spans = spans_of(task, holds, frames);
   if (task.actions.empty()) {
-    HeldSpan all{0, frames - 1, task.start.held};
-    for (const Goal& goal : task.goals) {
-      if (!(goal.load > 0.0)) continue;
-      if (const auto hand = task.body.find_effector(goal.effector)) {
-        all.loads.push_back({.effector = *hand, .mass = goal.load});
-      }
-    }
+    HeldSpan all{0, frames - 1, loads_in_hands(task)};
     if (!all.loads.empty()) spans = {std::move(all)};
   }
   const std::vector<LiftSpan> lifts = lifts_of(task, holds);
   return motion_cost({task, candidate.motion, spans, lifts}, ergonomics);
+}
+
+Result<std::vector<MotionCost>> candidate_costs(const FinishedRun& run) {
+  std::vector<MotionCost> costs;
+  if (!run.task.cost && run.task.actions.empty()) return costs;
+  const Ergonomics ergonomics = ergonomics_of(run.task, run.file.character.sex);
+  for (const Candidate& candidate : run.generation.candidates) {
+    SHG_TRY_ASSIGN(costs.emplace_back(), candidate_cost(run.task, candidate, ergonomics));
+  }
+  return costs;
 }
 
 Ergonomics ergonomics_of(const Request& request, Sex sex) {

@@ -54,19 +54,20 @@ Json zone_to_json(const ZoneCourse& course) {
   return json;
 }
 
-Json peak_to_json(const Peak& peak) { return {{"worst", peak.value}, {"time_s", peak.time}}; }
-
 Json back_to_json(const BackCourse& back) {
-  Json json{{"moment_Nm", peak_to_json(back.moment)}};
-  json["moment_Nm"]["mean"] = back.mean_moment;
+  Json json{{"moment_nm", back.moment.value},
+            {"moment_time_s", back.moment.time},
+            {"mean_moment_nm", back.mean_moment}};
   if (!back.forces) return json;
   const BackForcesCourse& forces = *back.forces;
-  json["compression_N"] = peak_to_json(forces.compression);
-  json["compression_N"]["mean"] = forces.mean_compression;
-  json["compression_N"]["share_above_3400"] = forces.above_action;
-  json["compression_N"]["share_above_6400"] = forces.above_permissible;
-  if (forces.limit) json["compression_N"]["limit_by_age"] = *forces.limit;
-  json["shear_N"] = peak_to_json(forces.shear);
+  json["compression_n"] = forces.compression.value;
+  json["compression_time_s"] = forces.compression.time;
+  json["mean_compression_n"] = forces.mean_compression;
+  json["share_above_3400_n"] = forces.above_action;
+  json["share_above_6400_n"] = forces.above_permissible;
+  if (forces.limit) json["limit_by_age_n"] = *forces.limit;
+  json["shear_n"] = forces.shear.value;
+  json["shear_time_s"] = forces.shear.time;
   return json;
 }
 
@@ -101,11 +102,12 @@ Json lift_to_json(const LiftCost& lift, std::span<const FrameCost> frames) {
   const auto time = [&](int frame) { return frames[static_cast<std::size_t>(frame)].time; };
   Json json{{"thing", lift.span.thing},
             {"mass_kg", lift.span.mass},
+            {"weight_limit_kg", lift.limit},
             {"taken_s", time(lift.span.taken)},
             {"put_s", time(lift.span.put)},
             {"origin", end_to_json(lift.origin, lift.at_origin)},
             {"destination", end_to_json(lift.destination, lift.at_destination)}};
-  if (lift.index) json["LI"] = *lift.index;
+  if (lift.index) json["lifting_index"] = *lift.index;
   if (!lift.notes.empty()) json["notes"] = texts_to_json(lift.notes);
   return json;
 }
@@ -136,10 +138,10 @@ Json cost_to_json(const MotionCost& cost, const Ergonomics& ergonomics) {
   if (cost.rula) json["rula"] = posture_to_json(*cost.rula, kRulaParts, 1);
   json["en_1005_4"] = Json::array();
   for (const ZoneCourse& zone : cost.zones) json["en_1005_4"].push_back(zone_to_json(zone));
-  if (cost.back) json["back"] = back_to_json(*cost.back);
+  if (cost.back) json["low_back"] = back_to_json(*cost.back);
   json["strengths"] = strengths_to_json(cost.strengths);
-  json["lifts"] = Json::array();
-  for (const LiftCost& lift : cost.lifts) json["lifts"].push_back(lift_to_json(lift, cost.frames));
+  json["niosh"] = Json::array();
+  for (const LiftCost& lift : cost.lifts) json["niosh"].push_back(lift_to_json(lift, cost.frames));
   if (cost.repeated) {
     if (cost.repeated->index) json["composite_index"] = *cost.repeated->index;
     if (!cost.repeated->notes.empty()) {

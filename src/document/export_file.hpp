@@ -29,6 +29,7 @@ struct WriteRequest {
   const Task& task;
   const Candidate& candidate;
   const FileSettings& settings;
+  const MotionCost* cost = nullptr;  // if it was computed already
 };
 
 // Writes the motion in a format; each written format (FormatInfo::written) has a specialisation.

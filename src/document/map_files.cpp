@@ -17,16 +17,17 @@ namespace {
 
 constexpr double kBeadRadius = 0.3;  // spacings
 
-// The places of one verdict as octahedra, with a colour for each corner.
+// The places of one verdict as octahedra, with a colour and the score by REBA for each corner.
 struct Beads {
   std::string positions{};
   std::string colours{};
+  std::string rebas{};
   std::string corners{};
   std::uint32_t count = 0;
   Vec3d low{};
   Vec3d high{};
 
-  void add(const Vec3d& at, double radius, Colour colour);
+  void add(const Vec3d& at, double radius, const MapPlace& place);
 };
 
 void append_float(std::string& bytes, double x) {
@@ -43,7 +44,8 @@ std::uint32_t linear(Colour colour) {
   return word;
 }
 
-void Beads::add(const Vec3d& at, double radius, Colour colour) {
+void Beads::add(const Vec3d& at, double radius, const MapPlace& place) {
+  const Colour colour = colour_of(place);
   for (int k = 0; k < 6; ++k) {
     Vec3d corner = at;
     corner[k / 2] += k % 2 == 0 ? radius : -radius;
@@ -55,6 +57,7 @@ void Beads::add(const Vec3d& at, double radius, Colour colour) {
       high[axis] = count == 0 && k == 0 ? x : max(high[axis], x);
     }
     append_word(colours, linear(colour));
+    append_float(rebas, place.reba.value_or(0));
   }
   for (std::uint32_t octant = 0; octant < 8; ++octant) {
     const std::uint32_t x = octant & 1;
@@ -110,6 +113,9 @@ void CloudFile::add(std::string_view name, const Beads& beads) {
                                 {"normalized", true},
                                 {"count", 6 * beads.count},
                                 {"type", "VEC4"}});
+  const int rebas =
+      accessor(beads.rebas, kGlVertices,
+               {{"componentType", kGlFloat}, {"count", 6 * beads.count}, {"type", "SCALAR"}});
   const int corners =
       accessor(beads.corners, kGlIndices,
                {{"componentType", kGlWord}, {"count", 24 * beads.count}, {"type", "SCALAR"}});
@@ -117,9 +123,11 @@ void CloudFile::add(std::string_view name, const Beads& beads) {
   json["nodes"].push_back({{"name", name}, {"mesh", node}});
   json["meshes"].push_back(
       {{"name", name},
-       {"primitives", Json::array({{{"attributes", {{"POSITION", positions}, {"COLOR_0", colours}}},
-                                    {"indices", corners},
-                                    {"material", 0}}})}});
+       {"primitives",
+        Json::array(
+            {{{"attributes", {{"POSITION", positions}, {"COLOR_0", colours}, {"_REBA", rebas}}},
+              {"indices", corners},
+              {"material", 0}}})}});
   json["scenes"][0]["nodes"].push_back(node);
 }
 
@@ -138,19 +146,20 @@ Colour colour_of(const MapPlace& place) {
 }
 
 std::string map_csv(const BodyModel& body, const ReachMap& map) {
-  std::string text = "x [m],y [m],z [m],verdict,score,strength,joint,duration [s]\n";
+  std::string text = "x [m],y [m],z [m],verdict,score,strength,joint,duration [s],reba\n";
   const auto into = std::back_inserter(text);
   for (std::size_t k = 0; k < map.places.size(); ++k) {
     const Vec3d at = map.position(k);
     const MapPlace& place = map.places[k];
     fmt::format_to(into, "{},{},{},", at.x, at.y, at.z);
     if (!place.verdict) {
-      text += "unreachable,,,,\n";
+      text += "unreachable,,,,,\n";
       continue;
     }
     const std::string joint = place.dof < 0 ? "" : csv_field(body.dof(place.dof).name);
-    fmt::format_to(into, "{},{:.6g},{:.4g},{},{:.4g}\n", word_of(*place.verdict), place.score,
-                   place.strength, joint, place.duration);
+    fmt::format_to(into, "{},{:.6g},{:.4g},{},{:.4g},{}\n", word_of(*place.verdict), place.score,
+                   place.strength, joint, place.duration,
+                   place.reba ? std::to_string(*place.reba) : "");
   }
   return text;
 }
@@ -161,7 +170,7 @@ std::string map_glb(const ReachMap& map) {
     Beads beads;
     for (std::size_t k = 0; k < map.places.size(); ++k) {
       if (map.places[k].verdict != verdict) continue;
-      beads.add(map.position(k), kBeadRadius * map.spacing, colour_of(map.places[k]));
+      beads.add(map.position(k), kBeadRadius * map.spacing, map.places[k]);
     }
     file.add(word, beads);
   }

@@ -185,11 +185,8 @@ Json candidate_to_json(const FinishedRun& run, std::size_t index, const ResultFi
                              {"searches", arms->searches},
                              {"left", arms->left}};
   }
-  if (run.task.cost) {
-    const Ergonomics ergonomics = ergonomics_of(run.task, character.sex);
-    if (const auto cost = candidate_cost(run.task, candidate, ergonomics)) {
-      json["cost"] = cost_to_json(*cost, ergonomics);
-    }
+  if (!run.costs.empty()) {
+    json["cost"] = cost_to_json(run.costs[index], ergonomics_of(run.task, character.sex));
   }
   json["parameters"] = parameters_to_json(*run.generation.parameters, candidate.parameters);
   const bool written = index < files.candidates.size();
@@ -344,8 +341,12 @@ TaskFile played_task(TaskFile file, const GenerateResult& generation) {
   return file;
 }
 
-std::string format_result(const FinishedRun& run, const ResultFiles& files) {
-  const auto& [file, task, generation, info] = run;
+std::string format_result(const FinishedRun& finished, const ResultFiles& files) {
+  FinishedRun run = finished;
+  const Result<std::vector<MotionCost>> costs =
+      run.costs.empty() ? candidate_costs(run) : std::vector<MotionCost>{};
+  if (costs && !costs->empty()) run.costs = *costs;
+  const auto& [file, task, generation, info, told] = run;
   Json json;
   json["version"] = kResultVersion;
   json["status"] = word_of(generation.status);

@@ -52,7 +52,9 @@ class FilesMade {
       FileSettings settings = file_settings(settings_);
       settings.animation = settings_.clip.empty() ? candidate_animation(character, i + 1)
                                                   : free_animation(character, settings_.clip);
-      made_[index(number)] = make_file({character, run_.task, candidates[i], settings}, format_);
+      const MotionCost* cost = run_.costs.empty() ? nullptr : &run_.costs[i];
+      made_[index(number)] =
+          make_file({character, run_.task, candidates[i], settings, cost}, format_);
     });
   }
 

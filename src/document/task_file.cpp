@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <shigusa/files.hpp>
 
 #include "body/joint_name.hpp"
+#include "core/parse_number.hpp"
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "files/file.hpp"
@@ -98,6 +100,37 @@ Result<Habit> read_habit(const std::filesystem::path& path) {
 }
 
 std::string format_habit(const Habit& habit) { return fields_to_json(habit).dump(2) + "\n"; }
+
+Result<Ergonomics> with_assignments(const Ergonomics& ergonomics, std::string_view assignments) {
+  Json json = Json::object();
+  for (std::size_t at = 0; at <= assignments.size();) {
+    const std::size_t comma = std::min(assignments.find(',', at), assignments.size());
+    const std::string_view part = assignments.substr(at, comma - at);
+    at = comma + 1;
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string_view name = part.substr(0, equals);
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    Json& holder = dot < name.size() ? json[std::string(name.substr(0, dot))] : json;
+    if (equals == 0 || equals == part.size() || !(holder.is_null() || holder.is_object())) {
+      return fail(ErrorCode::invalid_argument,
+                  say("no_assignment", std::string(part.substr(0, 80)), "NAME=VALUE"));
+    }
+    Json& into = holder[std::string(dot < name.size() ? name.substr(dot + 1) : name)];
+    const std::string_view value = part.substr(equals + 1);
+    if (const auto number = parse_number(value)) {
+      into = *number;
+    } else if (value == "true" || value == "false") {
+      into = value == "true";
+    } else {
+      into = std::string(value);
+    }
+  }
+  Ergonomics changed = ergonomics;
+  JsonReader reader(json, "ergonomics");
+  read_fields(reader, changed);
+  if (const auto error = reader.finish()) return tl::unexpected(*error);
+  return changed;
+}
 
 Result<TaskFile> parse_task(std::string_view text, std::string_view name) {
   SHG_TRY_ASSIGN(const Json json, parse_json(text, name));

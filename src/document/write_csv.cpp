@@ -179,7 +179,9 @@ void add_cost_columns(const MotionCost& cost, std::vector<CsvColumn>& columns) {
       [](const FrameCost& frame) { return frame.back ? frame.back->shear : 0.0; });
 }
 
-Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
+Result<std::string> motion_csv(const WriteRequest& request) {
+  const Task& task = request.task;
+  const Candidate& candidate = request.candidate;
   const Motion& motion = candidate.motion;
   const bool robot = task.robot.has_value();
   std::vector<CsvColumn> columns{{"time [s]", {}}};
@@ -196,7 +198,9 @@ Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
     add_points(candidate.goals[g].asked.effector, motion.effectors[g]);
   }
   for (const ThingMotion& thing : candidate.things) add_thing_columns(thing, columns);
-  if (task.cost) {
+  if (task.cost && request.cost != nullptr) {
+    add_cost_columns(*request.cost, columns);
+  } else if (task.cost) {
     SHG_TRY_ASSIGN(const MotionCost cost, candidate_cost(task, candidate, task.ergonomics));
     add_cost_columns(cost, columns);
   }
@@ -207,7 +211,7 @@ Result<std::string> motion_csv(const Task& task, const Candidate& candidate) {
 
 template <>
 Result<MadeFile> write_as<FileFormat::csv>(const WriteRequest& request) {
-  return unread(motion_csv(request.task, request.candidate));
+  return unread(motion_csv(request));
 }
 
 }  // namespace shigusa

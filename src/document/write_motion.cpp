@@ -35,7 +35,7 @@ Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
 // A file made by `make` from the motion at the requested rate, and read back by `check`.
 template <class Make, class Check>
 Result<MadeFile> checked_file(const WriteRequest& request, Make&& make, Check&& check) {
-  const auto& [character, task, candidate, settings] = request;
+  const auto& [character, task, candidate, settings, cost] = request;
   SHG_TRY_ASSIGN(const Clip clip, clip_at_rate(character, task, candidate, settings.rate));
   SHG_TRY_ASSIGN(std::string bytes, make(clip));
   SHG_TRY_ASSIGN(const ReadBack back,
@@ -97,7 +97,7 @@ Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
   const auto exporter = glb_exporter(request.character, request.task, request.settings);
   const std::string& name = request.settings.animation;
   const auto make = [&](const Clip& clip) {
-    const auto& [character, task, candidate, settings] = request;
+    const auto& [character, task, candidate, settings, cost] = request;
     return exporter->glb(
         std::vector{animation_of(*exporter, task, candidate, clip, settings.rate, name)});
   };
@@ -110,7 +110,7 @@ template <>
 Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request) {
   const CharacterExporter exporter = exporter_of(request);
   const auto make = [&](const Clip& clip) {
-    const auto& [character, task, candidate, settings] = request;
+    const auto& [character, task, candidate, settings, cost] = request;
     return exporter.vrma(task, clip, settings.animation,
                          {.hands = hand_play(task, candidate), .markers = markers_of(candidate)});
   };

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <shigusa/request.hpp>
+#include <shigusa/generate.hpp>
+#include <span>
+#include <vector>
 
 namespace shigusa {
 
-// Fails on a task with actions, and on one without goals.
-[[nodiscard]] Result<void> check_explored(const Task& task);
+// Generates or, of tasks with actions, performs, as generate_all does.
+[[nodiscard]] std::vector<Result<GenerateResult>> explore_all(std::span<const Task> tasks,
+                                                              int threads,
+                                                              const Progress& progress);
 
 }  // namespace shigusa

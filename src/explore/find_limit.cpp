@@ -15,7 +15,10 @@ namespace {
 
 constexpr int kScanSteps = 12;       // of the range, with the first seed
 constexpr double kPrecision = 0.02;  // of the value, at which the bisection ends
-constexpr int kMoves = 8;            // of the limit while both sides are verified
+constexpr int kMoves = 12;           // of the limit while both sides are verified
+// Share of kSharpMargin at which both sides are verified: few seeds tell where all hold only
+// roughly, and other seeds shall hold at the whole of it.
+constexpr double kVerified = 0.6;
 
 // Facts of a kind.
 struct KindTraits {
@@ -37,16 +40,28 @@ bool is_hand(const BodyModel& body, const Goal& goal) {
   return effector && index(*effector) < body.effectors().size();
 }
 
+// The index of the thing of that name, or of the first one, that an action grasps.
+std::optional<std::size_t> thing_of(const Task& task, const std::string& name) {
+  for (const Action& action : task.actions) {
+    if (action.grasp.empty() || !(name.empty() || action.grasp == name)) continue;
+    for (std::size_t k = 0; k < task.things.size(); ++k) {
+      if (task.things[k].name == action.grasp) return k;
+    }
+  }
+  return std::nullopt;
+}
+
 // The task at other values of the quantity that a limit is of.
 class Varied {
  public:
-  Varied(const Task& task, LimitKind kind) : task_(task), kind_(kind) {
+  Varied(const Task& task, LimitKind kind, const std::string& thing) : task_(task), kind_(kind) {
     for (const Goal& goal : task.goals) {
       middle_ += goal.position * (1.0 / static_cast<double>(task.goals.size()));
       if (!is_hand(task.body, goal)) continue;
       ++hands_;
       load_ += goal.load;
     }
+    thing_ = thing_of(task, thing);
     const Posture home(task.body, task.home.angles);
     const auto feet = task.body.feet();
     for (const Foot& foot : feet) {
@@ -57,7 +72,8 @@ class Varied {
     direction_ = normalized(away, {0, 0, 1});
   }
 
-  [[nodiscard]] int hands() const { return hands_; }
+  // Whether the hands hold what is varied.
+  [[nodiscard]] bool holds() const { return hands_ > 0 || thing_; }
   // The value from which the limit is looked for.
   [[nodiscard]] double first() const {
     if (kind_ == LimitKind::load) return 0.0;
@@ -75,6 +91,7 @@ class Varied {
     task.batch.threads = 1;
     const double more = value - first();
     const Vec3d shift = kind_ == LimitKind::farthest ? direction_ * more : Vec3d{0.0, more, 0.0};
+    if (thing_) task.things[*thing_].mass = value;
     for (Goal& goal : task.goals) {
       if (kind_ != LimitKind::load) {
         goal.position += shift;
@@ -90,6 +107,7 @@ class Varied {
   const Task& task_;
   LimitKind kind_;
   int hands_ = 0;
+  std::optional<std::size_t> thing_{};
   double load_ = 0.0;      // kg
   Vec3d middle_{};         // of the goals
   Vec3d origin_{};         // middle of the feet
@@ -102,7 +120,8 @@ class LimitSearch {
   LimitSearch(const Task& task, const LimitSettings& settings, const Progress& progress)
       : settings_(settings),
         kind_(traits_of(settings.kind)),
-        varied_(task, settings.kind),
+        varied_(task, settings.kind, settings.thing),
+        works_(!task.actions.empty()),
         threads_(task.batch.threads),
         progress_(progress) {}
 
@@ -125,13 +144,15 @@ class LimitSearch {
   Result<void> attempt(const std::vector<double>& values, int seeds);
   // Number of all seeds that hold at a value.
   Result<int> count(double value);
+  // Whether all that was tried from the first value to this one holds.
+  [[nodiscard]] bool holds_up_to(double value) const;
   Result<void> scan();
   Result<void> bisect(double fails);
   Result<void> verify();
   void tell_why();
 
   [[nodiscard]] double margin(double value) const {
-    return max(kSharpMargin * abs(value), kind_.least_margin);
+    return kVerified * max(kSharpMargin * abs(value), kind_.least_margin);
   }
   // A value so far beyond another, up to the bound.
   [[nodiscard]] double beyond(double value, double by) const {
@@ -146,6 +167,7 @@ class LimitSearch {
   const LimitSettings& settings_;
   const KindTraits& kind_;
   Varied varied_;
+  bool works_;
   int threads_;
   const Progress& progress_;
   double first_ = 0.0;  // innermost value of the search
@@ -156,7 +178,10 @@ class LimitSearch {
 
 Result<void> LimitSearch::check() const {
   const auto wrong = [](const Message& what) { return fail(ErrorCode::invalid_argument, what); };
-  if (settings_.kind == LimitKind::load && varied_.hands() == 0) return wrong(say("load_no_hand"));
+  if (works_ && settings_.kind != LimitKind::load) return wrong(say("limit_of_work"));
+  if (settings_.kind == LimitKind::load && !varied_.holds()) {
+    return wrong(works_ ? say("load_no_grasp") : say("load_no_hand"));
+  }
   if (settings_.seeds < 1 || settings_.seeds > kLimitSeedsMax) {
     return wrong(say("seeds_range", settings_.seeds, kLimitSeedsMax));
   }
@@ -185,7 +210,7 @@ Result<void> LimitSearch::attempt(const std::vector<double>& values, int seeds) 
       progress_.report(now);
     };
   }
-  const std::vector<Result<GenerateResult>> made = generate_all(tasks, threads_, quiet);
+  const std::vector<Result<GenerateResult>> made = explore_all(tasks, threads_, quiet);
   if (progress_.cancelled()) return fail(ErrorCode::cancelled, say("stopped_before"));
   for (std::size_t k = 0; k < made.size(); ++k) {
     if (!made[k]) return tl::unexpected(made[k].error());
@@ -207,6 +232,15 @@ Result<void> LimitSearch::attempt(const std::vector<double>& values, int seeds) 
 Result<int> LimitSearch::count(double value) {
   SHG_TRY(attempt({value}, settings_.seeds));
   return trials_[value].count();
+}
+
+bool LimitSearch::holds_up_to(double value) const {
+  return std::all_of(trials_.begin(), trials_.end(), [&](const auto& each) {
+    const auto& [at, trial] = each;
+    const bool within =
+        kind_.direction * (at - first_) >= 0.0 && kind_.direction * (value - at) >= 0.0;
+    return !within || trial.count() == static_cast<int>(trial.holds.size());
+  });
 }
 
 // Finds the first step of the range after which values end to hold.
@@ -246,10 +280,11 @@ Result<void> LimitSearch::verify() {
   bool inwards = false;
   for (int k = 0; k < kMoves; ++k) {
     const double value = limit_.value;
-    SHG_TRY_ASSIGN(const int inside, count(within(value, margin(value))));
+    const double inner = within(value, margin(value));
+    SHG_TRY(count(inner));
     const double outer = beyond(value, margin(value));
     SHG_TRY_ASSIGN(const int outside, count(outer));
-    const bool in = inside == settings_.seeds;
+    const bool in = holds_up_to(inner);
     if (in && outer == bound_ && outside == settings_.seeds) {
       limit_.end = LimitEnd::beyond;
       limit_.value = bound_;
@@ -298,17 +333,12 @@ Result<Limit> LimitSearch::run() {
 
 std::string_view limit_unit(LimitKind kind) { return traits_of(kind).unit; }
 
-Result<void> check_explored(const Task& task) {
-  const auto wrong = [](const Message& what) { return fail(ErrorCode::invalid_argument, what); };
-  if (!task.actions.empty()) return wrong(say("limit_of_goals"));
-  if (task.goals.empty()) return wrong(say("no_goal"));
-  return {};
-}
-
 Result<Limit> find_limit(const Task& task, const LimitSettings& settings,
                          const Progress& progress) {
-  SHG_TRY(check_explored(task));
-  SHG_TRY(PreparedTask::of(task));
+  if (task.actions.empty()) {
+    if (task.goals.empty()) return fail(ErrorCode::invalid_argument, say("no_goal"));
+    SHG_TRY(PreparedTask::of(task));
+  }
   return LimitSearch(task, settings, progress).run();
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <shigusa/cost.hpp>
 #include <shigusa/explore.hpp>
 #include <shigusa/kinematics.hpp>
 #include <thread>
@@ -10,7 +11,7 @@
 
 #include "core/index.hpp"
 #include "core/say.hpp"
-#include "explored.hpp"
+#include "problem/task_goals.hpp"
 
 namespace shigusa {
 namespace {
@@ -37,6 +38,11 @@ using Places = std::vector<std::size_t>;
 // Order of motions: possible ones first, then by ascending score.
 std::pair<int, double> rank_of(const MapPlace& place) {
   return {place.verdict ? static_cast<int>(*place.verdict) : 3, place.score};
+}
+
+std::optional<int> reba_of(const Task& task, const Motion& motion) {
+  const HeldSpan held{0, motion.clip.frames - 1, loads_in_hands(task)};
+  return worst_reba({.posed = task, .motion = motion, .held = {&held, 1}}, task.ergonomics);
 }
 
 class Mapping {
@@ -108,7 +114,7 @@ class Mapping {
   }
 
   // Keeps a motion found for a place if it is better than what is known.
-  void keep(std::size_t place, GenerateResult& found) {
+  void keep(std::size_t place, const Task& task, GenerateResult& found) {
     if (!found.meets_goals()) return;
     Candidate& best = found.candidates.front();
     MapPlace made{best.judgement.verdict, best.score.total, 0.0, -1, found.duration};
@@ -118,6 +124,7 @@ class Mapping {
       made.dof = load.dof;
     }
     if (rank_of(map_.places[place]) <= rank_of(made)) return;
+    made.reba = reba_of(task, best.motion);
     map_.places[place] = made;
     values_[place] = std::move(best.parameters);
   }
@@ -131,23 +138,27 @@ class Mapping {
     task.evaluations = motions;
     SHG_TRY_ASSIGN(GenerateResult found, generate(task));
     evaluations_ += found.log.evaluations;
-    keep(place, found);
+    keep(place, task, found);
     const bool again = motions && !map_.places[place].verdict;
     return again ? search(place, task, {}, std::nullopt) : Result<void>{};
   }
 
-  // Plays the motions of others for a place, until one is good there.
+  // Plays the motions of others, the best first, for a place, until one is good there or, if none
+  // of them is possible, as good as the best.
   Result<void> play(std::size_t place, Task& task, const Places& others) {
     task.starts.clear();
     task.evaluations.reset();
     SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(task));
+    const std::optional<Verdict> best = map_.places[others.front()].verdict;
     for (const std::size_t other : others) {
       SHG_TRY_ASSIGN(GenerateResult found, player.play(values_[other]));
       ++evaluations_;
-      keep(place, found);
+      keep(place, task, found);
       const MapPlace& made = map_.places[place];
       const double good = kGoodShare * map_.places[other].score + kGoodScore;
-      if (made.verdict == Verdict::possible && made.score <= good) break;
+      const bool enough =
+          made.verdict == Verdict::possible ? made.score <= good : made.verdict == best;
+      if (enough) break;
     }
     return {};
   }
@@ -289,10 +300,10 @@ std::optional<int> ReachMap::plane(Axis axis, double coordinate) const {
 
 Result<ReachMap> reach_map(const Task& task, const MapSettings& settings,
                            const Progress& progress) {
-  SHG_TRY(check_explored(task));
-  if (task.preset != Preset::flat || task.pareto) {
-    return fail(ErrorCode::invalid_argument, say("map_by_flat"));
-  }
+  const auto wrong = [](const Message& what) { return fail(ErrorCode::invalid_argument, what); };
+  if (!task.actions.empty()) return wrong(say("map_of_goals"));
+  if (task.goals.empty()) return wrong(say("no_goal"));
+  if (task.preset != Preset::flat || task.pareto) return wrong(say("map_by_flat"));
   Task home = task;
   if (const auto effector = task.body.find_effector(task.goals.front().effector)) {
     // the position is ignored, whatever it is

@@ -344,6 +344,17 @@ void take_loads(Task& task) {
   task.home.held = task.start.held;
 }
 
+std::vector<HeldLoad> loads_in_hands(const Task& task) {
+  std::vector<HeldLoad> loads = task.start.held;
+  for (const Goal& goal : task.goals) {
+    if (!(goal.load > 0.0)) continue;
+    if (const auto hand = task.body.find_effector(goal.effector)) {
+      loads.push_back({.effector = *hand, .mass = goal.load});
+    }
+  }
+  return loads;
+}
+
 Result<Task> standing(Task task) {
   SHG_TRY(check_start(task));
   if (!needs_preparing(task)) return task;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <shigusa/request.hpp>
+#include <vector>
 
 #include "kinematics/forward_kinematics.hpp"
 #include "motion/effector_turn.hpp"
@@ -23,6 +24,9 @@ namespace shigusa {
 // Duration (s) of a path to a goal.
 [[nodiscard]] double goal_duration(const BodyModel& body, const Kinematics<double>& start,
                                    const ReachGoal& goal);
+
+// The loads in the hands of motions to the task's goals.
+[[nodiscard]] std::vector<HeldLoad> loads_in_hands(const Task& task);
 
 // The task with the loads of its start and its goals in the body's hands, and its body on its
 // contacts; unchanged without loads and freed feet.

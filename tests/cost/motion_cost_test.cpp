@@ -141,28 +141,66 @@ bool all_finite(const MotionCost& cost) {
   return true;
 }
 
+// Motions that each property is tried on.
+constexpr int kMotions = 200;
+
+// A bent posture with arms and head anywhere near, the hands ahead of the back: a load behind it
+// would balance the trunk.
+std::vector<double> drawn_posture(const PosedBody& man, Random& random) {
+  std::vector<double> end = bent(man, random.uniform(0.3, 1.4));
+  for (int d = 0; d < man.body.dof_count(); ++d) {
+    const Dof& dof = man.body.dof(d);
+    if (dof.part.limb == LimbKind::leg) continue;
+    const auto k = static_cast<std::size_t>(d);
+    const bool raises = dof.part.is(JointKind::shoulder, FreedomKind::flexion);
+    end[k] = clamp(end[k] + random.uniform(raises ? 0.2 : -0.3, raises ? 0.8 : 0.3), dof.lower,
+                   dof.upper);
+  }
+  return end;
+}
+
+// A posture whose upper body is the mirror image; the legs stand alike.
+std::vector<double> mirrored(const PosedBody& man, const std::vector<double>& angles) {
+  std::vector<double> image = angles;
+  for (int d = 0; d < man.body.dof_count(); ++d) {
+    const JointPlace& part = man.body.dof(d).part;
+    if (part.limb == LimbKind::leg) continue;
+    const double angle = angles[static_cast<std::size_t>(d)];
+    const FreedomKind kind = part.freedom_kind;
+    const bool turns = kind == FreedomKind::lateral || kind == FreedomKind::rotation;
+    if (!part.side) {
+      image[static_cast<std::size_t>(d)] = turns ? -angle : angle;
+      continue;
+    }
+    const Side other = *part.side == Side::left ? Side::right : Side::left;
+    image[static_cast<std::size_t>(man.body.find_dof(part.joint_kind, kind, other).value())] =
+        angle;
+  }
+  return image;
+}
+
 TEST(MotionCost, HeavierIsNeverBetterAndNothingIsNaN) {
   const PosedBody man = human_body();
+  const std::vector<int> hands{man.body.find_effector(JointKind::hand, Side::left).value(),
+                               man.body.find_effector(JointKind::hand, Side::right).value()};
   Random random(11);
-  for (int n = 0; n < 200; ++n) {
-    std::vector<double> end = bent(man, random.uniform(0.3, 1.4));
-    for (int d = 0; d < man.body.dof_count(); ++d) {
-      const Dof& dof = man.body.dof(d);
-      if (dof.part.limb == LimbKind::leg) continue;
-      const auto k = static_cast<std::size_t>(d);
-      // hands ahead of the back: a load behind it would balance the trunk
-      const bool raises = dof.part.is(JointKind::shoulder, FreedomKind::flexion);
-      end[k] = clamp(end[k] + random.uniform(raises ? 0.2 : -0.3, raises ? 0.8 : 0.3), dof.lower,
-                     dof.upper);
-    }
-    const Clip clip = between(man.home.angles, end, 31);
+  for (int n = 0; n < kMotions; ++n) {
+    const Clip clip = between(man.home.angles, drawn_posture(man, random), 31);
+    const auto lifting = [&](double each) {
+      return cost_of(man, clip, each, {}, {{"box", 2.0 * each, hands, 0, 30}});
+    };
     double each = 0.0;
-    MotionCost before = cost_of(man, clip, each);
+    MotionCost before = lifting(each);
     ASSERT_TRUE(all_finite(before));
     for (int step = 0; step < 3; ++step) {
       each += random.uniform(0.5, 6.0);
-      MotionCost cost = cost_of(man, clip, each);
+      MotionCost cost = lifting(each);
       ASSERT_TRUE(all_finite(cost));
+      ASSERT_EQ(cost.lifts[0].index.has_value(), before.lifts[0].index.has_value());
+      if (cost.lifts[0].index) {
+        ASSERT_TRUE(is_finite(*cost.lifts[0].index));
+        ASSERT_GT(*cost.lifts[0].index, *before.lifts[0].index);
+      }
       ASSERT_GE(cost.reba->score.worst, before.reba->score.worst);
       ASSERT_GE(cost.reba->score.mean, before.reba->score.mean);
       ASSERT_GE(cost.rula->score.worst, before.rula->score.worst);
@@ -172,6 +210,46 @@ TEST(MotionCost, HeavierIsNeverBetterAndNothingIsNaN) {
       before = std::move(cost);
     }
   }
+}
+
+void expect_mirrored(const PostureCourse& own, const PostureCourse& image) {
+  ASSERT_EQ(own.score.worst, image.score.worst);
+  ASSERT_NEAR(own.score.mean, image.score.mean, 1e-9);
+  for (std::size_t k = 0; k < 2; ++k) {
+    ASSERT_EQ(own.sides[k].worst, image.sides[1 - k].worst);
+    ASSERT_NEAR(own.sides[k].mean, image.sides[1 - k].mean, 1e-9);
+  }
+}
+
+TEST(MotionCost, OfTheMirrorImageIsTheSame) {
+  const PosedBody man = human_body();
+  Random random(12);
+  for (int n = 0; n < kMotions; ++n) {
+    const std::vector<double> end = drawn_posture(man, random);
+    const double each = random.uniform(0.0, 8.0);
+    const MotionCost own = cost_of(man, between(man.home.angles, end, 31), each);
+    const MotionCost image = cost_of(man, between(man.home.angles, mirrored(man, end), 31), each);
+    ASSERT_NO_FATAL_FAILURE(expect_mirrored(*own.reba, *image.reba)) << n;
+    ASSERT_NO_FATAL_FAILURE(expect_mirrored(*own.rula, *image.rula)) << n;
+    ASSERT_NEAR(own.back->moment.value, image.back->moment.value, 1e-3 * own.back->moment.value);
+    const double compression = own.back->forces->compression.value;
+    ASSERT_NEAR(compression, image.back->forces->compression.value, 1e-3 * compression);
+  }
+}
+
+TEST(MotionCost, TheWorstScoreByRebaAloneIsThatOfAll) {
+  const PosedBody man = human_body();
+  Random random(13);
+  for (int n = 0; n < 20; ++n) {
+    const Clip clip = between(man.home.angles, drawn_posture(man, random), 31);
+    const Motion motion = ClipDynamics(man.body).completed(clip);
+    const HeldSpan held{0, 30, {{.effector = 0, .mass = random.uniform(0.0, 15.0)}}};
+    const CostInput input{man, motion, std::span(&held, 1), {}};
+    EXPECT_EQ(worst_reba(input), motion_cost(input)->reba->score.worst);
+  }
+  const PosedBody rods = testing_support::chain({{}, {}});
+  const Motion still_rods = held_still(rods.body, rods.home);
+  EXPECT_FALSE(worst_reba({rods, still_rods}));
 }
 
 TEST(MotionCost, LiftsAreMeasuredFromAnkles) {

@@ -217,7 +217,7 @@ TEST(Collision, DepthInAHeldThingIsThatOfItsBox) {
     std::vector<double> angles = posed.home.angles;
     for (std::size_t d = 0; d < angles.size(); ++d) {
       const Dof& dof = posed.body.dofs()[d];
-      angles[d] = clamp(angles[d] + random.uniform(-1.0, 1.0), dof.limits.low, dof.limits.high);
+      angles[d] = clamp(angles[d] + random.uniform(-1.0, 1.0), dof.lower, dof.upper);
     }
     forward_kinematics<double>(posed, angles, placed);
     const Mat3d& turn = placed.link_rotation(crate.link);

@@ -66,6 +66,37 @@ TEST(FindLimit, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one->trials, three->trials);
 }
 
+// A box that is lifted from a table; the second thing is not touched.
+Task lift_of_a_box() {
+  Task task(*build_character({}));
+  task.things = {{.name = "box", .size = {0.4, 0.3, 0.3}, .position = {0.0, 0.75, 0.45}},
+                 {.name = "cup", .position = {0.5, 0.05, 0.3}}};
+  task.actions = {{.grasp = "box"}};
+  return task;
+}
+
+TEST(FindLimit, OfAPieceOfWorkIsTheMassOfAThing) {
+  Task task = lift_of_a_box();
+  const auto limit = find_limit(task, {.bound = 120.0, .seeds = 1});
+  ASSERT_TRUE(limit) << limit.error().to_string();
+  EXPECT_EQ(limit->end, LimitEnd::found);
+  const auto verdict = [&task](double mass) {
+    task.things.front().mass = mass;
+    return perform(task)->candidates.front().judgement.verdict;
+  };
+  EXPECT_EQ(verdict((1.0 - kSharpMargin) * limit->value), Verdict::possible);
+  EXPECT_NE(verdict(1.5 * limit->value), Verdict::possible);
+}
+
+TEST(FindLimit, OfAPieceOfWorkRefusesOtherLimits) {
+  const Task task = lift_of_a_box();
+  const auto key = [&task](const LimitSettings& settings) {
+    return find_limit(task, settings).error().message.key;
+  };
+  EXPECT_EQ(key({.kind = LimitKind::farthest}), "limit_of_work");
+  EXPECT_EQ(key({.thing = "cup"}), "load_no_grasp");
+}
+
 TEST(FindLimit, RefusesWhatHasNoLimit) {
   Task task = task_at({-0.2, 1.0, 0.4});
   EXPECT_FALSE(find_limit(task, {.bound = 0.0}));

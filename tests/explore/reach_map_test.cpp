@@ -41,6 +41,17 @@ TEST(ReachMap, PlacesHaveTheVerdictsOfReach) {
   EXPECT_GE(agree, 28);
 }
 
+TEST(ReachMap, TellsRebaByTheErgonomicsOfTheTask) {
+  Task task = task_of_hand();
+  const Vec3d place{-0.2, 1.0, 0.4};
+  const auto at_place = reach_map(task, {.low = place, .high = place});
+  task.ergonomics.held = task.ergonomics.repeated = task.ergonomics.rapid = true;
+  const auto active = reach_map(task, {.low = place, .high = place});
+  ASSERT_TRUE(at_place && active);
+  EXPECT_GE(at_place->places[0].reba.value(), 1);
+  EXPECT_EQ(active->places[0].reba.value(), at_place->places[0].reba.value() + 3);
+}
+
 TEST(ReachMap, IsTheSameForAnyNumberOfThreads) {
   Task task = task_of_hand();
   task.batch.threads = 1;
@@ -78,18 +89,20 @@ TEST(ReachMap, RefusesWhatItCannotMap) {
 TEST(MapFiles, HoldTheReachablePlaces) {
   const Task task = task_of_hand();
   ReachMap map{.effector = "right_hand", .spacing = 0.5, .count = {2, 1, 1}};
-  map.places = {{.verdict = Verdict::possible, .score = 0.25, .strength = 0.5, .dof = 0}, {}};
+  map.places = {{.verdict = Verdict::possible, .score = 0.25, .strength = 0.5, .dof = 0, .reba = 3},
+                {}};
   EXPECT_EQ(
       map_csv(task.body, map),
-      "x [m],y [m],z [m],verdict,score,strength,joint,duration [s]\n0,0,0,possible,0.25,0.5," +
-          task.body.dof(0).name + ",0\n0.5,0,0,unreachable,,,,\n");
+      "x [m],y [m],z [m],verdict,score,strength,joint,duration [s],reba\n0,0,0,possible,0.25,0.5," +
+          task.body.dof(0).name + ",0,3\n0.5,0,0,unreachable,,,,,\n");
   const std::string glb = map_glb(map);
   const auto parts = glb_parts(glb, "map.glb");
   ASSERT_TRUE(parts);
   const auto json = parse_json(parts->json, "map.glb");
   ASSERT_TRUE(json);
   ASSERT_EQ((*json)["meshes"].size(), 1U);
-  EXPECT_EQ((*json)["accessors"][2]["count"], 24);
+  EXPECT_EQ((*json)["meshes"][0]["primitives"][0]["attributes"]["_REBA"], 2);
+  EXPECT_EQ((*json)["accessors"][2]["count"], 6);
   EXPECT_TRUE(map_section(task, map, Axis::x, 0.1));
   EXPECT_EQ(map_section(task, map, Axis::x, 0.9).error().message.key, "no_section");
 }

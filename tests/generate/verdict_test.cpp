@@ -42,8 +42,8 @@ TEST(Verdict, WhatAsksForNothingIsPossible) {
 
 TEST(Verdict, GoesByTheShareOfStrength) {
   const PosedBody posed = full_body();
-  EXPECT_EQ(verdict_on(loaded(posed, 0.99)), Verdict::possible);
-  EXPECT_EQ(verdict_on(loaded(posed, 1.01)), Verdict::strains);
+  EXPECT_EQ(verdict_on(loaded(posed, 1.01)), Verdict::possible);
+  EXPECT_EQ(verdict_on(loaded(posed, 1.03)), Verdict::strains);
   EXPECT_EQ(verdict_on(loaded(posed, 1.49)), Verdict::strains);
   EXPECT_EQ(verdict_on(loaded(posed, 1.51)), Verdict::impossible);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
@@ -28,7 +29,7 @@ class TsvRow {
 
 // The rows of a file of shared/ergonomics; none where it is absent.
 inline std::vector<TsvRow> ergonomics_rows(const std::string& file) {
-  std::ifstream in(std::string(SHIGUSA_SHARED_DIR) + "/ergonomics/" + file);
+  std::ifstream in(std::filesystem::path(SHIGUSA_SHARED_DIR) / "ergonomics" / file);
   const auto cells_of = [](const std::string& line) {
     std::vector<std::string> cells(1);
     for (const char c : line) {

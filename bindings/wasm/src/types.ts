@@ -173,26 +173,30 @@ export interface CostSummary {
     verdict?: 'acceptable' | 'conditional' | 'not_acceptable';
   }[];
   /** At L5/S1; a rigid trunk has no forces. */
-  back?: {
-    moment_Nm: ScoreCourse & { time_s: number };
-    compression_N?: ScoreCourse & {
-      time_s: number;
-      share_above_3400: number;
-      share_above_6400: number;
-      limit_by_age?: number;
-    };
-    shear_N?: { worst: number; time_s: number };
+  low_back?: {
+    moment_nm: number;
+    moment_time_s: number;
+    mean_moment_nm: number;
+    compression_n?: number;
+    compression_time_s?: number;
+    mean_compression_n?: number;
+    share_above_3400_n?: number;
+    share_above_6400_n?: number;
+    limit_by_age_n?: number;
+    shear_n?: number;
+    shear_time_s?: number;
   };
   /** The joints for which the fewest people are strong enough. */
   strengths: { joint: string; torque_Nm: number; strength_Nm: number; able: number; time_s: number }[];
-  lifts: {
+  niosh: {
     thing: string;
     mass_kg: number;
+    weight_limit_kg: number;
     taken_s: number;
     put_s: number;
     origin: LiftEnd;
     destination: LiftEnd;
-    LI?: number;
+    lifting_index?: number;
     notes?: string[];
   }[];
   composite_index?: number;
@@ -220,7 +224,7 @@ export interface CandidateSummary {
   final_posture: { words: string; knee_flexion_deg: number; trunk_turn_deg: number };
   support?: { centre_of_mass: { least_mm: number; time_s: number }; pressure: { least_mm: number; time_s: number } };
   collision?: { depth_mm: number; limb: string; other: string; time_s: number };
-  /** Of a task with cost: true. */
+  /** Of a task with cost: true, and of one with actions. */
   cost?: CostSummary;
   duration_s: number;
   frames: number; // of the motion itself

@@ -110,7 +110,8 @@ struct DataExportRun {
 
 /// A map of reach as a NumPy archive: `x`, `y`, `z` (m, world), and of each place (x, y, z) its
 /// `verdict`, an index into `verdicts` or -1 out of reach, `score`, `strength` (share of the
-/// strength of the joint that needs the largest one) and `joint`, that joint's index into `joints`.
+/// strength of the joint that needs the largest one), `reba`, the worst score by REBA or -1, and
+/// `joint`, that joint's index into `joints`.
 [[nodiscard]] Result<std::string> map_npz(const BodyModel& body, const ReachMap& map);
 
 }  // namespace shigusa
