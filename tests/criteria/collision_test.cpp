@@ -193,13 +193,13 @@ TEST(Collision, NearestPointToABoxIsFoundAlongALimb) {
   EXPECT_GT(inside, 500);
 }
 
-// A box that the right hand holds before it, for its corners far from the middle.
+// A box that the right hand holds, which reaches up beside the forearm.
 TEST(Collision, DepthInAHeldThingIsThatOfItsBox) {
   const PosedBody person = human_body();
   const HeldLoad load{.effector = person.body.find_effector("right_hand").value(),
                       .turn = axis_rotation(Axis::y, 0.3),
                       .name = "crate",
-                      .middle = {0.1, -0.1, 0.15},
+                      .middle = {-0.25, 0.0, 0.05},
                       .size = {0.4, 0.3, 0.25},
                       .radius = 0.01};
   const PosedBody posed{with_load(person, load), person.home};

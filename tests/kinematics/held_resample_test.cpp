@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <span>
 
+#include "motion/effector_turn.hpp"
 #include "support/bodies.hpp"
 
 namespace shigusa {
@@ -61,23 +62,27 @@ TEST(HeldResample, FirstAndLastFramesAreTheClipsOwn) {
 TEST(HeldResample, ATurnIsHeldWhereAsked) {
   const BodyModel body = chain({{Axis::x, 0.0}, {Axis::y, 0.0}, {Axis::z, 1.0}});
   const Effector& tip = body.effectors()[0];
+  const Clip turning{
+      .dofs = 3,
+      .frames = 5,
+      .frame_time = 0.2,
+      .angles = {0.1, 0.3, 0.2, 0.5, 0.6, 0.4, 0.9, 0.9, 0.9, 0.4, 0.2, 1.5, 0.2, 0.5, 1.0}};
   const auto turn_at = [&](std::span<const double> angles) {
     return placed(body, {.angles = {angles.begin(), angles.end()}}).link_rotation(tip.link);
   };
-  const Mat3d first = turn_at(kFolding.frame(0));
+  const Mat3d first = turn_at(turning.frame(0));
   Clip way{.dofs = 3, .frames = 5, .frame_time = 0.2, .angles = {}};
   for (int f = 0; f < way.frames; ++f) {
-    const Vec3d turn = rotation_vector(turn_at(kFolding.frame(f)) * transpose(first));
+    const Vec3d turn = rotation_vector(turn_at(turning.frame(f)) * transpose(first));
     way.angles.insert(way.angles.end(), {turn.x, turn.y, turn.z});
   }
   const Clip wanted = resampled(way, 60.0);
-  const Clip free = resampled(kFolding, 60.0);
-  const Clip held =
-      resampled(body, kFolding, 60.0,
-                std::vector{HeldPoint{.link = tip.link, .point = {}, .turns = true}});
+  const Clip free = resampled(turning, 60.0);
+  const Clip held = resampled(body, turning, 60.0,
+                              std::vector{HeldPoint{.link = tip.link, .point = {}, .turns = true}});
   const auto off = [&](const Clip& clip, int f) {
     const std::span<const double> turn = wanted.frame(f);
-    const Mat3d asked = rotation_by({turn[0], turn[1], turn[2]}) * first;
+    const Mat3d asked = rotation_by(Vec3d{turn[0], turn[1], turn[2]}) * first;
     return norm(rotation_vector(turn_at(clip.frame(f)) * transpose(asked)));
   };
   double most_free = 0.0;
