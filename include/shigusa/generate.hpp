@@ -276,6 +276,7 @@ struct WorkMotion {
   int way = 0;             ///< which of the ways to take a thing
   double duration = 0.0;   ///< s
   Parameters values;       ///< parameters that generate it
+  int approach = -1;       ///< number of the approach to its goals (Candidate); -1: chosen anew
 };
 
 /// A hand's way to a goal or a thing, and its time there, by which its fingers move.
@@ -310,6 +311,7 @@ struct Candidate {
   Judgement judgement;                          ///< feasibility
   FinalPosture final_posture;                   ///< description of the final posture
   std::optional<ArmCollision> arm_collision{};  ///< only for presets with layers
+  int approach = -1;  ///< number of the approach to the goals, of several; -1: of a preset with one
   std::vector<ActionResult> actions{};  ///< of a task with actions: each of them, in their order
   std::vector<WorkMotion> motions{};    ///< of a task with actions: motions, in their order
   std::vector<ThingMotion> things{};    ///< of a task with things: their ways
@@ -456,13 +458,14 @@ class PreparedTask {
 /// motion does not depend on the motions played before. One thread at a time may use a player.
 class MotionPlayer {
  public:
-  /// Prepares a task; fails as PreparedTask::of does.
-  [[nodiscard]] static Result<MotionPlayer> of(Task task);
+  /// Prepares a task; fails as PreparedTask::of does. `approach`: see WorkMotion.
+  [[nodiscard]] static Result<MotionPlayer> of(Task task, int approach = -1);
   MotionPlayer(MotionPlayer&&) noexcept;             ///< moves the player
   MotionPlayer& operator=(MotionPlayer&&) noexcept;  ///< moves the player
   ~MotionPlayer();
 
   [[nodiscard]] const Task& task() const;                 ///< the task as given
+  [[nodiscard]] const BodyModel& body() const;            ///< its body, with the goals' loads
   [[nodiscard]] const ParameterList& parameters() const;  ///< parameters of the task's motions
   /// Generates the motion. Effectors meet their goals, or come as near as the locked dofs allow:
   /// see GenerateResult::status. Fails where ParameterList::check does.

@@ -123,6 +123,7 @@ Json motions_to_json(const ParameterList& list, const Candidate& candidate) {
                     {"way", motion.way},
                     {"duration_s", motion.duration},
                     {"parameters", parameters_to_json(list, motion.values)}});
+    if (motion.approach >= 0) json.back()["approach"] = motion.approach;
   }
   return json;
 }
@@ -284,6 +285,7 @@ Result<std::vector<WorkMotion>> read_motions(const ParameterList& list, const Js
     JsonReader reader((*all)[k], at);
     reader.integer("action", action, 1, actions);
     reader.integer("way", motion.way, 0, kMostWays);
+    reader.integer("approach", motion.approach, 0, kMostWays);
     reader.number("duration_s", motion.duration, kTaskDurationMin, 2.0 * kTaskDurationMax);
     for (const char* key : {"action", "duration_s"}) reader.require(key);
     if (!reader.has("parameters")) reader.wrong("parameters", say("is_missing"));

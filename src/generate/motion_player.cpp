@@ -54,8 +54,9 @@ Result<std::optional<Candidate>> MotionPlayer::Made::reflect(const Parameters& v
   return candidate;
 }
 
-Result<MotionPlayer> MotionPlayer::of(Task task) {
+Result<MotionPlayer> MotionPlayer::of(Task task, int approach) {
   SHG_TRY_ASSIGN(auto problem, prepare(task));
+  if (approach >= 0) problem->way = approach;
   SHG_TRY_ASSIGN(auto planner, make_planner(*problem));
   auto made = std::make_unique<Made>(
       Made{std::move(task), std::move(problem), std::move(planner), std::nullopt});
@@ -68,6 +69,7 @@ MotionPlayer& MotionPlayer::operator=(MotionPlayer&&) noexcept = default;
 MotionPlayer::~MotionPlayer() = default;
 
 const Task& MotionPlayer::task() const { return made_->task; }
+const BodyModel& MotionPlayer::body() const { return made_->problem->task.body; }
 const ParameterList& MotionPlayer::parameters() const { return *made_->problem->parameters; }
 
 Result<GenerateResult> MotionPlayer::play(const Parameters& values) {

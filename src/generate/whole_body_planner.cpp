@@ -170,7 +170,9 @@ constexpr int kUp = 2;
 std::vector<ReachProblem> approaches_by(int way, const Problem& problem, const ReachProblem& reach,
                                         const ClosestReach& closest) {
   if (way < kUp) return approaches_to_goal(reach, closest, way == kStraight);
-  const ReachProblem up = ways_up(problem, reach)[index(way - kUp)];
+  const std::vector<ReachProblem> ways = ways_up(problem, reach);
+  if (index(way - kUp) >= ways.size()) return {};
+  const ReachProblem& up = ways[index(way - kUp)];
   const ClosestReach there = closest_reach(up, kRisingReach);
   if (!there.reached()) return {};
   return approaches_to_goal(up, there, true);
@@ -230,6 +232,10 @@ class WholeBodyPlanner : public Planner {
       problem_.way = best_way(problem_, reach_, closest);
     }
     usual_approaches_ = approaches_by(problem_.way, problem_, reach_, closest);
+    if (usual_approaches_.empty()) {  // of a way that is no longer there
+      problem_.way = best_way(problem_, reach_, closest);
+      usual_approaches_ = approaches_by(problem_.way, problem_, reach_, closest);
+    }
     approaches_ = usual_approaches_;
   }
 
@@ -282,7 +288,9 @@ class WholeBodyPlanner : public Planner {
     const bool smooths = approach.smooth && task_.generator == MotionGenerator::weighted_ik;
     RolledOut rolled = smooths ? smoothed(approach, expanded.values, std::move(arrival.rolled))
                                : std::move(arrival.rolled);
-    return make_candidate(problem_, approach, expanded.values, std::move(rolled));
+    Candidate made = make_candidate(problem_, approach, expanded.values, std::move(rolled));
+    made.approach = problem_.way;
+    return made;
   }
 
   void finish(GenerateResult& /*generation*/) override {}

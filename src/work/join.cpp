@@ -195,7 +195,8 @@ Candidate Line::joined() const {
     add_measures(own.measures, start, first, whole.measures);
     add_contacts(own.contacts, whole.contacts);
     action.goals = own.goals;
-    whole.motions.push_back({piece.action, piece.way, own.motion.clip.duration(), own.parameters});
+    whole.motions.push_back(
+        {piece.action, piece.way, own.motion.clip.duration(), own.parameters, own.approach});
     whole.path_error = max(whole.path_error, own.path_error);
     whole.final_posture = own.final_posture;
     if (first) whole.parameters = own.parameters;

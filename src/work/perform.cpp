@@ -84,9 +84,8 @@ Found played(std::vector<Task> tasks, const WorkMotion& motion) {
   Task& task = tasks[way];
   task.duration = motion.duration;
   const auto play = [&]() -> Result<GenerateResult> {
-    SHG_TRY_ASSIGN(const PreparedTask prepared, PreparedTask::of(task));
-    found.body = prepared.task().body;
-    SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(task));
+    SHG_TRY_ASSIGN(MotionPlayer player, MotionPlayer::of(std::move(task), motion.approach));
+    found.body = player.body();
     return player.play(motion.values);
   };
   Result<GenerateResult> result = play();

@@ -220,7 +220,13 @@ export interface CandidateSummary {
   /** Of a task with actions: each of them, in their order, as far as the work has come. */
   actions?: ActionSummary[];
   /** Of a task with actions: its motions, by which it is made again. */
-  motions?: { action: number; way: number; duration_s: number; parameters: object }[];
+  motions?: {
+    action: number;
+    way: number;
+    approach?: number;
+    duration_s: number;
+    parameters: object;
+  }[];
   final_posture: { words: string; knee_flexion_deg: number; trunk_turn_deg: number };
   support?: { centre_of_mass: { least_mm: number; time_s: number }; pressure: { least_mm: number; time_s: number } };
   collision?: { depth_mm: number; limb: string; other: string; time_s: number };
