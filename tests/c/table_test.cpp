@@ -35,7 +35,7 @@ NamedTable named_table(const shigusa_result* result, shigusa_series series, cons
   NamedTable made{Json::parse(taken(about)), {}};
   const std::string bytes = taken(values);
   made.table.values.resize(bytes.size() / sizeof(double));
-  std::memcpy(made.table.values.data(), bytes.data(), bytes.size());
+  if (!bytes.empty()) std::memcpy(made.table.values.data(), bytes.data(), bytes.size());
   const Json& shape = made.about.at("shape");
   made.table.frames = shape.at(0);
   made.table.columns = 1;
