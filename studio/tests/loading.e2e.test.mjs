@@ -8,9 +8,9 @@ import { weights } from './weight.mjs';
 
 const { site, browser } = await visit();
 
-const kMost = 320_000; // bytes gzipped, without the engine
+const kMost = 322_000; // bytes gzipped, without the engine
 
-test('all that an English page loads without being asked weighs 320 kB at most, gzipped, without the engine', async () => {
+test('all that an English page loads without being asked weighs 322 kB at most, gzipped, without the engine', async () => {
   const { page } = await openStudio(browser, site.url, { cards: true });
   await settled(page);
   const files = await weights(page);
