@@ -15,7 +15,7 @@ namespace shigusa {
 namespace {
 
 // Most replays of spare motions for each distance, per missing style and in all, and for each
-// motion that the task asks for.
+// motion that the task asks for; chosen, as more of them find little.
 constexpr int kTries = 12;
 constexpr int kTriesOfOne = 3;
 // Those of spare motions that score worse, where few candidates are feasible.
@@ -129,9 +129,10 @@ class Delivery {
   // Whether the one motion asked for would do in a longer time, which is free.
   [[nodiscard]] bool only_hastes() const {
     if (!wants_one(task_) || all().empty()) return false;
-    const Candidate& one = all().front();
-    return !collides(one) &&
-           (could_be_made(one) || possible_in(one.judgement, task_.body, one.motion, one.measures));
+    Candidate& one = all().front();
+    if (collides(one)) return false;
+    one.judgement.possible_in = possible_in(one.judgement, task_.body, one.motion, one.measures);
+    return could_be_made(one) || one.judgement.possible_in;
   }
 
   // Number of spare motions that became candidates.

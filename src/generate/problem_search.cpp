@@ -127,6 +127,7 @@ void add_run(const Task& task, GenerateResult run, GenerateResult& generation) {
 void find_possible_in(const BodyModel& body, GenerateResult& generation) {
   for (Candidate& candidate : generation.candidates) {
     Judgement& judgement = candidate.judgement;
+    if (judgement.possible_in) continue;
     judgement.possible_in = possible_in(judgement, body, candidate.motion, candidate.measures);
   }
 }

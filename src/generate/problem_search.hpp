@@ -21,7 +21,7 @@ namespace shigusa {
 [[nodiscard]] Result<GenerateResult> played_anew(const Problem& problem,
                                                  const GenerateResult& generation);
 
-// Sets possible_in of all candidates.
+// Sets possible_in of all candidates that lack it.
 void find_possible_in(const BodyModel& body, GenerateResult& generation);
 
 // Sets the status from all candidates, and the remaining distance and turn from the first.

@@ -161,21 +161,31 @@ std::vector<ReachProblem> ways_up(const Problem& problem, const ReachProblem& re
   return ways;
 }
 
-// The approaches of a problem by the number of a way (Problem::way): with a detour where one is
-// needed, straight, or standing up in the ways of `ways_up`. Empty where a way up does not lead
-// to the goals.
+// A way to the goals by its number (Problem::way), and the approaches on it: with a detour where
+// one is needed, straight, or standing up in one of `ways_up`.
 constexpr int kAround = 0;
 constexpr int kStraight = 1;
 constexpr int kUp = 2;
-std::vector<ReachProblem> approaches_by(int way, const Problem& problem, const ReachProblem& reach,
-                                        const ClosestReach& closest) {
-  if (way < kUp) return approaches_to_goal(reach, closest, way == kStraight);
-  const std::vector<ReachProblem> ways = ways_up(problem, reach);
-  if (index(way - kUp) >= ways.size()) return {};
-  const ReachProblem& up = ways[index(way - kUp)];
+struct Way {
+  int number = kAround;
+  std::vector<ReachProblem> approaches{};
+};
+
+// None where the way does not lead to the goals.
+std::vector<ReachProblem> approaches_up(const ReachProblem& up) {
   const ClosestReach there = closest_reach(up, kRisingReach);
   if (!there.reached()) return {};
   return approaches_to_goal(up, there, true);
+}
+
+// None of a way that is not there.
+std::vector<ReachProblem> approaches_by(int way, const Problem& problem, const ReachProblem& reach,
+                                        const ClosestReach& closest) {
+  if (way < kAround) return {};
+  if (way < kUp) return approaches_to_goal(reach, closest, way == kStraight);
+  const std::vector<ReachProblem> ways = ways_up(problem, reach);
+  const std::size_t up = index(way - kUp);
+  return up < ways.size() ? approaches_up(ways[up]) : std::vector<ReachProblem>{};
 }
 
 // The way of a problem, as the planner of its task without a duration finds it.
@@ -187,31 +197,30 @@ int way_in_usual_time(const Problem& problem) {
 
 // The way whose start points score best. The need of a detour is found with uniform weights, so the
 // best motions from the start table may do without.
-int best_way(const Problem& problem, const ReachProblem& reach, const ClosestReach& closest) {
-  const std::vector<ReachProblem> around = approaches_by(kAround, problem, reach, closest);
-  const auto ways = static_cast<int>(ways_up(problem, reach).size());
-  if (!may_score(problem) || (ways == 0 && !goes_around(around.front()))) return kAround;
-  if (problem.task.duration) return way_in_usual_time(problem);
-  const auto start = [&](int way) {
-    const std::vector<ReachProblem> approaches = approaches_by(way, problem, reach, closest);
-    return approaches.empty() ? std::numeric_limits<double>::infinity()
-                              : best_start(problem, approaches.front());
+Way best_way(const Problem& problem, const ReachProblem& reach, const ClosestReach& closest) {
+  Way best{kAround, approaches_to_goal(reach, closest)};
+  const bool detours = goes_around(best.approaches.front());
+  const std::vector<ReachProblem> ups = ways_up(problem, reach);
+  if (!may_score(problem) || (ups.empty() && !detours)) return best;
+  if (problem.task.duration) {
+    const int usual = way_in_usual_time(problem);
+    std::vector<ReachProblem> approaches = approaches_by(usual, problem, reach, closest);
+    return approaches.empty() ? best : Way{usual, std::move(approaches)};
+  }
+  double least = best_start(problem, best.approaches.front());
+  const auto offer = [&](int number, std::vector<ReachProblem> approaches, double most) {
+    if (approaches.empty()) return;
+    const double start = best_start(problem, approaches.front());
+    if (!(start < most)) return;
+    best = {number, std::move(approaches)};
+    least = start;
   };
-  int best = kAround;
-  double least = best_start(problem, around.front());
-  if (goes_around(around.front())) {
-    const double straight = start(kStraight);
-    if (straight < kStraightShare * least) {
-      best = kStraight;
-      least = straight;
-    }
+  if (detours) {
+    offer(kStraight, approaches_to_goal(reach, closest, true), kStraightShare * least);
   }
   least *= kRisingShare;
-  for (int up = kUp; up < kUp + ways; ++up) {
-    const double rising = start(up);
-    if (!(rising < least)) continue;
-    best = up;
-    least = rising;
+  for (std::size_t k = 0; k < ups.size(); ++k) {
+    offer(kUp + static_cast<int>(k), approaches_up(ups[k]), least);
   }
   return best;
 }
@@ -228,13 +237,11 @@ class WholeBodyPlanner : public Planner {
       reach_ = clear_goals(reach_, closest);
       closest = closest_reach(reach_);
     }
-    if (problem_.way == Problem::kNoWay) {
-      problem_.way = best_way(problem_, reach_, closest);
-    }
     usual_approaches_ = approaches_by(problem_.way, problem_, reach_, closest);
-    if (usual_approaches_.empty()) {  // of a way that is no longer there
-      problem_.way = best_way(problem_, reach_, closest);
-      usual_approaches_ = approaches_by(problem_.way, problem_, reach_, closest);
+    if (usual_approaches_.empty()) {
+      Way way = best_way(problem_, reach_, closest);
+      problem_.way = way.number;
+      usual_approaches_ = std::move(way.approaches);
     }
     approaches_ = usual_approaches_;
   }

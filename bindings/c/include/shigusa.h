@@ -309,8 +309,9 @@ SHIGUSA_API shigusa_status shigusa_result_table(const shigusa_result* result, in
 
 /** Scores a clip's motion (BVH, or an animation of glTF, VRM or VRMA): the object that `shigusa
  * score --json` prints. `options` may be null, or {"criteria": "default", "first": 0, "last": 80,
- * "smoothed_hz": 6, "animation": "Take 1", "character": "human"}; without a character the motion
- * is scored on its own person. */
+ * "smoothed_hz": 6, "animation": "Take 1", "cost": true, "ergonomics": {"coupling": "poor"},
+ * "character": "human"}; without a character the motion is scored on its own person. cost: tells
+ * what it costs the body, with what `ergonomics` adds, as for tasks. */
 SHIGUSA_API shigusa_status shigusa_score_clip(const char* name, const void* file, size_t file_size,
                                               const char* options, shigusa_bytes** json);
 
