@@ -270,6 +270,10 @@ class Performance {
       result_.candidates =
           spread_over(not_dominated(std::move(result_.candidates)), task_.candidates);
     }
+    const auto found = static_cast<int>(result_.candidates.size());
+    if (!failed_ && known_.empty() && found < task_.candidates) {
+      result_.fewer = say("fewer_work", found, task_.candidates);
+    }
     if (!result_.parameters) SHG_TRY(add_parameters());
     std::stable_sort(result_.candidates.begin(), result_.candidates.end(), ranks_of(task_));
     if (!failed_) result_.status = status_of(true, result_.candidates);

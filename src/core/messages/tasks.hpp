@@ -117,6 +117,8 @@ inline constexpr std::array kTasks{
                 "to rotations and axes too; the preset flat takes rotations, axes and boxes"},
     MessageText{"fewer_runs",
                 "{} of {} candidates: {} runs with other random numbers each ended in no others"},
+    MessageText{"fewer_work",
+                "{} of {} candidates: no other ways of all actions were found that look different"},
     MessageText{"fewer_kept", "{} of {} candidates: of the others that were kept, {}"},
     MessageText{"fewer_none", "there are none"},
     MessageText{"and_more", "{}; {}"},
