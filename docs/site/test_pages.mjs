@@ -61,7 +61,7 @@ async function opener(browser, origin, screen) {
     const wide = await page.evaluate(() => {
       const { clientWidth, scrollWidth } = document.documentElement;
       if (scrollWidth <= clientWidth) return '';
-      const right = (element) => element.getBoundingClientRect().right;
+      const right = (element) => element.getBoundingClientRect().left + Math.max(element.offsetWidth ?? 0, element.scrollWidth);  // with its text
       const scrolls = (element) => element.closest('.md-typeset__scrollwrap, pre, .formula, .md-sidebar') !== null;
       const beyond = [...document.querySelectorAll('main *')].filter((element) => right(element) > clientWidth && !scrolls(element));
       return `${scrollWidth} px wide on a screen of ${clientWidth}: ${beyond.at(-1)?.outerHTML.slice(0, 120)}`;
