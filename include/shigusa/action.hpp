@@ -14,6 +14,7 @@ namespace shigusa {
 
 inline constexpr std::size_t kActionsMax = 64;  ///< largest number of actions
 inline constexpr std::size_t kThingsMax = 64;   ///< largest number of things
+inline constexpr std::size_t kPartsMax = 8;     ///< largest number of a thing's parts
 inline constexpr double kPauseMax = 60.0;       ///< longest hold or wait of an action, s
 
 /// The shape of a thing, whose sides are Thing::size.
@@ -28,6 +29,13 @@ inline constexpr std::array kEnumWords<ThingShape>{
     EnumWord{ThingShape::box, "box"},
     EnumWord{ThingShape::cylinder, "cylinder"},
     EnumWord{ThingShape::sphere, "sphere"},
+};
+
+/// A box of which a thing is made, with others.
+struct ThingPart {
+  Vec3d position{};           ///< m, its middle from the thing's middle, along the thing's own axes
+  Vec3d size{0.1, 0.1, 0.1};  ///< m, its sides along the thing's own axes, > 0
+  friend bool operator==(const ThingPart&, const ThingPart&) = default;
 };
 
 /// A bar of a thing, around which a hand closes.
@@ -48,6 +56,8 @@ struct Thing {
   Vec3d centre{};                      ///< m, centre of mass from the middle, along its own axes
   bool upright = false;  ///< keeps its upright axis upright in the hand, such as a cup
   std::optional<ThingHandle> handle{};  ///< a bar outside its shape, by which one hand takes it
+  std::vector<ThingPart>
+      parts{};  ///< of a box: boxes within it that are its form; empty: all of it
   friend bool operator==(const Thing&, const Thing&) = default;
 };
 

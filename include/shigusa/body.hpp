@@ -177,7 +177,8 @@ struct Capsule {
   bool of_thing = false;
 };
 
-/// A thing in a hand, for collisions with the body: a box with round edges that moves with a link.
+/// A thing in a hand or a part of one, for collisions with the body: a box with round edges that
+/// moves with a link.
 struct HeldShape {
   std::string name;      ///< name of the thing
   int link = kBaseLink;  ///< index of the link that carries it
@@ -386,17 +387,26 @@ class BodyModel {
   std::shared_ptr<const BodyConstants<float>> constants_float_;
 };
 
+/// A box with round edges of a thing in a hand.
+struct HeldPart {
+  Vec3d offset{};       ///< m, its middle from the thing's, along the thing's axes
+  Vec3d size{};         ///< m, sides along the thing's axes, without the radius
+  double radius = 0.0;  ///< m, added to the size on all sides
+
+  /// Whether both are the same.
+  bool operator==(const HeldPart&) const = default;
+};
+
 /// A load that a hand holds: a mass at an effector's point, or its share of a rigid thing.
 struct HeldLoad {
-  int effector = 0;     ///< index of the effector, see BodyModel::effector
-  double mass = 0.0;    ///< kg, 0..kLoadMax
-  Vec3d centre{};       ///< m, link frame: centre of mass from the effector's point
-  Quatd turn{};         ///< R_LT, the thing's own axes in the link frame
-  Vec3d inertia{};      ///< kg·m², about the centre of mass, along the thing's axes
-  std::string name{};   ///< name of the thing in collisions; empty: none are tested
-  Vec3d middle{};       ///< m, link frame: middle of the thing from the effector's point
-  Vec3d size{};         ///< m, sides of the thing along its axes; with a radius without it
-  double radius = 0.0;  ///< m, added to the size on all sides
+  int effector = 0;               ///< index of the effector, see BodyModel::effector
+  double mass = 0.0;              ///< kg, 0..kLoadMax
+  Vec3d centre{};                 ///< m, link frame: centre of mass from the effector's point
+  Quatd turn{};                   ///< R_LT, the thing's own axes in the link frame
+  Vec3d inertia{};                ///< kg·m², about the centre of mass, along the thing's axes
+  std::string name{};             ///< name of the thing in collisions
+  Vec3d middle{};                 ///< m, link frame: middle of the thing from the effector's point
+  std::vector<HeldPart> parts{};  ///< its form in collisions; empty: none are tested
 
   /// Whether both are the same.
   bool operator==(const HeldLoad&) const = default;

@@ -15,25 +15,24 @@ namespace {
 // five of them fill a box but for its ends.
 constexpr double kEdge = 0.25;
 
-// Capsules of a thing on a hand's link, for obstacles and the floor: one along its longest side,
-// and where it has edges four along these.
-std::vector<Capsule> capsules_of(const HeldLoad& load, const Effector& hand) {
-  if (load.name.empty()) return {};
+// Capsules of a part of a thing on a hand's link, for obstacles and the floor: one along its
+// longest side, and where it has edges four along these.
+std::vector<Capsule> capsules_of(const HeldLoad& load, const HeldPart& part, const Effector& hand) {
   const Mat3d turn = to_matrix(load.turn);
   int along = 0;
   for (const int k : {1, 2}) {
-    if (load.size[k] > load.size[along]) along = k;
+    if (part.size[k] > part.size[along]) along = k;
   }
   const int a = (along + 1) % 3;
   const int b = (along + 2) % 3;
   std::vector<Capsule> capsules;
   const auto add = [&](double radius, double at_a, double at_b) {
     Vec3d half{};
-    half[along] = max(0.5 * load.size[along] - (radius - load.radius), 0.0);
+    half[along] = max(0.5 * part.size[along] - (radius - part.radius), 0.0);
     Vec3d off{};
     off[a] = at_a;
     off[b] = at_b;
-    const Vec3d middle = hand.point + load.middle;
+    const Vec3d middle = hand.point + load.middle + turn * part.offset;
     capsules.push_back({.name = load.name,
                         .link = hand.link,
                         .from = middle + turn * (off - half),
@@ -41,14 +40,14 @@ std::vector<Capsule> capsules_of(const HeldLoad& load, const Effector& hand) {
                         .radius = radius,
                         .of_thing = true});
   };
-  const double thin = 0.5 * min(load.size[a], load.size[b]);
-  add(max(thin + load.radius, 1e-3), 0.0, 0.0);
+  const double thin = 0.5 * min(part.size[a], part.size[b]);
+  add(max(thin + part.radius, 1e-3), 0.0, 0.0);
   if (thin <= 0.0) return capsules;
-  const double edge = max(2.0 * kEdge * thin, 1e-3) + load.radius;
+  const double edge = max(2.0 * kEdge * thin, 1e-3) + part.radius;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
-      add(edge, x * (0.5 * load.size[a] - edge + load.radius),
-          y * (0.5 * load.size[b] - edge + load.radius));
+      add(edge, x * (0.5 * part.size[a] - edge + part.radius),
+          y * (0.5 * part.size[b] - edge + part.radius));
     }
   }
   return capsules;
@@ -70,10 +69,12 @@ BodyModel with_load(const BodyModel& body, const HeldLoad& load) {
   const Mat3d upright{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   if (sum.mass > 0.0) link = sum.in_frame(upright, {});
   loaded.mass += load.mass;
-  for (Capsule& capsule : capsules_of(load, hand)) loaded.capsules.push_back(std::move(capsule));
-  if (!load.name.empty()) {
-    loaded.held.push_back(
-        {load.name, hand.link, hand.point + load.middle, load.turn, load.size, load.radius});
+  for (const HeldPart& part : load.parts) {
+    for (Capsule& capsule : capsules_of(load, part, hand)) {
+      loaded.capsules.push_back(std::move(capsule));
+    }
+    const Vec3d middle = hand.point + load.middle + turn * part.offset;
+    loaded.held.push_back({load.name, hand.link, middle, load.turn, part.size, part.radius});
   }
   return BodyModel(std::move(loaded));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "glb_things.hpp"
 
+#include "problem/thing_parts.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -90,9 +92,24 @@ GltfMesh sphere_mesh(const Vec3d& half) {
   return round_mesh(rings, strips);
 }
 
+GltfMesh mesh_of_parts(const Thing& thing, double unit) {
+  GltfMesh all;
+  for (const ThingPart& part : thing.parts) {
+    GltfMesh own = box_mesh(part.size * (0.5 / unit));
+    const auto before = static_cast<std::uint16_t>(all.positions.size());
+    for (Vec3d& at : own.positions) at += part.position * (1.0 / unit);
+    for (std::uint16_t& corner : own.corners) corner = static_cast<std::uint16_t>(corner + before);
+    all.positions.insert(all.positions.end(), own.positions.begin(), own.positions.end());
+    all.normals.insert(all.normals.end(), own.normals.begin(), own.normals.end());
+    all.corners.insert(all.corners.end(), own.corners.begin(), own.corners.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 GltfMesh mesh_of(const Thing& thing, double unit) {
+  if (!thing.parts.empty()) return mesh_of_parts(thing, unit);
   const Vec3d half = thing.size * (0.5 / unit);
   switch (thing.shape) {
     case ThingShape::box:
@@ -112,11 +129,13 @@ std::vector<GltfThing> things_in_file(std::span<const ThingMotion> ways, const P
   const Vec3d origin = mirrored ? file.origin : Vec3d{};
   std::vector<GltfThing> things;
   for (const auto& [thing, poses] : ways) {
-    GltfThing& own = things.emplace_back(GltfThing{thing.name, mesh_of(thing, file.unit), {}, {}});
+    Thing shape = thing;
+    for (ThingPart& part : shape.parts) part.position.x *= mirrored ? -1.0 : 1.0;
+    GltfThing& own = things.emplace_back(GltfThing{thing.name, mesh_of(shape, file.unit), {}, {}});
     for (std::size_t f = 0; f < poses.size(); ++f) {
       const auto& [turn, at] = poses[f];
       Mat3d turned = axes * turn;
-      // all shapes equal their mirror images
+      // boxes and round shapes equal their mirror images
       if (mirrored) turned.cx = -turned.cx;
       own.rotations.push_back(to_quat(turned));
       const Vec3d off = f < kept.size() ? kept[f] : Vec3d{};

@@ -10,6 +10,7 @@
 #include "character/landmarks_json.hpp"
 #include "core/say.hpp"
 #include "criteria/built_in_criteria.hpp"
+#include "problem/thing_parts.hpp"
 
 namespace shigusa {
 namespace {
@@ -114,6 +115,7 @@ void read_composite(JsonReader& task, const char* key, std::vector<Thing>& thing
     JsonReader reader(thing, task.place_of(fmt::format("{}.{}", key, name)));
     read_fields(reader, things.emplace_back());
     things.back().name = name;
+    if (!reader.has("centre_of_mass_m")) things.back().centre = centre_of(things.back().parts);
     task.absorb(reader.finish());
   }
 }

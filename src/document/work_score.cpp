@@ -154,9 +154,11 @@ class WorkReader {
 
   int grasp(const Action& action, int from, int to, ActionScore& own) {
     const std::size_t thing = thing_named(task_, action.grasp);
-    const Obstacle placed = obstacle_of(task_.things[thing], held_.things[thing]);
-    const PlacedBox box = placed_boxes(std::span(&placed, 1)).front();
-    const auto gap = [&](int hand, int frame) { return box_distance(box, way_.at(hand, frame)); };
+    const std::vector<PlacedBox> boxes =
+        placed_boxes(obstacles_of(task_.things[thing], held_.things[thing]));
+    const auto gap = [&](int hand, int frame) {
+      return least_distance(boxes, way_.at(hand, frame));
+    };
     const std::vector<int> hands = hands_of(action, task_.things[thing], {from, to}, gap);
     acting_ = hands;
     const int take = way_.settles(hands, {from, to}, true, [&](int frame) {

@@ -8,6 +8,7 @@
 #include "body/seat.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "kinematics/skeleton_motion.hpp"
+#include "problem/thing_parts.hpp"
 #include "work_strip.hpp"
 
 namespace shigusa {
@@ -102,7 +103,11 @@ MotionStrip candidate_strip(const Task& task, const Candidate& candidate) {
   }
   strip.overlay.things = things_around(task);
   for (const ThingMotion& way : candidate.things) {
-    strip.overlay.things.push_back(moving_thing(way));
+    for (const Thing& part : split(way.thing)) {
+      ThingMotion own{part, way.poses};
+      for (Transformd& pose : own.poses) pose.translation = pose * part.position;
+      strip.overlay.things.push_back(moving_thing(own));
+    }
   }
   strip.overlay.centre_of_mass = candidate.motion.centre_of_mass;
   if (!candidate.motion.effectors.empty()) {

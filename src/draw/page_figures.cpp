@@ -12,6 +12,7 @@
 #include "candidate_strip.hpp"
 #include "kinematics/forward_kinematics.hpp"
 #include "page_poser.hpp"
+#include "problem/thing_parts.hpp"
 #include "work_strip.hpp"
 
 namespace shigusa {
@@ -148,10 +149,12 @@ std::string actions_json(const Candidate& candidate) {
 std::string things_json(const Candidate& candidate, FigureWriter& writer) {
   std::string text;
   for (const auto& [thing, poses] : candidate.things) {
-    const bool round = thing.shape != ThingShape::box;
-    text += fmt::format("{}[{},[{}]]", text.empty() ? "" : ",",
-                        round ? to_millimetres(0.5 * thing.size.x) : 0,
-                        writer.points(points_of(thing).size()));
+    for (const Thing& part : split(thing)) {
+      const bool round = part.shape != ThingShape::box;
+      text += fmt::format("{}[{},[{}]]", text.empty() ? "" : ",",
+                          round ? to_millimetres(0.5 * part.size.x) : 0,
+                          writer.points(points_of(part).size()));
+    }
   }
   return fmt::format(",\"things\":[{}]", text);
 }

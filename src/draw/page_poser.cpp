@@ -9,6 +9,7 @@
 #include "core/index.hpp"
 #include "kinematics/skeleton_motion.hpp"
 #include "page_figures.hpp"
+#include "problem/thing_parts.hpp"
 #include "work_strip.hpp"
 
 namespace shigusa {
@@ -94,7 +95,11 @@ class FigurePoser {
       if (!works_) places.push_back(effector[index(frame)]);
     }
     for (const auto& [thing, poses] : things_) {
-      for (const Vec3d& point : points_of(thing)) places.push_back(poses[index(frame)] * point);
+      for (const Thing& part : split(thing)) {
+        for (const Vec3d& point : points_of(part)) {
+          places.push_back(poses[index(frame)] * (part.position + point));
+        }
+      }
     }
     return places;
   }

@@ -169,6 +169,13 @@ template <class S>
   return box_distance_within(box, to_frame_of(box, point));
 }
 
+// Least signed distance (m) of a point from boxes.
+[[nodiscard]] inline double least_distance(std::span<const PlacedBox> boxes, const Vec3d& point) {
+  double least = 1e9;
+  for (const PlacedBox& box : boxes) least = min(least, box_distance(box, point));
+  return least;
+}
+
 // Halvings of a capsule's axis in the search for its point nearest to a box.
 inline constexpr int kAxisHalvings = 4;
 

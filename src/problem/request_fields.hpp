@@ -160,6 +160,25 @@ inline constexpr FieldTable kFields<ThingHandle>{
                .written = always}},
     }};
 
+// The fields of a part.
+template <>
+inline constexpr FieldTable kFields<ThingPart>{
+    "part_of_thing", "A box of which a thing is made, with others.",
+    std::tuple{
+        Field{"position_m",
+              &ThingPart::position,
+              "Its middle from the middle of the thing, along the thing's own axes.",
+              {.low = -kThingMost,
+               .high = kThingMost,
+               .required = true,
+               .mirroring = Mirroring::other_side,
+               .written = always}},
+        Field{"size_m",
+              &ThingPart::size,
+              "Its sides along the thing's own axes.",
+              {.high = kThingMost, .required = true, .written = always}},
+    }};
+
 // The fields of a thing; its name is its key.
 template <>
 inline constexpr FieldTable kFields<Thing>{
@@ -188,15 +207,25 @@ inline constexpr FieldTable kFields<Thing>{
               "Its turn about +Y at the start, degrees to the left; 0, when not given, has its "
               "sides along the world's axes.",
               {.low = -kTurnMost, .high = kTurnMost, .mirroring = Mirroring::turn}},
-        Field{"centre_of_mass_m",
-              &Thing::centre,
-              "From its middle, along its own axes; the middle when not given.",
-              {.low = -kThingMost, .high = kThingMost, .mirroring = Mirroring::other_side}},
+        Field{
+            "centre_of_mass_m",
+            &Thing::centre,
+            "From its middle, along its own axes; when not given the middle, or that of its parts.",
+            {.low = -kThingMost,
+             .high = kThingMost,
+             .mirroring = Mirroring::other_side,
+             .written = [](const Thing& thing) { return !thing.parts.empty(); }}},
         Field{"upright", &Thing::upright, "true: it stays upright in the hand, such as a cup."},
         Field{"handle",
               &Thing::handle,
               "A bar outside its shape, by which one hand takes it: a mug's, or a bucket's.",
               {.mirroring = Mirroring::other_side}},
+        Field{
+            "parts",
+            &Thing::parts,
+            "Of a box: boxes within its sides that are its form, such as those of a chair; all of "
+            "it when not given.",
+            {.high = kPartsMax, .mirroring = Mirroring::other_side}},
     }};
 
 // The fields of a stance.

@@ -196,13 +196,16 @@ void pass_by(const Vec3d& place, EffectorPath& path) {
 EffectorPath way_around(const Task& task, const Kinematics<double>& start, const Carry& carry) {
   std::vector<Vec3d> corners;
   for (const HeldLoad& load : task.start.held) {
-    if (load.name.empty()) continue;
     const Mat3d axes =
         start.link_rotation(task.body.effector(load.effector).link) * to_matrix(load.turn);
-    const Vec3d half = load.size * 0.5 + Vec3d{load.radius, load.radius, load.radius};
-    for (const double x : {-half.x, half.x}) {
-      for (const double y : {-half.y, half.y}) {
-        for (const double z : {-half.z, half.z}) corners.push_back(axes * Vec3d{x, y, z});
+    for (const HeldPart& part : load.parts) {
+      const Vec3d half = part.size * 0.5 + Vec3d{part.radius, part.radius, part.radius};
+      for (const double x : {-half.x, half.x}) {
+        for (const double y : {-half.y, half.y}) {
+          for (const double z : {-half.z, half.z}) {
+            corners.push_back(axes * (part.offset + Vec3d{x, y, z}));
+          }
+        }
       }
     }
   }

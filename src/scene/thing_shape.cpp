@@ -5,6 +5,7 @@
 
 #include "math/turn_about.hpp"
 #include "problem/request_fields.hpp"
+#include "problem/thing_parts.hpp"
 #include "scene/boxes.hpp"
 
 namespace shigusa {
@@ -14,6 +15,10 @@ namespace {
 constexpr double kUprightLeast = 0.99985;
 // Share by which the sides of a round thing may differ, and its surface be off its round shape.
 constexpr double kRound = 0.03;
+// Least thickness (m) of a part: a sheet has none.
+constexpr double kPartLeast = 1e-3;
+// Share of a box that the boxes of its mesh fill at most if they are its parts.
+constexpr double kFilled = 0.85;
 // Part of a handle's length, about its middle, that is its bar.
 constexpr double kBarShare = 1.0 / 3.0;
 // Spacing of points on a handle, as a share of its length.
@@ -60,6 +65,22 @@ Vec3d centre_of(const Surface& surface, const Bounds& bounds) {
   return off;
 }
 
+// The boxes that a mesh is made of, along its own axes, from its middle; none if they are as good
+// as its sides.
+std::vector<ThingPart> parts_of_mesh(const Surface& own, const Bounds& bounds) {
+  std::vector<ThingPart> parts;
+  double filled = 0.0;
+  for (const Bounds& box : boxes_of(own, kPartsMax, {}).boxes) {
+    ThingPart part{box.middle() - bounds.middle(), box.size()};
+    for (int k = 0; k < 3; ++k) part.size[k] = max(part.size[k], kPartLeast);
+    filled += volume_of(part);
+    parts.push_back(part);
+  }
+  const Vec3d all = bounds.size();
+  if (parts.size() < 2 || filled > kFilled * all.x * all.y * all.z) return {};
+  return parts;
+}
+
 }  // namespace
 
 double turn_of_thing(const Mat3d& rotation) {
@@ -86,6 +107,7 @@ Thing thing_of_surface(const Surface& surface, double turn_deg) {
   }
   for (int k = 0; k < 3; ++k) thing.size[k] = max(thing.size[k], kThingLeast);
   thing.centre = centre_of(own, bounds);
+  if (thing.shape == ThingShape::box) thing.parts = parts_of_mesh(own, bounds);
   return thing;
 }
 

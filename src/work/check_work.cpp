@@ -20,6 +20,8 @@ namespace {
 
 // Depth (m) of a thing in another one or in an obstacle that counts as contact.
 constexpr double kContactDepth = 0.01;
+// Distance (m) by which a part may reach out of its thing's sides.
+constexpr double kPartSlack = 1e-3;
 // Distance (m) and turn (deg) from where the feet are within which to stand there needs no step.
 constexpr double kNoStep = 0.05;
 constexpr double kNoTurn = 10.0;
@@ -37,6 +39,23 @@ bool is_finite_place(const Vec3d& place) {
          norm(place) <= 2.0 * kGoalRange;
 }
 
+// Parts lie within their thing's sides.
+Result<void> check_parts(const Thing& thing) {
+  if (thing.parts.size() > kPartsMax) {
+    return wrong_thing(thing, say("at_most", thing.parts.size(), kPartsMax));
+  }
+  if (thing.shape != ThingShape::box) return wrong_thing(thing, say("parts_of_box"));
+  for (const ThingPart& part : thing.parts) {
+    for (int k = 0; k < 3; ++k) {
+      const double end = abs(part.position[k]) + 0.5 * part.size[k];
+      if (part.size[k] > 0.0 && end <= 0.5 * thing.size[k] + kPartSlack) continue;
+      return wrong_thing(thing, say(
+                                    "part_outside", "xyz" [k], Metres { thing.size[k] }));
+    }
+  }
+  return {};
+}
+
 Result<void> check_numbers(const Thing& thing) {
   if (!(thing.mass >= 0.0 && thing.mass <= kLoadMax)) {
     return wrong_thing(thing, say("too_heavy_thing", thing.name, thing.mass, kLoadMax));
@@ -47,6 +66,7 @@ Result<void> check_numbers(const Thing& thing) {
                                   "thing_size", "xyz" [k], Metres { thing.size[k] },
                                   Metres{kThingLeast}, Metres{kThingMost}));
   }
+  if (!thing.parts.empty()) SHG_TRY(check_parts(thing));
   if (is_finite_place(thing.position) && is_finite_place(thing.centre) &&
       is_finite(thing.turn_deg)) {
     return {};
@@ -81,17 +101,22 @@ Result<void> check_things(const Task& task) {
   for (const Thing& thing : task.things) {
     if (!names.insert(thing.name).second) return wrong_thing(thing, say("thing_twice", thing.name));
     SHG_TRY(check_numbers(thing));
-    const Obstacle own = obstacle_of(thing, start_pose(thing));
+    const std::vector<Obstacle> own = obstacles_of(thing, start_pose(thing));
+    const std::vector<PlacedBox> placed = placed_boxes(own);
     const std::vector<PlacedBox> boxes = placed_boxes(all);
-    const PlacedBox box = placed_boxes(std::span(&own, 1)).front();
     for (std::size_t k = 0; k < all.size(); ++k) {
-      const double depth = max(depth_in(own, boxes[k]), depth_in(all[k], box));
-      if (depth > kContactDepth) {
+      for (std::size_t p = 0; p < own.size(); ++p) {
+        const double depth = max(depth_in(own[p], boxes[k]), depth_in(all[k], placed[p]));
+        if (depth <= kContactDepth) continue;
         return wrong_thing(thing,
                            say("thing_in", thing.name, Millimetres{1e3 * depth}, all[k].name));
       }
     }
-    all.push_back(own);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  if (all.size() > kObstaclesMax) {
+    return fail(ErrorCode::invalid_argument, say("things_and_obstacles", all.size(), kObstaclesMax),
+                "things");
   }
   return {};
 }

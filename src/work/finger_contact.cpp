@@ -38,8 +38,7 @@ double flexion_about(const BodyModel& body, const Grip& grip, const Thing& thing
   const Effector& hand = body.effector(grip.hand);
   const std::optional<double> length = finger_length(body, hand);
   if (!length) return 1.0;
-  const Obstacle placed = obstacle_of(thing, grip.in_hand);
-  const PlacedBox box = placed_boxes(std::span(&placed, 1)).front();
+  const std::vector<PlacedBox> boxes = placed_boxes(obstacles_of(thing, grip.in_hand));
   // axes of a hand's frame, see GoalAxis
   const Vec3d ahead{0, -1, 0};
   const Vec3d palm{hand.part.side == Side::left ? -1.0 : 1.0, 0, 0};
@@ -51,7 +50,7 @@ double flexion_about(const BodyModel& body, const Grip& grip, const Thing& thing
       const SinCos<double> turn = sin_cos(bent);
       const Vec3d bone = (ahead * turn.cos + palm * turn.sin) * (*length * kPhalanges[index(k)]);
       for (int p = 1; p <= kPoints; ++p) {
-        if (box_distance(box, joint + bone * (1.0 * p / kPoints)) < kFingerRadius) return true;
+        if (least_distance(boxes, joint + bone * (1.0 * p / kPoints)) < kFingerRadius) return true;
       }
       joint += bone;
     }

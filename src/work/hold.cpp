@@ -2,6 +2,8 @@
 #include "work/hold.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "core/index.hpp"
 #include "kinematics/penetration.hpp"
@@ -34,9 +36,18 @@ constexpr double kLowBar = 0.05;
 constexpr double kUprightBar = 0.7;
 // Cosine from a hand's other side within which a handle is left for what one hand takes otherwise.
 constexpr double kFarHandle = 0.5;
+// Half the width (m) of the palm that lies on a thing of parts, and depth to which its middle and
+// at least half of its corners then are on the same face.
+constexpr double kPalmHalf = 0.025;
+constexpr double kSameFace = 0.01;
+// Largest number of places of a thing of parts at which hands are tried.
+constexpr std::size_t kPlacesMost = 6;
 // Axes in a hand's frame, for the right hand; the palm of the left one is opposite.
 constexpr Vec3d kPalm{1, 0, 0};
 constexpr Vec3d kThumb{0, 0, 1};
+
+// The goals of hands that take a thing; none where one has no place there.
+using HandGoals = std::vector<std::optional<Goal>>;
 
 // A body's directions on the floor.
 struct Facing {
@@ -82,6 +93,30 @@ double extent(const Thing& thing, const Transformd& pose, const Vec3d& direction
   return least;
 }
 
+// Distance (m) from a place to where a line from it along a direction (unit vector) leaves the last
+// of the boxes; below 0 where it meets none.
+double leaves(std::span<const PlacedBox> boxes, const Vec3d& place, const Vec3d& direction) {
+  double last = -1.0;
+  for (const PlacedBox& box : boxes) {
+    const Vec3d from = to_frame_of(box, place);
+    const Vec3d along = transpose_times(box.axes, direction);
+    double enter = 0.0;
+    double leave = 1e9;
+    for (int k = 0; k < 3; ++k) {
+      if (abs(along[k]) < 1e-9) {
+        if (abs(from[k]) > box.half[k]) leave = -1.0;
+        continue;
+      }
+      const double middle = -from[k] / along[k];
+      const double half = box.half[k] / abs(along[k]);
+      enter = max(enter, middle - half);
+      leave = min(leave, middle + half);
+    }
+    if (leave >= enter) last = max(last, leave);
+  }
+  return last;
+}
+
 class HoldFinder {
  public:
   HoldFinder(const BodyModel& body, const Kinematics<double>& placed, const Thing& thing,
@@ -91,8 +126,12 @@ class HoldFinder {
         thing_(thing),
         pose_(pose),
         boxes_(placed_boxes({obstacles.begin(), obstacles.end()})),
+        parts_(thing.parts.empty() ? std::vector<PlacedBox>()
+                                   : placed_boxes(obstacles_of(thing, pose))),
         facing_(facing_of(body, placed)),
-        higher_(higher) {}
+        higher_(higher) {
+    find_places();
+  }
 
   void add_two(const std::string& right, const std::string& left) {
     // the sides of a box face most nearly left and right
@@ -104,19 +143,24 @@ class HoldFinder {
     });
     for (const Vec3d& line : lines) {
       const Vec3d to_left = dot(line, facing_.left) < 0.0 ? -line : line;
-      if (higher_ > kPutHigh) {
-        add_pitched({on_palm(right, -to_left, kMiddle), on_palm(left, to_left, kMiddle)});
+      for (const Vec3d& place : places_) {
+        if (higher_ > kPutHigh) {
+          add_pitched(
+              {on_palm(right, place, -to_left, kMiddle), on_palm(left, place, to_left, kMiddle)});
+        }
+        add({on_palm(right, place, -to_left), on_palm(left, place, to_left)});
       }
-      add({on_palm(right, -to_left), on_palm(left, to_left)});
     }
   }
 
   void add_one(const std::string& hand) {
     const bool flat = thing_.shape == ThingShape::box && thing_.size.y < thing_.size.x &&
                       thing_.size.y < thing_.size.z;
-    if (!flat) add_sides(hand);
-    add({on_palm(hand, {0, 1, 0})});
-    if (flat) add_sides(hand);
+    for (const Vec3d& place : places_) {
+      if (!flat) add_sides(hand, place);
+      add({on_palm(hand, place, {0, 1, 0})});
+      if (flat) add_sides(hand, place);
+    }
   }
 
   // One hand around the bar of the thing's handle, with the thumb along it.
@@ -155,32 +199,73 @@ class HoldFinder {
   [[nodiscard]] Holds take() { return std::move(holds_); }
 
  private:
-  // The goal of a hand whose palm lies on the thing from a side (unit vector out of the thing): on
-  // the near part of a deep one, so that the forearm does not pass along it.
-  [[nodiscard]] Goal on_palm(const std::string& name, const Vec3d& side, double share = 1.0) const {
-    Goal goal = at(name, side);
+  // The places (m, world) within the thing from whose sides hands may take it: its middle, or the
+  // one with the mass and those of its parts, the nearest to the mass first.
+  void find_places() {
+    if (thing_.parts.empty()) return places_.push_back(pose_.translation);
+    const Vec3d mass = pose_ * thing_.centre;
+    for (const ThingPart& part : thing_.parts) places_.push_back(pose_ * part.position);
+    std::stable_sort(places_.begin(), places_.end(), [&mass](const Vec3d& a, const Vec3d& b) {
+      return norm(a - mass) < norm(b - mass);
+    });
+    places_.insert(places_.begin(), mass);
+    places_.resize(std::min(places_.size(), kPlacesMost));
+  }
+
+  // Distance (m) from a place in the thing to its surface under a palm on a side (unit vector);
+  // nothing where a palm does not lie there.
+  [[nodiscard]] std::optional<double> surface(const Vec3d& place, const Vec3d& side) const {
+    if (thing_.parts.empty()) return extent(thing_, pose_, side);
+    const Vec3d across =
+        normalized(cross(side, abs(side.y) < 0.7 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0}));
+    const Vec3d along = cross(side, across);
+    const double middle = leaves(parts_, place, side);
+    double most = middle;
+    int under = 0;
+    for (const double a : {-kPalmHalf, kPalmHalf}) {
+      for (const double b : {-kPalmHalf, kPalmHalf}) {
+        const double corner = leaves(parts_, place + across * a + along * b, side);
+        most = max(most, corner);
+        under += abs(corner - middle) <= kSameFace ? 1 : 0;
+      }
+    }
+    if (middle < 0.0 || under < 2 || most - middle > kSameFace) return std::nullopt;
+    return most;
+  }
+
+  // The goal of a hand whose palm lies on the thing from a side (unit vector out of the thing), at
+  // a place within: on the near part of a deep one, so that the forearm does not pass along it.
+  [[nodiscard]] std::optional<Goal> on_palm(const std::string& name, Vec3d place, const Vec3d& side,
+                                            double share = 1.0) const {
     const Vec3d back = -facing_.ahead;
+    Vec3d nearer{};
     if (thing_.shape == ThingShape::box && abs(dot(side, back)) < 0.5) {
       const Vec3d along = normalized(back - side * dot(side, back));
-      goal.position += along * max(extent(thing_, pose_, along) - kNearEdge, 0.0) * share;
+      const double deep = surface(place, along).value_or(0.0);
+      nearer = along * max(deep - kNearEdge, 0.0) * share;
     }
-    goal.axis = GoalAxis{palm_axis(name), -side};
+    if (!thing_.parts.empty()) place += std::exchange(nearer, {});
+    std::optional<Goal> goal = at(name, place, side);
+    if (!goal) return goal;
+    goal->position += nearer;
+    goal->axis = GoalAxis{palm_axis(name), -side};
     return goal;
   }
 
   // The same hold with the fingers at given angles.
-  void add_pitched(const std::vector<Goal>& palms) {
+  void add_pitched(const HandGoals& palms) {
     for (const double degrees : kFingersBelow) {
       const SinCos<double> pitch = sin_cos(radians(degrees));
       const Vec3d thumb = Vec3d{0, pitch.cos, 0} + facing_.ahead * pitch.sin;
-      std::vector<Goal> goals = palms;
-      for (Goal& goal : goals) {
-        const auto turn = rotation_pointing(kThumb, thumb, goal.axis->axis, goal.axis->direction);
+      HandGoals goals = palms;
+      for (std::optional<Goal>& goal : goals) {
+        if (!goal) return;
+        const auto turn = rotation_pointing(kThumb, thumb, goal->axis->axis, goal->axis->direction);
         if (!turn) return;
-        goal.rotation = *turn;
-        goal.axis.reset();
+        goal->rotation = *turn;
+        goal->axis.reset();
       }
-      add(std::move(goals));
+      add(goals);
     }
   }
 
@@ -190,30 +275,33 @@ class HoldFinder {
     const auto rotation = rotation_pointing(kThumb, thumb, palm_axis(name), -side);
     if (!rotation) return;
     const Vec3d at = pose_ * thing_.handle->position + side * (depth + kTouch);
-    const Obstacle own = obstacle_of(thing_, pose_);
-    const PlacedBox shape = placed_boxes(std::span(&own, 1)).front();
-    if (depth - box_distance(shape, at) > kHandClear) return;
-    add({{.effector = name, .position = at, .rotation = *rotation}});
+    const std::vector<PlacedBox> own = placed_boxes(obstacles_of(thing_, pose_));
+    if (depth - least_distance(own, at) > kHandClear) return;
+    add({Goal{.effector = name, .position = at, .rotation = *rotation}});
   }
 
-  void add_sides(const std::string& hand) {
+  void add_sides(const std::string& hand, const Vec3d& place) {
     const Vec3d out = is_left(hand) ? facing_.left : -facing_.left;
     for (const double degrees : kSideWays) {
       const SinCos<double> turn = sin_cos(radians(degrees));
       // the hand comes from the body's side of the thing
       const Vec3d side = out * turn.sin - facing_.ahead * turn.cos;
-      Goal goal = at(hand, side);
+      std::optional<Goal> goal = at(hand, place, side);
       const auto rotation = rotation_pointing(kThumb, {0, 1, 0}, palm_axis(hand), -side);
-      if (!rotation) continue;
-      goal.rotation = *rotation;
+      if (!rotation || !goal) continue;
+      goal->rotation = *rotation;
       add({goal});
     }
   }
 
-  [[nodiscard]] Goal at(const std::string& name, const Vec3d& side) const {
+  // A hand on a side (unit vector), off a place within the thing.
+  [[nodiscard]] std::optional<Goal> at(const std::string& name, const Vec3d& place,
+                                       const Vec3d& side) const {
     const int hand = body_.find_effector(name).value();
-    const double off = extent(thing_, pose_, side) + palm_of(body_, hand, palm_axis(name)) + kTouch;
-    return {.effector = name, .position = pose_.translation + side * off};
+    const auto out = surface(place, side);
+    if (!out) return std::nullopt;
+    const double off = *out + palm_of(body_, hand, palm_axis(name)) + kTouch;
+    return Goal{.effector = name, .position = place + side * off};
   }
 
   [[nodiscard]] bool is_left(const std::string& name) const {
@@ -223,7 +311,13 @@ class HoldFinder {
     return is_left(name) ? -kPalm : kPalm;
   }
 
-  void add(std::vector<Goal> goals) {
+  // Adds a way, unless a hand has no place or is in an obstacle.
+  void add(const HandGoals& hands) {
+    std::vector<Goal> goals;
+    for (const std::optional<Goal>& goal : hands) {
+      if (!goal) return;
+      goals.push_back(*goal);
+    }
     for (const Goal& goal : goals) {
       const int hand = body_.find_effector(goal.effector).value();
       const double palm = palm_of(body_, hand, palm_axis(goal.effector));
@@ -239,6 +333,8 @@ class HoldFinder {
   const Thing& thing_;
   Transformd pose_;
   std::vector<PlacedBox> boxes_;
+  std::vector<PlacedBox> parts_;  // of the thing, if it has some
+  std::vector<Vec3d> places_{};
   Facing facing_;
   double higher_;
   Holds holds_;

@@ -115,7 +115,10 @@ Task Line::plain() const {
   if (is_new()) task.start.velocities = task_->start.velocities;
   task.duration.reset();
   for (std::size_t t = 0; t < task_->things.size(); ++t) {
-    if (now_.on(t).empty()) task.obstacles.push_back(obstacle_of(task_->things[t], now_.things[t]));
+    if (!now_.on(t).empty()) continue;
+    for (Obstacle& part : obstacles_of(task_->things[t], now_.things[t])) {
+      task.obstacles.push_back(std::move(part));
+    }
   }
   task.seed = seed_of(*task_, pieces_.size());
   if (knees_ && task.habit == Habit{}) {

@@ -4,18 +4,41 @@
 #include <algorithm>
 
 #include "math/turn_about.hpp"
+#include "problem/thing_parts.hpp"
 
 namespace shigusa {
 namespace {
 
+// Inertia (kg·m²) of a box about its middle along its sides (m).
+Vec3d inertia_of_box(double mass, const Vec3d& s) {
+  return Vec3d{s.y * s.y + s.z * s.z, s.x * s.x + s.z * s.z, s.x * s.x + s.y * s.y} * (mass / 12.0);
+}
+
+// Inertia (kg·m²) of parts about their centre along the own axes, of even density.
+Vec3d inertia_of_parts(double mass, std::span<const ThingPart> parts) {
+  const Vec3d centre = centre_of(parts);
+  double all = 0.0;
+  for (const ThingPart& part : parts) all += volume_of(part);
+  Vec3d sum{};
+  for (const ThingPart& part : parts) {
+    const double own = mass * volume_of(part) / all;
+    const Vec3d off = part.position - centre;
+    sum += inertia_of_box(own, part.size);
+    sum += Vec3d{off.y * off.y + off.z * off.z, off.x * off.x + off.z * off.z,
+                 off.x * off.x + off.y * off.y} *
+           own;
+  }
+  return sum;
+}
+
 // Inertia (kg·m²) about the middle along the own axes, of even density.
 Vec3d inertia_of(const Thing& thing) {
+  if (!thing.parts.empty()) return inertia_of_parts(thing.mass, thing.parts);
   const double m = thing.mass;
   const Vec3d& s = thing.size;
   switch (thing.shape) {
     case ThingShape::box:
-      return Vec3d{s.y * s.y + s.z * s.z, s.x * s.x + s.z * s.z, s.x * s.x + s.y * s.y} *
-             (m / 12.0);
+      return inertia_of_box(m, s);
     case ThingShape::cylinder: {
       const double across = m * (3.0 * 0.25 * s.x * s.x + s.y * s.y) / 12.0;
       return {across, m * s.x * s.x / 8.0, across};
@@ -45,6 +68,14 @@ double radius_of(const Thing& thing) {
 Vec3d inner_size(const Thing& thing) {
   const double off = 2.0 * radius_of(thing);
   return {max(thing.size.x - off, 0.0), max(thing.size.y - off, 0.0), max(thing.size.z - off, 0.0)};
+}
+
+// The form of a thing in collisions: its parts, or its shape.
+std::vector<HeldPart> form_of(const Thing& thing) {
+  if (thing.parts.empty()) return {{{}, inner_size(thing), radius_of(thing)}};
+  std::vector<HeldPart> form;
+  for (const ThingPart& part : thing.parts) form.push_back({part.position, part.size, 0.0});
+  return form;
 }
 
 }  // namespace
@@ -98,17 +129,20 @@ HeldLoad load_of(const BodyModel& body, const Thing& thing, const Grip& grip, st
   if (!first) return load;
   load.name = thing.name;
   load.middle = grip.in_hand.translation - point;
-  load.radius = radius_of(thing);
-  load.size = inner_size(thing);
+  load.parts = form_of(thing);
   return load;
 }
 
-Obstacle obstacle_of(const Thing& thing, const Transformd& pose) {
-  return {.name = thing.name,
-          .position = pose.translation,
-          .rotation = to_quat(pose.rotation),
-          .size = inner_size(thing),
-          .radius = radius_of(thing)};
+std::vector<Obstacle> obstacles_of(const Thing& thing, const Transformd& pose) {
+  std::vector<Obstacle> obstacles;
+  for (const HeldPart& part : form_of(thing)) {
+    obstacles.push_back({.name = thing.name,
+                         .position = pose * part.offset,
+                         .rotation = to_quat(pose.rotation),
+                         .size = part.size,
+                         .radius = part.radius});
+  }
+  return obstacles;
 }
 
 State state_of(const BodyModel& body, std::span<const Thing> things, const Moment& moment) {

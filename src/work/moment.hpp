@@ -44,8 +44,8 @@ struct Moment {
 [[nodiscard]] HeldLoad load_of(const BodyModel& body, const Thing& thing, const Grip& grip,
                                std::size_t hands, bool first);
 
-// A thing as an obstacle.
-[[nodiscard]] Obstacle obstacle_of(const Thing& thing, const Transformd& pose);
+// A thing as obstacles, one for each of its parts.
+[[nodiscard]] std::vector<Obstacle> obstacles_of(const Thing& thing, const Transformd& pose);
 
 // The state of the body in a moment, with the things in its hands as loads.
 [[nodiscard]] State state_of(const BodyModel& body, std::span<const Thing> things,

@@ -12,6 +12,7 @@
 #include "generate/candidate.hpp"
 #include "generate/joint_progress.hpp"
 #include "generate/pareto.hpp"
+#include "generate/posture_meter.hpp"
 #include "work/check_work.hpp"
 #include "work/line.hpp"
 
@@ -34,6 +35,7 @@ constexpr int kMoreTimes = 4;
 struct Found {
   std::optional<GenerateResult> result{};
   std::optional<BodyModel> body{};  // that its candidates were made with
+  std::vector<Found> others{};      // by further tasks
   int way = 0;                      // index of the task
   bool idle = false;                // nothing moves
   std::optional<Error> error{};
@@ -71,6 +73,34 @@ Found first_of(std::span<const Task> tasks, const Progress& progress) {
     if (best.result->status == ReachStatus::reached) break;
   }
   return best;
+}
+
+// Adds what the tasks after the one of `found` lead to, where it looks different, until there are
+// `most` candidates.
+void add_other_ways(std::span<const Task> tasks, int most, const Progress& progress, Found& found) {
+  if (!found.is_steady()) return;
+  const Task& first = tasks.front();
+  PostureMeter meter(*found.body, first.start,
+                     first.body.find_effector(first.goals[0].effector).value());
+  std::vector<Look> looks;
+  for (const Candidate& made : found.result->candidates) {
+    looks.push_back(meter.look(made.motion.clip));
+  }
+  for (auto way = index(found.way) + 1; way < tasks.size(); ++way) {
+    if (static_cast<int>(looks.size()) >= most) return;
+    Found other = first_of(tasks.subspan(way, 1), progress);
+    if (!other.result) continue;
+    found.result->log.evaluations += other.result->log.evaluations;
+    if (!other.is_steady()) continue;
+    const Look look = meter.look(other.result->candidates.front().motion.clip);
+    if (std::any_of(looks.begin(), looks.end(),
+                    [&look](const Look& known) { return look_alike(known, look); })) {
+      continue;
+    }
+    looks.push_back(look);
+    other.way = static_cast<int>(way);
+    found.others.push_back(std::move(other));
+  }
 }
 
 // The motion of a step as it was made before.
@@ -165,9 +195,13 @@ class Performance {
       if (found[k].idle) kept.push_back(lines_[k]);
       if (found[k].idle || !found[k].succeeds()) continue;
       if (!found[k].is_steady() && spare-- <= 0) continue;
-      for (const Candidate& candidate : found[k].result->candidates) {
-        kept.emplace_back(lines_[k]).add(action, *found[k].body, candidate, found[k].way);
-      }
+      const auto keep = [&](const Found& one) {
+        for (const Candidate& candidate : one.result->candidates) {
+          kept.emplace_back(lines_[k]).add(action, *one.body, candidate, one.way);
+        }
+      };
+      keep(found[k]);
+      for (const Found& other : found[k].others) keep(other);
     }
     if (kept.empty()) {
       const auto told = std::find_if(found.begin(), found.end(),
@@ -209,6 +243,12 @@ class Performance {
         if (!first) task.evaluations = times * task.candidates * each;
       }
       found[index(k)] = first_of(tasks, progress[index(k)]);
+      if (k > 0 || missing == 0 || step.kind != StepKind::reach || task_.pareto) return;
+      for (Task& task : tasks) {
+        task.candidates = 1;
+        task.evaluations = each;
+      }
+      add_other_ways(tasks, 1 + missing, progress[0], found[0]);
     });
     return found;
   }

@@ -200,8 +200,7 @@ TEST(Collision, DepthInAHeldThingIsThatOfItsBox) {
                       .turn = axis_rotation(Axis::y, 0.3),
                       .name = "crate",
                       .middle = {-0.25, 0.0, 0.05},
-                      .size = {0.4, 0.3, 0.25},
-                      .radius = 0.01};
+                      .parts = {{{}, {0.4, 0.3, 0.25}, 0.01}}};
   const PosedBody posed{with_load(person, load), person.home};
   const HeldShape& crate = posed.body.definition().held.front();
   const CollisionPairs pairs = collision_pairs(posed, at_start(posed));

@@ -105,6 +105,9 @@ void any_value(const Traits& traits, Value& into) {
     into = *rc::gen::element<std::string>("", "room 1.glb", "部屋 \"1\".glb");
   } else if constexpr (Tabled<Value>) {
     for_each_field<Value>([&](const auto& field) { any_value(field.traits, into.*field.member); });
+  } else if constexpr (requires { into.front().size; }) {
+    if (!*rc::gen::arbitrary<bool>()) return;
+    for (int k = 0; k < 2; ++k) any_value(traits, into.emplace_back());
   } else {
     static_assert(std::same_as<Value, std::vector<std::string>>);
     if (*rc::gen::arbitrary<bool>()) into = {"squat_deg=60", "目", ""};

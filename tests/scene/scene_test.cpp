@@ -2,6 +2,8 @@
 // Meshes of a scene become boxes and things where they are.
 #include <gmock/gmock.h>
 
+#include <shigusa/generate.hpp>
+#include <shigusa/human.hpp>
 #include <shigusa/scene.hpp>
 
 #include "kinematics/penetration.hpp"
@@ -100,6 +102,30 @@ TEST(Scene, ATurnedCrateIsOneBoxAlongItsSides) {
   expect_near(taken.things[0].centre, {}, 0.0);
   ASSERT_EQ(taken.notes.size(), 1u);
   EXPECT_THAT(taken.notes[0].text, HasSubstr("mass_kg"));
+}
+
+TEST(Scene, AThingThatIsNoBoxHasParts) {
+  SceneFile file;
+  file.add("bracket",
+           SolidMesh()
+               .box({-0.25, 0.0, -0.1}, {0.25, 0.1, 0.1})
+               .box({-0.25, 0.1, -0.1}, {-0.15, 0.4, 0.1}),
+           {0.1, 0.8, 0.5}, 20.0);
+  const Scene scene = read(file, {"bracket"});
+  ASSERT_EQ(scene.things.size(), 1u);
+  const Thing& bracket = scene.things[0];
+  expect_near(bracket.size, {0.5, 0.4, 0.2}, kSingle);
+  ASSERT_EQ(bracket.parts.size(), 2u);
+  double volume = 0.0;
+  for (const ThingPart& part : bracket.parts) volume += part.size.x * part.size.y * part.size.z;
+  EXPECT_NEAR(volume, 0.5 * 0.1 * 0.2 + 0.1 * 0.3 * 0.2, 1e-3);
+  const double cell = 0.5 / 48;
+  expect_near(bracket.centre, {-0.075, -0.075, 0.0}, cell);
+  // it is a thing that work takes
+  Task task(human_body(), {});
+  task.things = scene.things;
+  task.actions = {{.grasp = "bracket"}};
+  EXPECT_TRUE(perform(task));
 }
 
 TEST(Scene, ACupIsACylinderWithItsHandle) {

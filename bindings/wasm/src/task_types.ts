@@ -152,6 +152,14 @@ export interface Handle {
   along?: Vec3;
 }
 
+/** A box of which a thing is made, with others. */
+export interface PartOfThing {
+  /** Its middle from the middle of the thing, along the thing's own axes. */
+  position_m: Vec3;
+  /** Its sides along the thing's own axes. */
+  size_m: Vec3;
+}
+
 /** A rigid body that hands can grasp, carry and put down. */
 export interface Thing {
   /** box when not given, cylinder (upright) or sphere. */
@@ -164,12 +172,14 @@ export interface Thing {
   position_m: Vec3;
   /** Its turn about +Y at the start, degrees to the left; 0, when not given, has its sides along the world's axes. */
   turn_deg?: number;
-  /** From its middle, along its own axes; the middle when not given. */
+  /** From its middle, along its own axes; when not given the middle, or that of its parts. */
   centre_of_mass_m?: Vec3;
   /** true: it stays upright in the hand, such as a cup. */
   upright?: boolean;
   /** A bar outside its shape, by which one hand takes it: a mug's, or a bucket's. */
   handle?: Handle;
+  /** Of a box: boxes within its sides that are its form, such as those of a chair; all of it when not given. */
+  parts?: PartOfThing[];
 }
 
 /** A place on the floor and a direction there. */

@@ -31,6 +31,9 @@ inline constexpr std::array kTasks{
     MessageText{"thing_in", "{} is {:.0f} mm in {}"},
     MessageText{"too_heavy_thing", "{} of {:g} kg is beyond any strength: allowed are {:g} kg"},
     MessageText{"thing_size", "side along {} is {}; allowed are {} to {:g} m"},
+    MessageText{"parts_of_box", "only a box has parts"},
+    MessageText{"part_outside", "a part leaves its side along {} of {:g} m, or has no size"},
+    MessageText{"things_and_obstacles", "obstacles and parts of things are {}; allowed are {}"},
     MessageText{"bar_direction", "is no direction: its length is 0"},
     MessageText{"actions_by_flat", "are of the preset flat"},
     MessageText{
