@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <shigusa/run.hpp>
+#include <system_error>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "core/check.hpp"
@@ -122,12 +127,53 @@ class Arena {
 };
 
 }  // namespace
+#elif !defined(__EMSCRIPTEN__)
+namespace {
+
+// Whether this thread is a worker, whose own loops run on it alone.
+thread_local bool is_worker = false;
+
+// Calls work(index, worker) of a loop in one of its workers, until none is left or one has thrown.
+class Loop {
+ public:
+  Loop(int count, const std::function<void(int, int)>& work) : count_(count), work_(work) {}
+
+  void run(int worker) {
+    const bool before = std::exchange(is_worker, true);
+    for (int index = next_++; index < count_; index = next_++) {
+      try {
+        work_(index, worker);
+      } catch (...) {
+        next_ = count_;
+        const std::lock_guard lock(mutex_);
+        if (!thrown_) thrown_ = std::current_exception();
+      }
+    }
+    is_worker = before;
+  }
+
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  int count_;
+  const std::function<void(int, int)>& work_;
+  std::atomic<int> next_{0};
+  std::mutex mutex_;
+  std::exception_ptr thrown_;
+};
+
+}  // namespace
 #endif
 
 int thread_count(int threads) {
   SHG_CHECK(threads >= 0 && threads <= kMaxThreads, "threads are 0 (all cores) to 1024");
 #ifdef SHIGUSA_HAS_TBB
   return threads == 0 ? tbb::this_task_arena::max_concurrency() : threads;
+#elif !defined(__EMSCRIPTEN__)
+  return threads == 0 ? std::max(static_cast<int>(std::thread::hardware_concurrency()), 1)
+                      : threads;
 #else
   return 1;
 #endif
@@ -150,6 +196,22 @@ void parallel_for(int count, int threads, const std::function<void(int, int)>& w
           tbb::simple_partitioner());
     });
     return;
+  }
+#elif !defined(__EMSCRIPTEN__)
+  const int workers = is_worker ? 1 : std::min(thread_count(threads), count);
+  if (workers > 1) {
+    Loop loop(count, work);
+    std::vector<std::thread> others;
+    for (int worker = 1; worker < workers; ++worker) {
+      try {
+        others.emplace_back([&loop, worker] { loop.run(worker); });
+      } catch (const std::system_error&) {
+        break;  // the system has no more threads
+      }
+    }
+    loop.run(0);
+    for (std::thread& other : others) other.join();
+    return loop.rethrow();
   }
 #else
   (void)thread_count(threads);

@@ -128,9 +128,32 @@ class Calls {
   }
 }
 
+/** An object in the module's memory, until it is freed: by free(), or where a block with `using` ends. */
+abstract class Owned {
+  constructor(protected readonly calls: Calls, private address: number) {}
+
+  get pointer(): number {
+    if (this.address === 0) throw new EngineError({ code: 'invalid_argument', message: `this ${this.kind} was freed` });
+    return this.address;
+  }
+
+  protected abstract readonly kind: string;
+  protected abstract release(pointer: number): void;
+
+  /** Gives its memory back; a second time does nothing. */
+  free(): void {
+    if (this.address !== 0) this.release(this.address);
+    this.address = 0;
+  }
+
+  [Symbol.dispose](): void {
+    this.free();
+  }
+}
+
 /** A body with what its file tells. */
-export class DoorCharacter {
-  constructor(private readonly calls: Calls, readonly pointer: number) {}
+export class DoorCharacter extends Owned {
+  protected readonly kind = 'character';
 
   describe(): CharacterDescription {
     return this.calls.with((scratch) =>
@@ -138,14 +161,14 @@ export class DoorCharacter {
         this.calls.module._shigusa_character_describe(this.pointer, at)));
   }
 
-  free(): void {
-    this.calls.module._shigusa_character_free(this.pointer);
+  protected release(pointer: number): void {
+    this.calls.module._shigusa_character_free(pointer);
   }
 }
 
 /** The outcome of a task: candidates with their motions. Candidates count from 1. */
-export class DoorResult {
-  constructor(private readonly calls: Calls, readonly pointer: number) {}
+export class DoorResult extends Owned {
+  protected readonly kind = 'result';
 
   get candidates(): number {
     return this.calls.module._shigusa_result_candidates(this.pointer);
@@ -253,8 +276,8 @@ export class DoorResult {
     return { summary, candidates };
   }
 
-  free(): void {
-    this.calls.module._shigusa_result_free(this.pointer);
+  protected release(pointer: number): void {
+    this.calls.module._shigusa_result_free(pointer);
   }
 }
 

@@ -62,6 +62,8 @@ async function compile(url: string | URL): Promise<WebAssembly.Module> {
     if (error instanceof WebAssembly.CompileError) throw cannotRun(error);
     throw cannotLoad(url, error);
   }
+  // "<": a page, as servers of single pages answer for files that they do not have
+  if (new Uint8Array(bytes)[0] === 0x3c) throw cannotLoad(url, 'a page came instead (with Vite: optimizeDeps.exclude)');
   try {
     return await WebAssembly.compile(bytes);
   } catch (error) {

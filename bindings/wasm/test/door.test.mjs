@@ -339,6 +339,22 @@ test('a text without start tables is refused', async () => {
   assert.ok(await openDoor(wasmBytes, new TextEncoder().encode(table.slice(0, row))));
 });
 
+test('what was freed is told, and may be freed again', () => {
+  const own = door.character({ source: 'human' });
+  const result = door.generate(own, { ...smallTask, evaluations: 8 });
+  own[Symbol.dispose]();
+  assert.ok(result.read().candidates.length > 0, 'a result keeps what it needs');
+  for (const owned of [own, result]) {
+    owned.free();
+    owned.free();
+  }
+  for (const call of [() => own.describe(), () => door.generate(own, smallTask), () => result.read(), () => result.candidates]) {
+    const { code, message } = failureOf(call);
+    assert.equal(code, 'invalid_argument');
+    assert.match(message, /this (character|result) was freed/);
+  }
+});
+
 test('memory is given back', () => {
   const round = () => {
     const person = door.character({ source: 'human' });

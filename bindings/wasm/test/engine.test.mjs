@@ -185,6 +185,11 @@ test('a module that cannot be fetched is told', async () => {
     (error) => error.failure.code === 'io');
 });
 
+test('a page in place of the module is told', async () => {
+  await assert.rejects(createEngine({ moduleUrl: 'data:text/html,<!doctype html>', starts, createWorker }),
+    (error) => error.failure.code === 'io' && /a page came instead/.test(error.message));
+});
+
 test('without its start tables no engine starts, and the address that should have them is told', async () => {
   const { started, ended } = NodeWorker;
   const refused = (settings, check) => // an engine that starts all the same would keep this process alive
