@@ -30,7 +30,7 @@ __all__ = [
     "SystemRefused", "Unsupported", "facts", "motion", "reach", "reach_all", "score",
 ]
 
-Place = Sequence[float]
+Place = Union[Sequence[float], Table]
 Goals = Union[Mapping[str, Union[Place, Mapping[str, Any]]], Sequence[Mapping[str, Any]]]
 Edit = Union[float, bool, str]
 
@@ -49,6 +49,7 @@ class Character:
         path = pathlib.Path(source)
         file = path.read_bytes() if path.suffix else None
         self._handle = _library.create_character({"source": path.name if path.suffix else str(source), **spec}, file)
+        self._name = path.name
         self._about: dict[str, Any] | None = None
 
     @property
@@ -65,7 +66,7 @@ class Character:
         return [joint["name"] for joint in self.about["joints"]]
 
     def __repr__(self) -> str:
-        return f"<shigusa.Character {self.about['source']}: {len(self.about['joints'])} degrees of freedom>"
+        return f"<shigusa.Character {self._name}: {len(self.joint_names)} degrees of freedom>"
 
 
 class Nodes(NamedTuple):
@@ -275,7 +276,7 @@ def _goals(goals: Goals) -> list[dict[str, Any]]:
         return [dict(goal) for goal in goals]
     made = []
     for effector, goal in goals.items():
-        told = dict(goal) if isinstance(goal, Mapping) else {"position_m": [float(x) for x in goal]}
+        told = dict(goal) if isinstance(goal, Mapping) else {"position_m": goal}
         made.append({"effector": effector, **told})
     return made
 

@@ -96,8 +96,19 @@ def check_version(expected: str) -> None:
     check(_library.shigusa_check_version(ctypes.c_uint32(ABI_VERSION), expected.encode()))
 
 
+def _plain(value: Any) -> Any:
+    if isinstance(value, (np.ndarray, np.generic)):
+        return value.tolist()
+    raise InvalidValue(f"{value!r} is no number, text, list or dictionary")
+
+
 def _text(value: object) -> bytes | None:
-    return None if value is None else json.dumps(value).encode()
+    if value is None:
+        return None
+    try:
+        return json.dumps(value, allow_nan=False, default=_plain).encode()
+    except ValueError as wrong:
+        raise wrong if isinstance(wrong, Failure) else InvalidValue("a number is not finite") from None
 
 
 def _take(pointer: ctypes.c_void_p) -> bytes:

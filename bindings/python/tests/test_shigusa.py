@@ -78,6 +78,13 @@ class Reach(unittest.TestCase):
         with self.assertRaisesRegex(shigusa.Failure, "png"):
             self.result[0].export("png")
 
+    def test_takes_arrays_and_tells_what_it_is(self):
+        best = shigusa.reach("human", {"right_hand": np.array(GOAL["right_hand"])}, seed=np.int64(3))[0]
+        np.testing.assert_array_equal(best.angles, self.result[0].angles)
+        self.assertEqual(repr(shigusa.Character("human")), "<shigusa.Character human: 45 degrees of freedom>")
+        self.assertRegex(repr(self.result), "<shigusa.Result reached, . candidates>")
+        self.assertRegex(repr(best), r"<shigusa.Candidate possible, score 0\.\d+, 0\.\d+ s>")
+
     def test_frame(self):
         frame = self.result[0].to_frame(fps=30)
         np.testing.assert_array_equal(frame["angles"].to_numpy()[-1], self.result[0].angles[-1])
@@ -109,6 +116,9 @@ class Failures(unittest.TestCase):
     def test_are_exceptions_with_the_librarys_sentence(self):
         with self.assertRaisesRegex(LookupError, "did you mean 'right_hand'"):
             shigusa.reach(goals={"right_hnd": (0, 1, 0.4)})
+        for place in ("up", (0.1, 1.0), (0.1, 1.0, float("nan")), (0.1, 1.0, {1})):
+            with self.assertRaisesRegex(shigusa.InvalidValue, "three numbers|finite|no number"):
+                shigusa.reach(goals={"right_hand": place})
         with self.assertRaisesRegex(ValueError, "stature"):
             shigusa.Character("human", stature_m=170)
         with self.assertRaises(FileNotFoundError):
