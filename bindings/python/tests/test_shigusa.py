@@ -138,6 +138,9 @@ class Failures(unittest.TestCase):
         self.assertGreater(len(made), 0)
 
     def test_ctrl_c_ends_a_search(self):
+        # a shell's background jobs begin with it ignored
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
         timer = threading.Timer(0.2, lambda: signal.raise_signal(signal.SIGINT))
         timer.start()
         with self.assertRaises(KeyboardInterrupt):
