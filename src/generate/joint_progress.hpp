@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <deque>
 #include <limits>
@@ -27,8 +28,9 @@ class JointProgress {
     if (!whole_.report) return own;
     Slot& slot = slots_.emplace_back();
     own.report = [this, &slot, share](const ProgressReport& report) {
-      slot.fraction = share * report.fraction;
-      slot.evaluations = report.evaluations;
+      // a part that is worked on once more begins anew
+      slot.fraction = max(slot.fraction.load(), share * report.fraction);
+      slot.evaluations = std::max(slot.evaluations.load(), report.evaluations);
       if (std::this_thread::get_id() == caller_) pass_on(report);
     };
     return own;
