@@ -56,8 +56,7 @@ struct Thing {
   Vec3d centre{};                      ///< m, centre of mass from the middle, along its own axes
   bool upright = false;  ///< keeps its upright axis upright in the hand, such as a cup
   std::optional<ThingHandle> handle{};  ///< a bar outside its shape, by which one hand takes it
-  std::vector<ThingPart>
-      parts{};  ///< of a box: boxes within it that are its form; empty: all of it
+  std::vector<ThingPart> parts{};       ///< boxes within a box that are its form; empty: all of it
   friend bool operator==(const Thing&, const Thing&) = default;
 };
 

@@ -36,8 +36,8 @@ constexpr double kLowBar = 0.05;
 constexpr double kUprightBar = 0.7;
 // Cosine from a hand's other side within which a handle is left for what one hand takes otherwise.
 constexpr double kFarHandle = 0.5;
-// Half the width (m) of the palm that lies on a thing of parts, and depth to which its middle and
-// at least half of its corners then are on the same face.
+// Half the width (m) of the palm that lies on a thing of parts, and height by which what is below
+// its corners may stick out beside what is below its middle.
 constexpr double kPalmHalf = 0.025;
 constexpr double kSameFace = 0.01;
 // Largest number of places of a thing of parts at which hands are tried.
@@ -221,15 +221,12 @@ class HoldFinder {
     const Vec3d along = cross(side, across);
     const double middle = leaves(parts_, place, side);
     double most = middle;
-    int under = 0;
     for (const double a : {-kPalmHalf, kPalmHalf}) {
       for (const double b : {-kPalmHalf, kPalmHalf}) {
-        const double corner = leaves(parts_, place + across * a + along * b, side);
-        most = max(most, corner);
-        under += abs(corner - middle) <= kSameFace ? 1 : 0;
+        most = max(most, leaves(parts_, place + across * a + along * b, side));
       }
     }
-    if (middle < 0.0 || under < 2 || most - middle > kSameFace) return std::nullopt;
+    if (middle < 0.0 || most - middle > kSameFace) return std::nullopt;
     return most;
   }
 

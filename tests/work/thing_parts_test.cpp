@@ -63,6 +63,19 @@ TEST(ThingParts, IsPutWhereItIsToGo) {
   EXPECT_LT(made.candidates.front().actions[1].placed->error, 1e-3);
 }
 
+// Two sticks of 2 cm are narrower than a palm.
+TEST(ThingParts, ThinOnesAreTakenToo) {
+  for (const std::vector<std::string>& hands : {std::vector<std::string>{"right_hand"}, {}}) {
+    Task task = work_with({.name = "cross",
+                           .size = {0.3, 0.3, 0.02},
+                           .mass = 0.5,
+                           .position = {-0.1, 1.0, 0.4},
+                           .parts = {{{}, {0.3, 0.02, 0.02}}, {{}, {0.02, 0.3, 0.02}}}});
+    task.actions[0].with = hands;
+    EXPECT_TRUE(perform(task).value().meets_goals());
+  }
+}
+
 TEST(ThingParts, TwoHalvesAreABox) {
   Thing box{.name = "box", .size = {0.4, 0.3, 0.2}, .mass = 5, .position = {0, 0.15, 0.5}};
   const Task task = work_with(box);
