@@ -6,6 +6,7 @@
 #include <shigusa/run.hpp>
 #include <shigusa/score.hpp>
 
+#include "criteria.hpp"
 #include "document/facts.hpp"
 #include "door.hpp"
 #include "watch.hpp"
@@ -132,20 +133,29 @@ extern "C" {
 shigusa_status shigusa_generate(const shigusa_character* character, const char* task,
                                 int32_t threads, const shigusa_watch* watch,
                                 shigusa_result** result) {
+  return shigusa_generate_by(character, task, nullptr, 0, threads, watch, result);
+}
+
+shigusa_status shigusa_generate_by(const shigusa_character* character, const char* task,
+                                   const shigusa_criterion* criteria, size_t count, int32_t threads,
+                                   const shigusa_watch* watch, shigusa_result** result) {
   return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
     SHG_TRY(need("task", task, "result", result));
+    if (count > 0) SHG_TRY(need("criteria", criteria));
     SHG_TRY(check_threads(threads));
     SHG_TRY_ASSIGN(TaskFile file, parse_task(task, "task"));
     put_character(character, file);
     SHG_TRY_ASSIGN(Task asked, task_of(file));
     asked.batch.threads = threads;
     Watched watched(watch, arithmetic);
+    SHG_TRY(add_criteria(criteria, count, watched, asked.criteria));
     const auto begin = std::chrono::steady_clock::now();
     Result<GenerateResult> found = asked.actions.empty() ? generate(asked, watched.progress())
                                                          : perform(asked, watched.progress());
     watched.pass_on();
     SHG_TRY_ASSIGN(GenerateResult generation, std::move(found));
     RunInfo info = search_info(asked, begin);
+    asked.criteria.user.clear();
     *result = new shigusa_result{std::move(file), std::move(asked), std::move(generation),
                                  std::move(info)};
     return {};

@@ -18,7 +18,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union, overload
 
 from . import _library
 from ._library import (
-    Cancelled, Failure, InvalidValue, NotFound, OutOfMemory, Progress, SystemRefused, Table, Unsupported,
+    Cancelled, Criterion, Failure, InvalidValue, Motions, NotFound, OutOfMemory, Progress, SystemRefused, Table,
+    Unsupported,
 )
 
 if TYPE_CHECKING:
@@ -26,8 +27,8 @@ if TYPE_CHECKING:
 
 __version__ = _library.version()
 __all__ = [
-    "Cancelled", "Candidate", "Character", "Failure", "InvalidValue", "Nodes", "NotFound", "OutOfMemory", "Result",
-    "SystemRefused", "Unsupported", "facts", "motion", "reach", "reach_all", "score",
+    "Cancelled", "Candidate", "Character", "Criterion", "Failure", "InvalidValue", "Motions", "Nodes", "NotFound",
+    "OutOfMemory", "Result", "SystemRefused", "Unsupported", "facts", "motion", "reach", "reach_all", "score",
 ]
 
 Place = Union[Sequence[float], Table]
@@ -51,6 +52,17 @@ class Character:
         self._handle = _library.create_character({"source": path.name if path.suffix else str(source), **spec}, file)
         self._name = path.name
         self._about: dict[str, Any] | None = None
+
+    @classmethod
+    def of_nodes(cls, nodes: Sequence[Mapping[str, Any]], name: str = "nodes", **spec: Any) -> Character:
+        """The person of a host's skeleton, in its own axes: nodes with "name", "parent" (index or -1), "translation",
+        "rotation" (x, y, z, w) and "scale" at rest, and "pose" with these as they are now, from which motions start.
+        `spec`: as of Character()."""
+        made = cls.__new__(cls)
+        made._handle = _library.character_of_nodes({"source": f"{name}.glb", **spec}, [dict(node) for node in nodes])
+        made._name = name
+        made._about = None
+        return made
 
     @property
     def about(self) -> dict[str, Any]:
@@ -302,6 +314,7 @@ def reach(
     goals: Goals | None = None,
     *,
     actions: Sequence[Mapping[str, Any]] | None = None,
+    own_criteria: Sequence[Criterion] = (),
     threads: int = 0,
     progress: Progress | None = None,
     **task: Any,
@@ -310,11 +323,14 @@ def reach(
 
     `goals`: places (m) by effector, {"right_hand": (-0.2, 0.6, 0.45)}, or with the other keys of a goal,
     {"right_hand": {"position_m": …, "load_kg": 2}}. `actions`: a piece of work instead, as in tasks of version 2, with
-    things={…}. `task`: other keys of a task file, such as seed=3, candidates=8 or obstacles=[…]. `threads`: 0 for all
+    things={…}. `own_criteria`: functions that motions are scored by as well; edits are scored without them. `task`:
+    other keys of a task file, such as seed=3, candidates=8 or obstacles=[…]. `threads`: 0 for all
     cores; results are the same. `progress`: called with the share done, the motions scored and the best score; False
     ends the search with the best so far. Ctrl-C ends it too.
     """
-    return Result(_library.generate(_character(character)._handle, _task(goals, actions, task), threads, progress))
+    return Result(_library.generate(
+        _character(character)._handle, _task(goals, actions, task), own_criteria, threads, progress
+    ))
 
 
 def reach_all(
