@@ -46,6 +46,10 @@ int32_t knee_bend(void* user, const shigusa_motions* motions, double* values) {
   return asked.answer;
 }
 
+shigusa_criterion named(const char* name, double weight, double scale) {
+  return {.name = name, .weight = weight, .scale = scale, .values = knee_bend, .user = nullptr};
+}
+
 size_t knee_of(const shigusa_character* human) {
   const Json joints = Json::parse(text_of(shigusa_character_describe, human)).at("joints");
   for (size_t i = 0; i < joints.size(); ++i) {
@@ -63,7 +67,6 @@ shigusa_status by(Asked& asked, shigusa_criterion criterion, Outcome& outcome, i
                   const char* task = kFloor) {
   const Character human = character_of(R"("human")");
   asked.knee = knee_of(human.get());
-  if (criterion.values == nullptr) criterion.values = knee_bend;
   criterion.user = &asked;
   shigusa_result* made = nullptr;
   const shigusa_status status =
@@ -83,8 +86,7 @@ TEST(CInterfaceOfCriteria, ChangeWhatIsChosenInBatchesOnTheCallingThread) {
   const Outcome without = outcome_of(nullptr, kFloor);
   Asked asked;
   Outcome with;
-  ASSERT_EQ(by(asked, {.name = "sore_knees", .weight = 3.0, .scale = 1.57}, with, 3), SHIGUSA_OK)
-      << shigusa_message();
+  ASSERT_EQ(by(asked, named("sore_knees", 3.0, 1.57), with, 3), SHIGUSA_OK) << shigusa_message();
   EXPECT_LT(most_bent(with.get(), asked.knee), 0.7 * most_bent(without.get(), asked.knee));
   EXPECT_FALSE(asked.elsewhere);
   EXPECT_GE(asked.most, 8U);
@@ -96,14 +98,14 @@ TEST(CInterfaceOfCriteria, ChangeWhatIsChosenInBatchesOnTheCallingThread) {
   // on one thread the same
   Asked again;
   Outcome same;
-  ASSERT_EQ(by(again, {.name = "sore_knees", .weight = 3.0, .scale = 1.57}, same), SHIGUSA_OK);
+  ASSERT_EQ(by(again, named("sore_knees", 3.0, 1.57), same), SHIGUSA_OK);
   EXPECT_TRUE(json_of(same.get()).at("candidates") == json_of(with.get()).at("candidates"));
 }
 
 TEST(CInterfaceOfCriteria, AreNotCalledAfterTheSearch) {
   Asked asked;
   Outcome found;
-  ASSERT_EQ(by(asked, {.name = "sore_knees", .weight = 3.0, .scale = 1.57}, found), SHIGUSA_OK);
+  ASSERT_EQ(by(asked, named("sore_knees", 3.0, 1.57), found), SHIGUSA_OK);
   const int calls = asked.calls;
   shigusa_result* edited = nullptr;
   ASSERT_EQ(shigusa_replay(found.get(), 1, R"(["squat_deg=40"])", &edited), SHIGUSA_OK)
@@ -121,7 +123,7 @@ TEST(CInterfaceOfCriteria, AreNotCalledAfterTheSearch) {
 TEST(CInterfaceOfCriteria, OfWorkAreAskedOnTheCallingThread) {
   Asked asked;
   Outcome found;
-  ASSERT_EQ(by(asked, {.name = "sore_knees", .weight = 1.0, .scale = 1.57}, found, 3,
+  ASSERT_EQ(by(asked, named("sore_knees", 1.0, 1.57), found, 3,
                R"({"version": 2, "evaluations": 200, "actions": [
                    {"goals": [{"effector": "right_hand", "position_m": [-0.2, 1, 0.5]}]},
                    {"goals": [{"effector": "right_hand", "position_m": [-0.2, 0.4, 0.5]}]}]})"),
@@ -134,32 +136,31 @@ TEST(CInterfaceOfCriteria, OfWorkAreAskedOnTheCallingThread) {
 TEST(CInterfaceOfCriteria, UndefinedValuesRankLast) {
   Asked asked{.undefined = true};
   Outcome found;
-  ASSERT_EQ(by(asked, {.name = "none", .weight = 1.0, .scale = 1.0}, found), SHIGUSA_OK);
+  ASSERT_EQ(by(asked, named("none", 1.0, 1.0), found), SHIGUSA_OK);
   EXPECT_GT(shigusa_result_candidates(found.get()), 0);
 }
 
 TEST(CInterfaceOfCriteria, WhatTheHostThrowsOrReturnsEndsTheCall) {
   Outcome none;
   Asked throwing{.throws = true};
-  EXPECT_EQ(by(throwing, {.name = "sore", .weight = 1.0, .scale = 1.0}, none), SHIGUSA_HOST);
+  EXPECT_EQ(by(throwing, named("sore", 1.0, 1.0), none), SHIGUSA_HOST);
   EXPECT_STREQ(shigusa_message(), "sore");
   EXPECT_EQ(throwing.calls, 1);
   Asked failing{.answer = 7};
-  EXPECT_EQ(by(failing, {.name = "sore", .weight = 1.0, .scale = 1.0}, none), SHIGUSA_HOST);
+  EXPECT_EQ(by(failing, named("sore", 1.0, 1.0), none), SHIGUSA_HOST);
   EXPECT_STREQ(shigusa_message(), "the criterion sore returned 7");
   EXPECT_EQ(none, nullptr);
 }
 
 TEST(CInterfaceOfCriteria, WrongOnesAreRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& [wrong, said] :
-       {std::pair(shigusa_criterion{.weight = 1.0, .scale = 1.0}, "no name"),
-        {{.name = "", .weight = 1.0, .scale = 1.0}, "no name"},
-        {{.name = "low_back", .weight = 1.0, .scale = 1.0}, "low_back already"},
-        {{.name = "own", .weight = -1.0, .scale = 1.0}, "weight"},
-        {{.name = "own", .weight = nan, .scale = 1.0}, "weight"},
-        {{.name = "own", .weight = 1.0, .scale = 0.0}, "scale"},
-        {{.name = "own", .weight = 1.0, .scale = nan}, "scale"}}) {
+  for (const auto& [wrong, said] : {std::pair(named(nullptr, 1.0, 1.0), "no name"),
+                                    {named("", 1.0, 1.0), "no name"},
+                                    {named("low_back", 1.0, 1.0), "low_back already"},
+                                    {named("own", -1.0, 1.0), "weight"},
+                                    {named("own", nan, 1.0), "weight"},
+                                    {named("own", 1.0, 0.0), "scale"},
+                                    {named("own", 1.0, nan), "scale"}}) {
     Asked asked;
     Outcome none;
     EXPECT_EQ(by(asked, wrong, none), SHIGUSA_INVALID_ARGUMENT);
@@ -169,7 +170,8 @@ TEST(CInterfaceOfCriteria, WrongOnesAreRefused) {
   shigusa_result* none = nullptr;
   EXPECT_EQ(shigusa_generate_by(nullptr, kFloor, nullptr, 1, 1, nullptr, &none),
             SHIGUSA_INVALID_ARGUMENT);
-  const shigusa_criterion empty{.name = "own", .weight = 1.0, .scale = 1.0};
+  shigusa_criterion empty = named("own", 1.0, 1.0);
+  empty.values = nullptr;
   EXPECT_EQ(shigusa_generate_by(nullptr, kFloor, &empty, 1, 1, nullptr, &none),
             SHIGUSA_INVALID_ARGUMENT);
 }
