@@ -290,8 +290,9 @@ SHIGUSA_API shigusa_status shigusa_result_action_parameters(const shigusa_result
                                                             int32_t candidate, int32_t action,
                                                             shigusa_bytes** json);
 
-/** Exports a candidate to a written format (shigusa_facts), such as "bvh". Fails if this build or
- * the character does not support it. Candidate 0: all of them in one GLB. */
+/** Exports a candidate to a written format (shigusa_facts), such as "bvh", or to "html": a page
+ * with the moving figure, its verdict and score, that loads no other file. Fails if this build or
+ * the character does not support it. Candidate 0: all of them in one GLB or page. */
 SHIGUSA_API shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candidate,
                                                  const char* format, shigusa_bytes** file);
 

@@ -16,6 +16,9 @@ using namespace shigusa::door;
 
 namespace {
 
+// The moving page: `shigusa show` writes it from results, and it is no format of a motion.
+constexpr std::string_view kPageFormat = "html";
+
 // Replaces the task's character.
 void put_character(const shigusa_character* character, TaskFile& file) {
   if (character != nullptr) file.character = character->spec;
@@ -115,6 +118,18 @@ Result<void> worked(const shigusa_result& result, int32_t candidate, const WorkE
   *edited = new shigusa_result{std::move(stored.task), std::move(task), std::move(whole),
                                replay_info("edit", begin)};
   return {};
+}
+
+// Page of a candidate's moving figure; 0: of all candidates.
+Result<std::string> page_of(const shigusa_result& result, int32_t candidate) {
+  const auto page = [&result](const GenerateResult& of) {
+    const ShownResult shown{result.task, of};
+    return motion_page({&shown, 1});
+  };
+  if (candidate == 0) return page(result.generation);
+  GenerateResult one = result.generation;
+  one.candidates = {one.candidates[static_cast<size_t>(candidate - 1)]};
+  return page(one);
 }
 
 // Fails if the result has no candidate of that number.
@@ -330,12 +345,17 @@ shigusa_status shigusa_result_export_with(const shigusa_result* result, int32_t 
     SHG_TRY(need("result", result, "format", format, "file", file));
     SHG_TRY_ASSIGN(FileSettings settings, parse_file_settings(options == nullptr ? "{}" : options,
                                                               "options", {.animation = {}}));
+    if (std::string_view(format) == kPageFormat) {
+      if (candidate != 0) SHG_TRY(check_candidate(*result, candidate));
+      SHG_TRY_ASSIGN(std::string page, page_of(*result, candidate));
+      return give(std::move(page), file);
+    }
     SHG_TRY_ASSIGN(const auto formats, parse_formats(format));
     if (formats.size() != 1) return fail(ErrorCode::invalid_argument, "one format at a time");
     const auto& all = result->generation.candidates;
     if (candidate == 0) {
       if (formats.front() != FileFormat::glb) {
-        return fail(ErrorCode::invalid_argument, "all candidates in one file are a glb");
+        return fail(ErrorCode::invalid_argument, "all candidates in one file are a glb or html");
       }
       SHG_TRY_ASSIGN(std::string bytes,
                      export_all(result->file.character, result->task, all, settings));
