@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import ctypes
+import importlib.metadata
 import json
 import os
 import pathlib
@@ -144,6 +145,13 @@ def version() -> str:
 def check_version(expected: str) -> None:
     """Raises Unsupported where the library is of another ABI, or older."""
     check(_library.shigusa_check_version(ctypes.c_uint32(ABI_VERSION), expected.encode()))
+
+
+if "SHIGUSA_LIBRARY" in os.environ:
+    try:
+        check_version(importlib.metadata.version("shigusa"))
+    except importlib.metadata.PackageNotFoundError:
+        check_version("0.0.0")  # not installed: any library of this ABI
 
 
 def _plain(value: Any) -> Any:

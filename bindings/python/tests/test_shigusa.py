@@ -260,5 +260,81 @@ class Failures(unittest.TestCase):
         self.assertGreater(ticks, 20)
 
 
+class Criteria(unittest.TestCase):
+    def setUp(self):
+        self.human = shigusa.Character("human")
+        self.knees = [self.human.joint_names.index(f"{side}_knee.flexion") for side in ("left", "right")]
+
+    def bent(self, angles):
+        return angles[..., self.knees].max(axis=(-2, -1))
+
+    def test_own_ones_change_what_is_chosen(self):
+        shapes = set()
+
+        def knees(motions):
+            shapes.add(motions.angles.shape[1:])
+            self.assertEqual(motions.torques.shape, motions.angles.shape)
+            self.assertEqual(motions.centre_of_mass.shape, motions.angles.shape[:2] + (3,))
+            self.assertEqual(motions.effectors.shape, motions.angles.shape[:2] + (1, 3))
+            self.assertGreater(motions.frame_time, 0)
+            return self.bent(motions.angles)
+
+        low = {"right_hand": (-0.2, 0.3, 0.45)}
+        without = shigusa.reach(self.human, low, seed=3)
+        own = shigusa.Criterion("sore_knees", knees, weight=3.0, scale=math.pi / 2)
+        result = shigusa.reach(self.human, low, seed=3, own_criteria=[own])
+        self.assertLess(self.bent(result[0].angles), 0.7 * self.bent(without[0].angles))
+        told = result[0].about["criteria"]["sore_knees"]
+        self.assertAlmostEqual(told, min(self.bent(result[0].angles) / (math.pi / 2), 1.0), places=6)
+        self.assertEqual(shapes, {result[0].angles.shape})
+        self.assertGreater(len(result[0].edit(squat_deg=30).angles), 0)
+
+    def test_what_they_raise_is_raised(self):
+        for values, error in [
+            (lambda motions: motions.nothing, AttributeError), (lambda motions: [1.0], shigusa.InvalidValue),
+            (lambda motions: "many", ValueError),
+        ]:
+            with self.subTest(error=error), self.assertRaises(error):
+                shigusa.reach(self.human, GOAL, evaluations=200, own_criteria=[shigusa.Criterion("own", values)])
+        with self.assertRaises(shigusa.InvalidValue):
+            shigusa.reach(self.human, GOAL, own_criteria=[shigusa.Criterion("low_back", lambda motions: [])])
+
+    def test_ctrl_c_within_one_ends_the_search(self):
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+
+        def interrupted(motions):
+            signal.raise_signal(signal.SIGINT)
+            return np.zeros(len(motions.angles))
+
+        with self.assertRaises(KeyboardInterrupt):
+            shigusa.reach(self.human, GOAL, own_criteria=[shigusa.Criterion("own", interrupted)])
+
+
+class NodesOfHosts(unittest.TestCase):
+    def test_are_a_person_who_starts_from_their_pose(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "person.glb")
+            shigusa.reach(goals=GOAL, evaluations=200)[0].save(path)
+            described = shigusa.Character(path).about["nodes"]
+        nodes = []
+        for node in described:
+            rest = node.get("rest", node)
+            nodes.append({"name": node["name"], "parent": node["parent"], "translation": rest["offset"],
+                          "rotation": rest["rotation"], "scale": rest.get("scale", [1, 1, 1])})
+        rig = shigusa.Character.of_nodes(nodes, "rig")
+        first = shigusa.reach(rig, GOAL, seed=3)[0]
+        told = first.nodes_at(None, "file")
+        for node, about in enumerate(rig.about["nodes"]):
+            if about["file_node"] < len(nodes):
+                nodes[about["file_node"]]["pose"] = {"translation": told.translations[-1, node],
+                                                     "rotation": told.rotations[-1, node]}
+        posed = shigusa.reach(shigusa.Character.of_nodes(nodes, "rig"), {"right_hand": (-0.2, 1.2, 0.4)}, seed=3)[0]
+        again = posed.nodes_at(None, "file")
+        np.testing.assert_allclose(again.rotations[0], told.rotations[-1], atol=2e-3)
+        with self.assertRaisesRegex(shigusa.InvalidValue, "ring"):
+            shigusa.Character.of_nodes([{"name": "a", "parent": 1}, {"name": "b", "parent": 0}])
+
+
 if __name__ == "__main__":
     unittest.main()
