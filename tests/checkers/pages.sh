@@ -148,6 +148,7 @@ write include/shigusa/shigusa.hpp '#define SHIGUSA_VERSION_MAJOR 1' '#define SHI
 write bindings/c/include/shigusa.h '#define SHIGUSA_HEADER_VERSION "1.2.3"'
 write CITATION.cff 'version: 1.2.3'
 write CHANGELOG.md '# Changelog' '## 1.2.3' '## 1.2.2'
+write debian/changelog 'shigusa (1.2.3) unstable; urgency=medium'
 accepts check_version.sh
 write CITATION.cff 'version: 1.2.2'
 fails_with 'CITATION.cff: 1.2.2, of 1.2.3' 'another version of the citation' sh "$scripts/check_version.sh" "$tree"
