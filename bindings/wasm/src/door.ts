@@ -2,6 +2,7 @@
 // The C interface (bindings/c/include/shigusa.h) in one thread, as classes. Every call computes before it
 // returns: pages use engine.ts, which has workers do that. Objects made here live outside JavaScript's memory
 // until its free().
+import { loadModule, loadStarts } from './beside.js';
 import { EngineError } from './errors.js';
 import createModule, { type ShigusaModule } from './module/shigusa.mjs';
 import {
@@ -347,15 +348,19 @@ export class Door {
 }
 
 /** Starts the engine in this thread. `wasm`: shigusa.wasm, compiled or its bytes. `starts`: the bytes of starts.tsv
- *  beside it, the start points of searches. Fails with an EngineError, `parse`, where these are no such tables. */
-export async function openDoor(wasm: WebAssembly.Module | Uint8Array<ArrayBuffer>, starts: Uint8Array): Promise<Door> {
-  const compiled = wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
+ *  beside it, the start points of searches. Each is loaded from beside the script where it is not given. Fails with an
+ *  EngineError: `io` where one cannot be loaded, `parse` where `starts` are no such tables. */
+export async function openDoor(wasm?: WebAssembly.Module | Uint8Array<ArrayBuffer>, starts?: Uint8Array): Promise<Door> {
+  const [compiled, tables] = await Promise.all([
+    Promise.resolve(wasm instanceof Uint8Array ? WebAssembly.compile(wasm) : wasm ?? loadModule()),
+    Promise.resolve(starts ?? loadStarts()),
+  ]);
   return new Promise((resolve, reject) => {
     createModule({
       instantiateWasm: (imports, received) => {
         WebAssembly.instantiate(compiled, imports).then(received, reject);
         return {};
       },
-    }).then((module) => resolve(new Door(module, starts))).catch(reject);
+    }).then((module) => resolve(new Door(module, tables))).catch(reject);
   });
 }
