@@ -19,7 +19,7 @@ MODULES = {
 EXPORT = re.compile(r"^export (?:async )?(interface|class|type|const|function) (\w+)")
 LEAD = """# TypeScript reference
 
-[How the package is built and used](../files/bindings/wasm/README.md). Metres, kilograms, seconds and radians; +Y is up, a
+[How the package is used](../files/bindings/wasm/README.md). Metres, kilograms, seconds and radians; +Y is up, a
 body faces +Z and its left is +X; quaternions are `[x, y, z, w]`.
 """
 

@@ -2,11 +2,12 @@
 // The C interface (bindings/c/include/shigusa.h) in one thread, as classes. Every call computes before it
 // returns: pages use engine.ts, which has workers do that. Objects made here live outside JavaScript's memory
 // until its free().
+import { loadModule, loadStarts } from './beside.js';
 import { EngineError } from './errors.js';
 import createModule, { type ShigusaModule } from './module/shigusa.mjs';
 import {
   seriesNames, type Candidate, type CharacterDescription, type CharacterSpec, type EngineFailure, type ExportOptions,
-  type Facts, type Generated, type Parameter, type Progress, type SampledName, type Series, type SeriesName,
+  type Facts, type Generated, type HostNode, type Parameter, type Progress, type SampledName, type Series, type SeriesName,
   type SeriesTable, type Summary, type TableOptions, type Task, type WorkEdit,
 } from './types.js';
 
@@ -316,6 +317,33 @@ export class Door {
     });
   }
 
+  /** The person of a host's skeleton, as of a GLB file that has these nodes; `spec.source` is a name such as "rig.glb". */
+  characterOfNodes(spec: CharacterSpec, nodes: readonly HostNode[]): DoorCharacter {
+    return this.calls.with((scratch) => {
+      const text = scratch.text(JSON.stringify(spec));
+      const listed = scratch.text(JSON.stringify({ nodes }));
+      return new DoorCharacter(this.calls, this.calls.made(scratch, (at) =>
+        this.calls.module._shigusa_character_of_nodes(text, listed, at)));
+    });
+  }
+
+  /** A result of one candidate of given angles (rad): rows of frames, in the order of the description's joints, at
+   *  `fps`; of `task` the criteria and obstacles are taken. */
+  resultOfAngles(character: DoorCharacter, angles: readonly (readonly number[])[], fps: number, task?: Task): DoorResult {
+    return this.calls.with((scratch) => {
+      const columns = angles[0]?.length ?? 0;
+      const table = new Float64Array(angles.length * columns);
+      for (const [frame, row] of angles.entries()) {
+        if (row.length !== columns) throw new RangeError(`frame ${frame} has ${row.length} angles, the first one ${columns}`);
+        table.set(row, frame * columns);
+      }
+      const values = scratch.bytes(new Uint8Array(table.buffer));
+      const text = task === undefined ? 0 : scratch.text(JSON.stringify(task));
+      return new DoorResult(this.calls, this.calls.made(scratch, (at) => this.calls.module._shigusa_result_of_angles(
+        character.pointer, text, values, angles.length, columns, fps, at)));
+    });
+  }
+
   /** `task` may be text as well; without a character it has its own, which needs no file. */
   generate(character: DoorCharacter | null, task: Task | string, watch?: Watch): DoorResult {
     return this.calls.with((scratch) => {
@@ -347,15 +375,19 @@ export class Door {
 }
 
 /** Starts the engine in this thread. `wasm`: shigusa.wasm, compiled or its bytes. `starts`: the bytes of starts.tsv
- *  beside it, the start points of searches. Fails with an EngineError, `parse`, where these are no such tables. */
-export async function openDoor(wasm: WebAssembly.Module | Uint8Array<ArrayBuffer>, starts: Uint8Array): Promise<Door> {
-  const compiled = wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
+ *  beside it, the start points of searches. Each is loaded from beside the script where it is not given. Fails with an
+ *  EngineError: `io` where one cannot be loaded, `parse` where `starts` are no such tables. */
+export async function openDoor(wasm?: WebAssembly.Module | Uint8Array<ArrayBuffer>, starts?: Uint8Array): Promise<Door> {
+  const [compiled, tables] = await Promise.all([
+    Promise.resolve(wasm instanceof Uint8Array ? WebAssembly.compile(wasm) : wasm ?? loadModule()),
+    Promise.resolve(starts ?? loadStarts()),
+  ]);
   return new Promise((resolve, reject) => {
     createModule({
       instantiateWasm: (imports, received) => {
         WebAssembly.instantiate(compiled, imports).then(received, reject);
         return {};
       },
-    }).then((module) => resolve(new Door(module, starts))).catch(reject);
+    }).then((module) => resolve(new Door(module, tables))).catch(reject);
   });
 }

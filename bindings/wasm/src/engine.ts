@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The engine of a page: two workers that share one compiled module, each with a copy of the start tables. Searches
 // have one for themselves, as an abort ends it; the other one does what must be quick.
+import { addressOf, cannotLoadStarts, loadModule, loadStarts } from './beside.js';
 import { EngineError } from './errors.js';
 import { Lane } from './lane.js';
+import { NodeWorker } from './node.js';
 import type {
   Character, CharacterSpec, Engine, ExportOptions, Facts, GenerateOptions, Generated, SampledName, Series, Summary, Task,
   WorkEdit,
@@ -20,7 +22,7 @@ export interface EngineSettings {
   startsUrl?: string | URL;
   /** Its bytes, where they are at hand. */
   starts?: Uint8Array;
-  /** Makes a worker of worker.ts. */
+  /** Makes a worker of worker.ts, the module `./worker` of the package. */
   createWorker?: () => Worker;
 }
 
@@ -28,10 +30,10 @@ export interface EngineSettings {
  *  cannot be fetched or the address of the tables has something else, `parse` where `starts` are no tables,
  *  `unsupported` where this machine's WebAssembly cannot run the module. */
 export async function createEngine(settings: EngineSettings = {}): Promise<Engine> {
-  const startsUrl = settings.startsUrl ?? new URL('./module/starts.tsv', import.meta.url);
+  const { moduleUrl, startsUrl } = settings;
   const [wasm, starts] = await Promise.all([
-    Promise.resolve(settings.wasm ?? compile(settings.moduleUrl ?? new URL('./module/shigusa.wasm', import.meta.url))),
-    Promise.resolve(settings.starts ?? fetchBytes(startsUrl)),
+    Promise.resolve(settings.wasm ?? loadModule(moduleUrl)),
+    Promise.resolve(settings.starts ?? loadStarts(startsUrl)),
   ]);
   const engine = new WorkerEngine(settings.createWorker ?? createWorker, wasm, starts);
   try {
@@ -40,64 +42,17 @@ export async function createEngine(settings: EngineSettings = {}): Promise<Engin
     engine.dispose();
     // of all that is done until then the tables alone are parsed
     const foreign = settings.starts === undefined && error instanceof EngineError && error.failure.code === 'parse';
-    throw foreign ? cannotLoad(startsUrl, error) : error;
+    throw foreign ? cannotLoadStarts(error, startsUrl) : error;
   }
   return engine;
 }
 
 function createWorker(): Worker {
-  return new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'shigusa' });
-}
-
-async function compile(url: string | URL): Promise<WebAssembly.Module> {
-  let bytes: ArrayBuffer;
-  try {
-    const response = await fetched(url);
-    // while it comes, where the server tells its type
-    if (response.headers.get('content-type')?.startsWith('application/wasm') === true) {
-      return await WebAssembly.compileStreaming(Promise.resolve(response));
-    }
-    bytes = await response.arrayBuffer();
-  } catch (error) {
-    if (error instanceof WebAssembly.CompileError) throw cannotRun(error);
-    throw cannotLoad(url, error);
-  }
-  // "<": a page, as servers of single pages answer for files that they do not have
-  if (new Uint8Array(bytes)[0] === 0x3c) throw cannotLoad(url, 'a page came instead (with Vite: optimizeDeps.exclude)');
-  try {
-    return await WebAssembly.compile(bytes);
-  } catch (error) {
-    throw cannotRun(error);
-  }
-}
-
-async function fetchBytes(url: string | URL): Promise<Uint8Array> {
-  try {
-    return new Uint8Array(await (await fetched(url)).arrayBuffer());
-  } catch (error) {
-    throw cannotLoad(url, error);
-  }
-}
-
-async function fetched(url: string | URL): Promise<Response> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`status ${response.status}`);
-  return response;
-}
-
-function cannotLoad(url: string | URL, error: unknown): EngineError {
-  return new EngineError({ code: 'io', message: `cannot load ${url}: ${said(error)}` });
-}
-
-function cannotRun(error: unknown): EngineError {
-  return new EngineError({
-    code: 'unsupported',
-    message: `WebAssembly here cannot run shigusa, which needs SIMD and exceptions: ${said(error)}`,
-  });
-}
-
-function said(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
+  const script = new URL('../worker.js', addressOf('shigusa.wasm'));
+  if (typeof Worker === 'undefined') return new NodeWorker(script) as unknown as Worker;
+  // moved by Vite
+  if (script.pathname.includes('/node_modules/shigusa/')) return new Worker(script, { type: 'module', name: 'shigusa' });
+  return new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'shigusa' }); // bundlers find it so
 }
 
 class WorkerEngine implements Engine {

@@ -431,6 +431,21 @@ export interface EngineFailure {
   message: string;
 }
 
+/** Where a node stands in its parent: [x, y, z], [x, y, z, w] and [x, y, z]; what is absent is none. */
+export interface NodePlace {
+  translation?: readonly number[];
+  rotation?: readonly number[];
+  scale?: readonly number[];
+}
+
+/** A node of a host's skeleton at rest, and as it is now, from which motions start. */
+export interface HostNode extends NodePlace {
+  name: string;
+  /** Index of the parent; -1 or absent: none. */
+  parent?: number;
+  pose?: NodePlace;
+}
+
 /** A character that the engine has; plain data, so that it survives a worker's end. */
 export interface Character {
   readonly id: number;

@@ -20,6 +20,11 @@ function failureOf(work) {
 
 const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} and ${b}`);
 
+test('a door finds the files beside it', async () => {
+  const [given, found] = await Promise.all([openedDoor(), openDoor()]);
+  assert.deepEqual(found.facts(), given.facts());
+});
+
 test('the engine tells its tables', () => {
   const facts = door.facts();
   const names = facts.criteria.map(({ name }) => name);

@@ -2,11 +2,25 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 import { createEngine, EngineError } from '../dist/engine.js';
-import { NodeWorker } from './node_worker.mjs';
+import { NodeWorker } from '../dist/node.js';
 import { openedDoor, sleep, smallTask, starts, wasmBytes } from './support.mjs';
 
 const wasm = await WebAssembly.compile(wasmBytes);
-const createWorker = () => new NodeWorker();
+class CountedWorker extends NodeWorker {
+  static started = 0;
+  static ended = 0;
+
+  constructor() {
+    super(new URL('../dist/worker.js', import.meta.url));
+    ++CountedWorker.started;
+  }
+
+  terminate() {
+    ++CountedWorker.ended;
+    super.terminate();
+  }
+}
+const createWorker = () => new CountedWorker();
 const engine = await createEngine({ wasm, starts, createWorker });
 after(() => engine.dispose());
 const human = await engine.open({ source: 'human' });
@@ -27,7 +41,7 @@ test('a search in a worker is the search of the door', async () => {
 
 test('an abort ends the search at once, and the next one works', async () => {
   const controller = new AbortController();
-  const ended = NodeWorker.ended;
+  const ended = CountedWorker.ended;
   let asked = 0;
   const search = engine.generate(human, longTask, {
     signal: controller.signal,
@@ -38,7 +52,7 @@ test('an abort ends the search at once, and the next one works', async () => {
   });
   await assert.rejects(search, { name: 'AbortError' });
   assert.ok(performance.now() - asked < 5000, 'the search alone takes minutes');
-  assert.equal(NodeWorker.ended, ended + 1);
+  assert.equal(CountedWorker.ended, ended + 1);
   const next = await engine.generate(human, smallTask);
   assert.equal(next.summary.status, 'reached');
 });
@@ -125,10 +139,10 @@ test('failures have a code and a sentence, and do not stop the engine', async ()
 });
 
 test('a file beyond all memory is refused, and its memory given back', async () => {
-  const ended = NodeWorker.ended;
+  const ended = CountedWorker.ended;
   await assert.rejects(engine.open({ source: 'a.bvh' }, new Uint8Array(1.2e9)),
     (error) => error.failure.code === 'out_of_memory');
-  assert.equal(NodeWorker.ended, ended + 1);
+  assert.equal(CountedWorker.ended, ended + 1);
   await engine.open({ source: 'human' });
 });
 
@@ -159,7 +173,7 @@ test('a task that no message can carry is refused, and the engine goes on', asyn
 
 test('a worker that dies fails its call, and another takes its place', async () => {
   const workers = [];
-  const mortal = await createEngine({ wasm, starts, createWorker: () => workers[workers.push(new NodeWorker()) - 1] });
+  const mortal = await createEngine({ wasm, starts, createWorker: () => workers[workers.push(new CountedWorker()) - 1] });
   const person = await mortal.open({ source: 'human' });
   const search = mortal.generate(person, longTask);
   await sleep(50);
@@ -191,7 +205,7 @@ test('a page in place of the module is told', async () => {
 });
 
 test('without its start tables no engine starts, and the address that should have them is told', async () => {
-  const { started, ended } = NodeWorker;
+  const { started, ended } = CountedWorker;
   const refused = (settings, check) => // an engine that starts all the same would keep this process alive
     assert.rejects(createEngine({ wasm, createWorker, ...settings }).then((made) => made.dispose()), check);
   // a host without the file, one that answers with its page, and one with an empty file
@@ -203,7 +217,7 @@ test('without its start tables no engine starts, and the address that should hav
     });
   }
   await refused({ starts: starts.subarray(0, starts.length - 5) }, ({ failure }) => failure.code === 'parse');
-  assert.equal(NodeWorker.ended - ended, NodeWorker.started - started, 'no worker is left');
+  assert.equal(CountedWorker.ended - ended, CountedWorker.started - started, 'no worker is left');
 });
 
 test('start tables come from their address', async () => {
@@ -214,4 +228,33 @@ test('start tables come from their address', async () => {
   const here = await engine.generate(human, smallTask);
   assert.deepEqual(summaryLess(there.summary), summaryLess(here.summary));
   fetching.dispose();
+});
+
+test('an engine finds its files and its workers in Node.js, which ends without its end', async () => {
+  const own = await createEngine(); // and nobody disposes of it
+  const person = await own.open({ source: 'human' });
+  const there = await own.generate(person, smallTask);
+  const here = await engine.generate(human, smallTask);
+  assert.deepEqual(summaryLess(there.summary), summaryLess(here.summary));
+});
+
+test('a file that is not there is told', async () => {
+  const none = new URL('none', import.meta.url);
+  for (const settings of [{ moduleUrl: none, starts }, { wasm, startsUrl: String(none) }]) {
+    await assert.rejects(createEngine({ ...settings, createWorker }),
+      ({ failure }) => failure.code === 'io' && failure.message.startsWith(`cannot load ${none}: ENOENT`));
+  }
+});
+
+test('a Node.js that is too old to be asked is told', async () => {
+  const asked = Object.getOwnPropertyDescriptor(process, 'getBuiltinModule');
+  delete process.getBuiltinModule;
+  try {
+    await assert.rejects(createEngine({ wasm, createWorker }),
+      ({ failure }) => failure.code === 'io' && /starts\.tsv: .*Node\.js, from 20\.16 on/.test(failure.message));
+    await assert.rejects(createEngine({ wasm, starts }),
+      ({ failure }) => failure.code === 'unsupported' && /Node\.js has them from 20\.16 on/.test(failure.message));
+  } finally {
+    Object.defineProperty(process, 'getBuiltinModule', asked);
+  }
 });

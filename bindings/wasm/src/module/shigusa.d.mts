@@ -32,6 +32,9 @@ export interface ShigusaModule {
   _shigusa_character_describe(character: number, json: number): number;
 
   _shigusa_generate(character: number, task: number, threads: number, watch: number, result: number): number;
+  _shigusa_character_of_nodes(spec: number, nodes: number, character: number): number;
+  _shigusa_result_of_angles(
+    character: number, task: number, angles: number, frames: number, columns: number, fps: number, result: number): number;
   _shigusa_restore_watched(character: number, summary: number, watch: number, result: number): number;
   _shigusa_replay(result: number, candidate: number, assignments: number, edited: number): number;
   _shigusa_replay_work(result: number, candidate: number, edit: number, watch: number, edited: number): number;
