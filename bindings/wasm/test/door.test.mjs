@@ -375,3 +375,28 @@ test('memory is given back', () => {
   for (let i = 0; i < 30; ++i) round();
   assert.equal(bytes(), before);
 });
+
+test('angles of anybody are scored', () => {
+  const found = door.generate(human, smallTask);
+  const { values, columns } = found.series(1, 'angles');
+  const [, second] = found.series(1, 'time').values;
+  const rows = Array.from({ length: values.length / columns }, (_, k) => [...values.slice(k * columns, (k + 1) * columns)]);
+  const given = door.resultOfAngles(human, rows, 1 / second);
+  const [own, again] = [found, given].map((result) => result.read().summary.candidates[0]);
+  assert.equal(again.verdict, own.verdict);
+  near(again.duration_s, own.duration_s, 1e-9);
+  assert.throws(() => door.resultOfAngles(human, [[1, 2], [3]], 60), RangeError);
+  assert.equal(failureOf(() => door.resultOfAngles(human, [[1, 2], [3, 4]], 60)).code, 'invalid_argument');
+  for (const one of [found, given]) one.free();
+});
+
+test('nodes of a host are a person', () => {
+  // of the built-in skeleton, whose nodes stand in their parents as described
+  const nodes = human.describe().nodes.map(({ name, parent, offset, rotation }) => ({ name, parent, translation: offset, rotation }));
+  const rig = door.characterOfNodes({ source: 'rig.glb' }, nodes);
+  const result = door.generate(rig, smallTask);
+  assert.ok(result.read().summary.candidates.length > 0);
+  assert.match(failureOf(() => door.characterOfNodes({ source: 'rig.glb' }, [])).message, /1 to 2048/);
+  assert.equal(failureOf(() => door.characterOfNodes({ source: 'human' }, nodes)).code, 'invalid_argument');
+  for (const one of [result, rig]) one.free();
+});
