@@ -12,7 +12,11 @@ namespace {
 
 // in the order of SimdSet
 constexpr std::array kMakers{
+#ifdef __wasm_simd128__
+    make_lanes_4_layers,  // a module has no scalar set, which require_usable refuses
+#else
     make_scalar_layers,
+#endif
     make_lanes_4_layers,
 #ifdef SHIGUSA_HAS_AVX
     make_avx2_layers,

@@ -15,7 +15,11 @@ namespace {
 
 // in the order of SimdSet
 constexpr std::array kMakers{
+#ifdef __wasm_simd128__
+    make_lanes_4_scorer,  // a module has no scalar set, which require_usable refuses
+#else
     make_scalar_scorer,
+#endif
     make_lanes_4_scorer,
 #ifdef SHIGUSA_HAS_AVX
     make_avx2_scorer,

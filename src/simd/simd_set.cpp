@@ -24,7 +24,11 @@ constexpr std::array<std::pair<SimdSet, const char*>, 4> kNames{{{SimdSet::scala
                                                                  {SimdSet::avx512, "avx512"}}};
 
 std::vector<SimdSet> find_usable() {
+#ifdef __wasm_simd128__
+  std::vector<SimdSet> sets{SimdSet::lanes_4};  // each set adds a tenth to a browser's module
+#else
   std::vector<SimdSet> sets{SimdSet::scalar, SimdSet::lanes_4};
+#endif
 #ifdef SHIGUSA_HAS_AVX
   if (__builtin_cpu_supports("avx2")) sets.push_back(SimdSet::avx2);
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&

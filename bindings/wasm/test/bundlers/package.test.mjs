@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { existsSync } from 'node:fs';
-import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { cp, mkdir, mkdtemp, readdir, readFile, rm, stat, writeFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -117,6 +117,7 @@ test('the package has what it needs and no more, and one version', async () => {
   const folder = join(first, 'node_modules/shigusa');
   assert.deepEqual((await readdir(folder)).sort(), ['LICENSE', 'README.md', 'dist', 'package.json']);
   const { version, ...rest } = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8'));
+  assert.ok((await stat(join(folder, 'dist/module/shigusa.wasm'))).size <= 3e6, 'a page waits for it');
   const { openDoor } = await import(join(folder, 'dist/door.js'));
   assert.equal((await openDoor()).version, version);
   assert.doesNotMatch(await readFile(join(folder, 'README.md'), 'utf8'), /\]\((?!https)/, 'a link to what is not in it');
