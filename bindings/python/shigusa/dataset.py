@@ -211,26 +211,28 @@ class Column:
     def __len__(self) -> int:
         return self.shape[0]
 
-    def __getitem__(self, which: int | slice | Array) -> Array:
-        if isinstance(which, (int, np.integer)):
-            one: Array = self._read(self._places[[which]])[0]
+    def __getitem__(self, which: Any) -> Array:
+        """As of an array; further indices, as in [:, -1], choose from what is read of each shard."""
+        rows, *rest = which if isinstance(which, tuple) else (which,)
+        if isinstance(rows, (int, np.integer)):
+            one: Array = self._read(self._places[[rows]], rest)[0]
             return one
-        return self._read(self._places[which])
+        return self._read(self._places[rows], rest)
 
     def __array__(self, dtype: Any = None) -> Array:
         return np.asarray(self[:], dtype)
 
-    def _read(self, places: Array) -> Array:
+    def _read(self, places: Array, rest: Sequence[Any]) -> Array:
         made: Array | None = None
         for number in np.unique(places[:, 0]):
             here = places[:, 0] == number
             rows = places[here, 1]
             stored = self._shards.file(int(number))["motions"][self.body.name][self.name]
-            values = stored[rows.min() : rows.max() + 1][rows - rows.min()]
+            values = stored[rows.min() : rows.max() + 1][rows - rows.min()][(slice(None), *rest)]
             if made is None:
                 made = np.empty((len(places), *values.shape[1:]), values.dtype)
             made[here] = values
-        return np.empty((0, *self.shape[1:])) if made is None else made
+        return np.empty((0, *self.shape[1:]))[(slice(None), *rest)] if made is None else made
 
     def __repr__(self) -> str:
         unit = f" {self.unit}" if self.unit else ""

@@ -112,6 +112,9 @@ class Reading(WithData):
         np.testing.assert_array_equal(angles[-1], every[-1])
         np.testing.assert_array_equal(angles[np.array([4, 0, 4])], every[[4, 0, 4]])
         self.assertEqual(angles[:0].shape, (0, *every.shape[1:]))
+        np.testing.assert_array_equal(angles[1:5, -1], every[1:5, -1])
+        np.testing.assert_array_equal(angles[:, :, 4], every[:, :, 4])
+        self.assertEqual(angles[2, 0, 4], every[2, 0, 4])
         for number, motion in enumerate(data):
             np.testing.assert_array_equal(motion.angles, every[number])
         with self.assertRaisesRegex(LookupError, "has no column 'speed'; it has .*angles"):
