@@ -9,6 +9,9 @@ install(DIRECTORY include/shigusa DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # the studio's page, if scripts/build_studio has built it
 install(DIRECTORY studio/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/shigusa/studio OPTIONAL)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+file(GLOB schemas docs/*.schema.json)
+install(FILES ${schemas} DESTINATION ${CMAKE_INSTALL_DATADIR}/shigusa/schemas)
+install(DIRECTORY examples/tasks examples/plans examples/robots DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 install(EXPORT shigusaTargets NAMESPACE shigusa:: DESTINATION ${shigusa_package_dir})
 if(TARGET shigusa_dataset)
   install(TARGETS shigusa_dataset EXPORT shigusaDatasetTargets)
@@ -30,6 +33,8 @@ endif()
 if(SHIGUSA_PACKED_MESHES)
   list(APPEND needed_modules draco)
   set(needed_libraries -lmeshoptimizer)
+elseif(SHIGUSA_DRACO_INSIDE)
+  list(APPEND needed_modules draco)
 endif()
 if(SHIGUSA_MANNEQUIN)
   list(APPEND needed_modules zlib)
@@ -53,3 +58,15 @@ configure_package_config_file(cmake/shigusaConfig.cmake.in ${shigusa_package}/sh
 write_basic_package_version_file(${shigusa_package}/shigusaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${shigusa_package}/shigusaConfig.cmake
               ${shigusa_package}/shigusaConfigVersion.cmake DESTINATION ${shigusa_package_dir})
+
+# The C interface for pkg-config, which needs nothing else.
+if(TARGET shigusa_c)
+  configure_file(cmake/shigusa_c.pc.in ${PROJECT_BINARY_DIR}/shigusa_c.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/shigusa_c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
+
+# Removes what the last `cmake --install` of this build has installed.
+if(PROJECT_IS_TOP_LEVEL)
+  add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -D MANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt
+                                      -P ${PROJECT_SOURCE_DIR}/cmake/uninstall.cmake VERBATIM)
+endif()

@@ -10,6 +10,9 @@ import sysconfig
 import zipfile
 
 HERE = pathlib.Path(__file__).parent
+# licences of what is compiled into the library, as Debian's packages have them
+LICENSES = [f"/usr/share/doc/{package}/copyright" for package in
+            ("libdraco-dev", "libexpected-dev", "libfmt-dev", "nlohmann-json3-dev")] + ["/usr/share/common-licenses/Apache-2.0"]
 METADATA = """\
 Metadata-Version: 2.1
 Name: shigusa
@@ -53,6 +56,8 @@ def main() -> None:
     files[f"{about}/METADATA"] = METADATA.format(version=version, readme=readme).encode()
     files[f"{about}/WHEEL"] = WHEEL.format(tag=tag).encode()
     files[f"{about}/LICENSE"] = (HERE / "../../LICENSE").read_bytes()
+    for license in map(pathlib.Path, LICENSES):
+        files[f"{about}/licenses/{license.parent.name}/{license.name}"] = license.read_bytes()
     record = ""
     for name, data in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()

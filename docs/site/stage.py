@@ -4,6 +4,7 @@
 Pages link to files beside docs/, as ../CONTRIBUTING.md or ../examples/tasks: such a page is copied to files/ of the
 site, another text file and a folder become a page there that shows them, and the links are written anew.
 """
+import json
 import os
 import re
 import shutil
@@ -123,8 +124,11 @@ def is_shown(source):
 
 
 def shown(source):
-    """A page with the text of a file."""
+    """A page with the text of a file, of a notebook with its cells."""
     text = source.read_text(encoding="utf-8").rstrip("\n")
+    if source.suffix == ".ipynb":
+        cells = [(cell["cell_type"], "".join(cell["source"])) for cell in json.loads(text)["cells"]]
+        return "\n\n".join(told if kind == "markdown" else f"```python\n{told}\n```" for kind, told in cells) + "\n"
     fence = "`" * (max([2, *(len(run) for run in re.findall("`+", text))]) + 1)
     return f"# `{source.relative_to(ROOT)}`\n\n{fence}{LANGUAGES.get(source.suffix, 'text')}\n{text}\n{fence}\n"
 

@@ -109,6 +109,14 @@ struct CharacterSpec {
     std::string bytes, CharacterSpec& spec,
     const std::optional<std::filesystem::path>& folder = std::nullopt);
 
+/// Measures a person from the nodes of a host's skeleton, as from a GLB file of the name
+/// spec.source that has them: JSON {"nodes": [{"name", "parent" (index; -1 or absent: none),
+/// "translation" [x, y, z], "rotation" [x, y, z, w] and "scale" [x, y, z] (in the parent, at rest;
+/// absent: none), "pose": {"translation", "rotation", "scale"} (as the node is now; what is absent
+/// is as at rest)}, …]}, up to 2048. If any node has a pose, motions start from that pose unless
+/// the spec has a frame.
+[[nodiscard]] Result<void> load_nodes(std::string_view nodes, CharacterSpec& spec);
+
 /// Measures the character from the file named by `source`, unless it is built in or already
 /// measured, and reduces the source to the bare file name. A relative path starts at `folder`.
 [[nodiscard]] Result<void> measure_character(CharacterSpec& spec,

@@ -145,13 +145,16 @@ inline constexpr auto kEnumWords<CriterionKind> = words_of_table(kCriteria, &Cri
 
 /// A user-defined criterion: any scalar function of the motion, smaller is better. Its penalty is
 /// value / scale, clamped to [0, 1] like those of the built-in criteria. A motion with the value
-/// NaN ranks last.
+/// NaN ranks last. Its functions are called on the thread that searches, and never twice at once.
 struct UserCriterion {
   std::string name;     ///< name in scores and messages
   double weight = 0.1;  ///< ≥ 0
   double scale = 1.0;   ///< value at which the penalty is 1, > 0
-  /// Computes the value of a whole motion; never called by two threads at once.
+  /// Computes the value of a whole motion.
   std::function<double(const BodyModel&, const Motion&)> value{};
+  /// Instead of `value`: the values (motions) of all motions of a step of the search, one or more
+  /// of equal shapes, for functions whose call is dear.
+  std::function<void(const BodyModel&, std::span<const Motion>, std::span<double>)> values{};
 };
 
 /// The setting of one built-in criterion.

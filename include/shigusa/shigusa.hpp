@@ -32,7 +32,7 @@
 /// Major version of the library. CMake reads all three numbers here.
 #define SHIGUSA_VERSION_MAJOR 0
 /// Minor version: below 1.0 another one may have another interface.
-#define SHIGUSA_VERSION_MINOR 1
+#define SHIGUSA_VERSION_MINOR 2
 /// Patch version: another one has the same interface.
 #define SHIGUSA_VERSION_PATCH 0
 
@@ -40,7 +40,7 @@
 #define SHIGUSA_QUOTE_VERSION(major, minor, patch) #major "." #minor "." #patch
 /// Expands three macros and joins them.
 #define SHIGUSA_SPELL_VERSION(major, minor, patch) SHIGUSA_QUOTE_VERSION(major, minor, patch)
-/// The version as text: "0.1.0".
+/// The version as text: "0.2.0".
 #define SHIGUSA_VERSION \
   SHIGUSA_SPELL_VERSION(SHIGUSA_VERSION_MAJOR, SHIGUSA_VERSION_MINOR, SHIGUSA_VERSION_PATCH)
 

@@ -12,6 +12,7 @@
 #include "character_robot.hpp"
 #include "core/say.hpp"
 #include "formats/file_kind.hpp"
+#include "formats/nodes_glb.hpp"
 #include "human/at_ease.hpp"
 #include "human/landmark_points.hpp"
 #include "human/segment_mass.hpp"
@@ -120,6 +121,15 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   SHG_TRY_ASSIGN(std::string bytes, read_character_bytes(path));
   spec.source = path.filename().string();
   return load_character(std::move(bytes), spec, path.parent_path());
+}
+
+Result<void> load_nodes(std::string_view nodes, CharacterSpec& spec) {
+  SHG_TRY_ASSIGN(NodesFile file, glb_of_nodes(nodes, spec.source));
+  if (file.posed && !spec.animation && !spec.frame) {
+    spec.animation = kPosedNodes;
+    spec.frame = 0;
+  }
+  return load_character(std::move(file.bytes), spec);
 }
 
 Result<void> load_character(std::string bytes, CharacterSpec& spec,

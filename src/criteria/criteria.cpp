@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <shigusa/run.hpp>
+#include <utility>
 
 #include "core/check.hpp"
+#include "core/index.hpp"
 #include "criteria/built_in_criteria.hpp"
 #include "replay.hpp"
+#include "user_criteria.hpp"
 #include "with_start.hpp"
 
 namespace shigusa {
@@ -50,8 +54,10 @@ CriteriaContext with_start(CriteriaContext context, const Clip& clip) {
   return context;
 }
 
-Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings,
-                   const CriteriaContext& context) {
+namespace {
+
+Score score_built_in(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings,
+                     const CriteriaContext& context) {
   const Clip& clip = motion.clip;
   SHG_CHECK(clip.dofs == body.dof_count(), "a clip has the body's freedoms");
   const auto frames = static_cast<std::size_t>(clip.frames);
@@ -64,14 +70,65 @@ Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSe
   built_in.visit_penalties([&score](std::string_view name, double weight, double penalty) {
     score.terms.push_back({std::string(name), weight, penalty});
   });
-  for (const UserCriterion& user : settings.user) {
-    const double value = user.value(body, motion) / user.scale;
-    // a NaN passes through, and is counted by the search
-    const double penalty = value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
-    score.terms.push_back({user.name, user.weight, penalty});
-  }
-  for (const ScoreTerm& term : score.terms) score.total += term.weight * term.penalty;
   return score;
+}
+
+// Adds the terms of user-defined criteria to the scores (motions), and all terms up.
+void add_up(const BodyModel& body, std::span<const Motion> motions,
+            std::span<const UserCriterion> user, std::span<Score> scores) {
+  for (const UserCriterion& own : user) {
+    const std::vector<double> penalties = penalties_of(own, body, motions);
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      scores[i].terms.push_back({own.name, own.weight, penalties[i]});
+    }
+  }
+  for (Score& score : scores) {
+    for (const ScoreTerm& term : score.terms) score.total += term.weight * term.penalty;
+  }
+}
+
+}  // namespace
+
+std::vector<double> penalties_of(const UserCriterion& user, const BodyModel& body,
+                                 std::span<const Motion> motions) {
+  std::vector<double> values(motions.size());
+  if (user.values) {
+    if (!motions.empty()) user.values(body, motions, values);
+  } else {
+    for (std::size_t i = 0; i < motions.size(); ++i) values[i] = user.value(body, motions[i]);
+  }
+  for (double& value : values) {
+    value /= user.scale;
+    // a NaN passes through, and is counted by the search
+    value = value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
+  }
+  return values;
+}
+
+Score score_motion(const BodyModel& body, const Motion& motion, const CriteriaSettings& settings,
+                   const CriteriaContext& context) {
+  Score score = score_built_in(body, motion, settings, context);
+  add_up(body, {&motion, 1}, settings.user, {&score, 1});
+  return score;
+}
+
+void score_motions(const BodyModel& body, std::span<std::optional<Motion>> motions,
+                   const CriteriaSettings& settings, const CriteriaContext& context, int threads,
+                   std::span<double> scores) {
+  std::vector<Motion> made;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    scores[i] = worst_score(settings);
+    if (!motions[i]) continue;
+    made.push_back(std::move(*motions[i]));
+    places.push_back(i);
+  }
+  std::vector<Score> told(made.size());
+  parallel_for(static_cast<int>(made.size()), threads, [&](int i, int) {
+    told[index(i)] = score_built_in(body, made[index(i)], settings, context);
+  });
+  add_up(body, made, settings.user, told);
+  for (std::size_t i = 0; i < made.size(); ++i) scores[places[i]] = told[i].total;
 }
 
 std::vector<std::string> criterion_names() {

@@ -15,6 +15,7 @@
 #include "criteria/built_in_criteria.hpp"
 #include "criteria/motion_frame.hpp"
 #include "criteria/support_margin.hpp"
+#include "criteria/user_criteria.hpp"
 #include "dynamics/contact_forces.hpp"
 #include "formats/file_kind.hpp"
 #include "formats/gltf_animation.hpp"
@@ -155,8 +156,7 @@ Score summed(const BuiltInCriteria<double>& criteria, const BodyModel& body, con
     score.terms.push_back({std::string(name), weight, penalty});
   });
   for (const UserCriterion& user : settings.user) {
-    score.terms.push_back(
-        {user.name, user.weight, clamp(user.value(body, motion) / user.scale, 0.0, 1.0)});
+    score.terms.push_back({user.name, user.weight, penalties_of(user, body, {&motion, 1})[0]});
   }
   for (const ScoreTerm& term : score.terms) score.total += term.weight * term.penalty;
   return score;

@@ -7,6 +7,7 @@
 
 #include "core/index.hpp"
 #include "core/say.hpp"
+#include "problem/task_search.hpp"
 
 namespace shigusa {
 
@@ -21,7 +22,7 @@ std::vector<Result<GenerateResult>> explore_all(std::span<const Task> tasks, int
   std::atomic<int> done = 0;
   const auto caller = std::this_thread::get_id();
   std::vector<Result<GenerateResult>> made(tasks.size());
-  parallel_for(static_cast<int>(tasks.size()), threads, [&](int k, int) {
+  parallel_for(static_cast<int>(tasks.size()), threads_for(tasks, threads), [&](int k, int) {
     if (quiet.cancelled()) {
       made[index(k)] = fail(ErrorCode::cancelled, say("stopped_before"));
     } else {

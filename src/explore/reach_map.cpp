@@ -12,6 +12,7 @@
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "problem/task_goals.hpp"
+#include "problem/task_search.hpp"
 
 namespace shigusa {
 namespace {
@@ -27,6 +28,8 @@ constexpr int kPlayedStride = 2;  // grids up to this one are played before they
 // Motions of a search: of the coarsest grid, and of finer ones.
 constexpr int kCoarseMotions = 432;
 constexpr int kFineMotions = 128;
+// A motion that strains is searched anew, this much slower.
+constexpr double kSlower = 1.15;
 
 double in_grains(double x) { return nearest_integer(kGrain * x) / kGrain; }
 
@@ -48,7 +51,7 @@ std::optional<int> reba_of(const Task& task, const Motion& motion) {
 class Mapping {
  public:
   Mapping(const Task& task, ReachMap& map, const Progress& progress)
-      : map_(map), progress_(progress), threads_(task.batch.threads) {
+      : map_(map), progress_(progress), threads_(threads_for({&task, 1}, task.batch.threads)) {
     workers_.assign(index(thread_count(threads_)), task);
     for (Task& worker : workers_) {
       worker.batch.threads = 1;
@@ -61,6 +64,7 @@ class Mapping {
   Result<void> run() {
     SHG_TRY(find_reachable());
     for (int stride = kCoarsest; stride >= 1; stride /= 2) SHG_TRY(search_grid(stride));
+    SHG_TRY(play_beyond());
     map_.evaluations = evaluations_;
     return {};
   }
@@ -129,18 +133,30 @@ class Mapping {
     values_[place] = std::move(best.parameters);
   }
 
-  // Searches a place from the motions of others; one that no motion arrives at is searched anew
-  // without them, as by generate().
-  Result<void> search(std::size_t place, Task& task, const Places& others,
-                      std::optional<int> motions) {
+  // One search of a place from the motions of others.
+  Result<void> search_once(std::size_t place, Task& task, const Places& others,
+                           std::optional<int> motions) {
     task.starts.clear();
     for (const std::size_t other : others) task.starts.push_back(values_[other]);
     task.evaluations = motions;
     SHG_TRY_ASSIGN(GenerateResult found, generate(task));
     evaluations_ += found.log.evaluations;
     keep(place, task, found);
-    const bool again = motions && !map_.places[place].verdict;
-    return again ? search(place, task, {}, std::nullopt) : Result<void>{};
+    return {};
+  }
+
+  // Searches a place from the motions of others; one that no motion arrives at is searched anew
+  // without them, as by generate(), and one that strains is searched anew more slowly.
+  Result<void> search(std::size_t place, Task& task, const Places& others,
+                      std::optional<int> motions) {
+    SHG_TRY(search_once(place, task, others, motions));
+    const MapPlace& made = map_.places[place];
+    if (!made.verdict) return search_once(place, task, {}, std::nullopt);
+    if (made.verdict != Verdict::strains || task.duration) return {};
+    task.duration = std::min(kSlower * made.duration, kTaskDurationMax);
+    const Result<void> slower = search_once(place, task, {place}, usual_evaluations(task));
+    task.duration.reset();
+    return slower;
   }
 
   // Plays the motions of others, the best first, for a place, until one is good there or, if none
@@ -195,6 +211,32 @@ class Mapping {
       }
       return search(place, task, others, kFineMotions);
     });
+  }
+
+  // Plays the motions of the places around those that seemed out of reach: what they meet is told
+  // as impossible rather than as out of reach.
+  Result<void> play_beyond() {
+    Places beyond;
+    for (std::size_t k = 0; k < map_.places.size(); ++k) {
+      if (reachable_[k] == 0 && !around(k).empty()) beyond.push_back(k);
+    }
+    return for_each(beyond, [&](std::size_t place, Task& task) {
+      return play(place, task, best_of(around(place)));
+    });
+  }
+
+  // The places in reach, with motions, beside a place.
+  [[nodiscard]] Places around(std::size_t place) const {
+    Places found;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int step : {-1, 1}) {
+        Cell cell = cell_of(place);
+        cell[axis] += step;
+        add_found(cell, found);
+      }
+    }
+    std::erase_if(found, [this](std::size_t k) { return reachable_[k] == 0; });
+    return found;
   }
 
   void add_found(const Cell& cell, Places& places) const {

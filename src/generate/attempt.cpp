@@ -52,7 +52,8 @@ std::optional<Attempt> slower_attempt(const Problem& problem, const GenerateResu
 std::optional<Attempt> other_approaches_attempt(const Problem& problem,
                                                 const GenerateResult& found) {
   const bool lanes = problem.task.generator == MotionGenerator::weighted_ik;
-  if (!wants_one(problem.task) || !lanes || !wants_more(found)) return std::nullopt;
+  const bool alone = wants_one(problem.task) && problem.task.starts.empty();
+  if (!alone || !lanes || !wants_more(found)) return std::nullopt;
   return Attempt{.run = run_of(problem), .on_all = true};
 }
 

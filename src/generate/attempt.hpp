@@ -22,7 +22,7 @@ struct Attempt {
 using NextAttempt = std::optional<Attempt>(const Problem& problem, const GenerateResult& found);
 // A longer duration, for motions that are impossible only because they are too fast.
 [[nodiscard]] NextAttempt slower_attempt;
-// All approaches, where the first was searched alone.
+// All approaches, where the first was searched alone and from no motions given.
 [[nodiscard]] NextAttempt other_approaches_attempt;
 // A larger number of motions.
 [[nodiscard]] NextAttempt longer_attempt;

@@ -5,6 +5,7 @@
 #include "core/index.hpp"
 #include "core/say.hpp"
 #include "joint_progress.hpp"
+#include "problem/task_search.hpp"
 
 namespace shigusa {
 namespace {
@@ -29,6 +30,7 @@ Result<GenerateResult> generate_one(Task task, int threads, const Progress& part
 std::vector<Result<GenerateResult>> generate_all(std::span<const Task> tasks, int threads,
                                                  const Progress& progress) {
   const int count = static_cast<int>(tasks.size());
+  threads = threads_for(tasks, threads);
   // of fewer tasks than threads each has several
   const int each = std::max(1, thread_count(threads) / std::max(1, count));
   JointProgress joint(progress);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <shigusa/run.hpp>
 #include <utility>
 
 #include "candidate.hpp"
 #include "core/index.hpp"
+#include "criteria/user_criteria.hpp"
 #include "generate/layered_approaches.hpp"
 #include "layered_search.hpp"
 #include "paper/limb_library.hpp"
@@ -155,18 +157,16 @@ class UpperSearch {
   void score_bodies(std::span<const LayeredValues> parameters, std::span<double> scores) {
     const CriteriaSettings& criteria = problem_.layers[0].criteria;
     const std::size_t dofs = postures_.size() / scores.size();
-    const auto score = [&](int i, int) {
+    std::vector<std::optional<Motion>> motions(scores.size());
+    parallel_for(static_cast<int>(scores.size()), task_.batch.threads, [&](int i, int) {
       const auto k = index(i);
-      const auto arrival = body_arrival(problem_, whole(parameters[k]));
-      scores[k] = worst_score(criteria);
+      auto arrival = body_arrival(problem_, whole(parameters[k]));
       if (!arrival) return;
-      scores[k] =
-          score_motion(task_.body, arrival->rolled.motion, criteria, problem_.reach.context).total;
       copy_end(arrival->rolled.motion.clip, std::span(postures_).subspan(k * dofs, dofs));
-    };
-    // user criteria are called from one thread
-    parallel_for(static_cast<int>(scores.size()), criteria.user.empty() ? task_.batch.threads : 1,
-                 score);
+      motions[k] = std::move(arrival->rolled.motion);
+    });
+    score_motions(task_.body, motions, criteria, problem_.reach.context, task_.batch.threads,
+                  scores);
   }
 
   const Task& task_;

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <shigusa/run.hpp>
 #include <string_view>
+#include <utility>
 
 #include "approaches.hpp"
+#include "core/index.hpp"
+#include "criteria/user_criteria.hpp"
 
 namespace shigusa {
 namespace {
@@ -61,7 +64,7 @@ void PointScorer::score(std::span<const double> points, std::span<double> scores
   const bool kept = task_.preset != Preset::paper;
   angles_.resize(kept ? scores.size() * dofs : 0);
   if (scores_whole_motions(task_, criteria_)) {
-    score_one_by_one(points, scores);
+    score_motions_of(points, scores);
   } else {
     batch_.score(space_.rows(points), scores, angles_);
   }
@@ -75,20 +78,18 @@ void PointScorer::score(std::span<const double> points, std::span<double> scores
   archive_.add(points, kept_scores_, angles_, worst_score(criteria_));
 }
 
-void PointScorer::score_one_by_one(std::span<const double> points, std::span<double> scores) {
+void PointScorer::score_motions_of(std::span<const double> points, std::span<double> scores) {
   const auto genes = static_cast<std::size_t>(space_.genes());
   const std::size_t dofs = angles_.empty() ? 0 : task_.body.dofs().size();
-  const auto score = [&](int index, int) {
-    const auto i = static_cast<std::size_t>(index);
-    const RolledOut rolled =
-        play(approach_, space_.decode(points.subspan(i * genes, genes)), task_.generator);
-    scores[i] = rolled.outcome.met(approach_.tolerance)
-                    ? score_motion(task_.body, rolled.motion, criteria_, approach_.context).total
-                    : worst_score(criteria_);
-    copy_end(rolled.motion.clip, std::span(angles_).subspan(i * dofs, dofs));
-  };
-  // user criteria are called from one thread
-  parallel_for(static_cast<int>(scores.size()), criteria_.user.empty() ? threads_ : 1, score);
+  std::vector<std::optional<Motion>> motions(scores.size());
+  parallel_for(static_cast<int>(scores.size()), threads_, [&](int i, int) {
+    const std::size_t k = index(i);
+    RolledOut rolled =
+        play(approach_, space_.decode(points.subspan(k * genes, genes)), task_.generator);
+    copy_end(rolled.motion.clip, std::span(angles_).subspan(k * dofs, dofs));
+    if (rolled.outcome.met(approach_.tolerance)) motions[k] = std::move(rolled.motion);
+  });
+  score_motions(task_.body, motions, criteria_, approach_.context, threads_, scores);
 }
 
 }  // namespace shigusa

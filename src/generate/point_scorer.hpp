@@ -43,7 +43,7 @@ class PointScorer {
   [[nodiscard]] const Archive& archive() const { return archive_; }
 
  private:
-  void score_one_by_one(std::span<const double> points, std::span<double> scores);
+  void score_motions_of(std::span<const double> points, std::span<double> scores);
 
   const Task& task_;
   const ReachProblem& approach_;
@@ -57,7 +57,7 @@ class PointScorer {
   std::vector<double> kept_scores_;  // (motions), without the squat cost
 };
 
-// Whether motions are scored one by one: user criteria take whole motions, and NLP-IK has no lanes.
+// Whether motions are scored whole: user criteria take whole motions, and NLP-IK has no lanes.
 [[nodiscard]] bool scores_whole_motions(const Task& task, const CriteriaSettings& criteria);
 
 }  // namespace shigusa

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <shigusa/request.hpp>
+#include <span>
 
 #include "problem.hpp"
 
@@ -25,5 +27,11 @@ struct RunSettings {
 [[nodiscard]] SearchResult run_search(const Task& task, const RunSettings& run,
                                       const SearchProblem& problem, int evaluations, bool once,
                                       const Progress& progress);
+
+// Threads on which tasks are worked on side by side: user criteria are called from one.
+[[nodiscard]] inline int threads_for(std::span<const Task> tasks, int threads) {
+  const auto own = [](const Task& task) { return !task.criteria.user.empty(); };
+  return std::any_of(tasks.begin(), tasks.end(), own) ? 1 : threads;
+}
 
 }  // namespace shigusa

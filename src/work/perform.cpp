@@ -13,6 +13,7 @@
 #include "generate/joint_progress.hpp"
 #include "generate/pareto.hpp"
 #include "generate/posture_meter.hpp"
+#include "problem/task_search.hpp"
 #include "work/check_work.hpp"
 #include "work/line.hpp"
 
@@ -175,7 +176,9 @@ class Performance {
   Result<void> move(std::size_t action, const Step& step) {
     if (std::all_of(lines_.begin(), lines_.end(),
                     [&](const Line& line) { return line.tasks_of(action, step).empty(); })) {
-      return {};
+      if (step.kind != StepKind::reach) return {};
+      return fail(ErrorCode::invalid_argument,
+                  say("of_action", action + 1, say("no_hold", task_.actions[action].grasp)));
     }
     const WorkMotion* known = take_known(action);
     single_.reset();
@@ -231,13 +234,14 @@ class Performance {
     const int missing = std::max(task_.candidates - static_cast<int>(lines_.size()), 0);
     std::vector<Progress> progress;
     for (std::size_t k = 0; k < lines_.size(); ++k) progress.push_back(part_of_line());
-    parallel_for(static_cast<int>(lines_.size()), task_.batch.threads, [&](int k, int) {
+    const int threads = threads_for({&task_, 1}, task_.batch.threads);
+    parallel_for(static_cast<int>(lines_.size()), threads, [&](int k, int) {
       std::vector<Task> tasks = lines_[index(k)].tasks_of(action, step);
       found[index(k)].idle = tasks.empty();
       if (tasks.empty()) return;
       for (Task& task : tasks) {
         task.candidates = k == 0 ? 1 + missing : 1;
-        if (lines_.size() > 1) task.batch.threads = 1;
+        if (lines_.size() > 1 && threads != 1) task.batch.threads = 1;
         // the first motion spreads the front, the others are the best by the mixture
         task.pareto = task.pareto && first;
         if (!first) task.evaluations = times * task.candidates * each;

@@ -73,6 +73,28 @@ TEST(CInterface, ABodyFromBytesMovesTheNodesOfItsFile) {
               HasSubstr("shigusa candidate 2"));
 }
 
+TEST(CInterface, APageShowsOneCandidateOrAll) {
+  const Outcome result = outcome_of(nullptr, kLowReach);
+  const auto figures = [&result](int32_t candidate) {
+    const std::string page = text_of(shigusa_result_export, result.get(), candidate, "html");
+    EXPECT_THAT(page, testing::StartsWith("<!DOCTYPE html>"));
+    int32_t count = 0;
+    for (size_t at = 0; (at = page.find("<canvas", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  EXPECT_GT(shigusa_result_candidates(result.get()), 1);
+  EXPECT_EQ(figures(0), shigusa_result_candidates(result.get()));
+  EXPECT_EQ(figures(2), 1);
+  EXPECT_NE(text_of(shigusa_result_export, result.get(), 1, "html"),
+            text_of(shigusa_result_export, result.get(), 2, "html"));
+  for (const int32_t missing : {-1, 99}) {
+    shigusa_bytes* file = nullptr;
+    EXPECT_EQ(shigusa_result_export(result.get(), missing, "html", &file),
+              SHIGUSA_INVALID_ARGUMENT);
+    EXPECT_EQ(file, nullptr);
+  }
+}
+
 TEST(CInterface, TellsTheNodesOfAFileAtRest) {
   auto file = shigusa::testing_support::person_gltf();
   const Character person = character_of(R"({"source": "person.gltf"})", file.dump());

@@ -140,3 +140,18 @@ for checker in layers messages c_math spdx words prose paper_map spelling docs; 
   case $checker in spelling) rm "$tree/docs/glossary.md" ;; esac
   if sh "$scripts/check_$checker.sh" "$tree" >/dev/null 2>&1; then report "check_$checker.sh accepts a tree of nothing"; fi
 done
+
+# version
+fresh
+write include/shigusa/shigusa.hpp '#define SHIGUSA_VERSION_MAJOR 1' '#define SHIGUSA_VERSION_MINOR 2' \
+  '#define SHIGUSA_VERSION_PATCH 3'
+write bindings/c/include/shigusa.h '#define SHIGUSA_HEADER_VERSION "1.2.3"'
+write CITATION.cff 'version: 1.2.3'
+write CHANGELOG.md '# Changelog' '## 1.2.3' '## 1.2.2'
+write debian/changelog 'shigusa (1.2.3) unstable; urgency=medium'
+accepts check_version.sh
+write CITATION.cff 'version: 1.2.2'
+fails_with 'CITATION.cff: 1.2.2, of 1.2.3' 'another version of the citation' sh "$scripts/check_version.sh" "$tree"
+write CITATION.cff 'version: 1.2.3'
+write CHANGELOG.md '# Changelog' '## Unreleased' '## 1.2.3'
+fails_with 'CHANGELOG.md: Unreleased' 'a changelog without the version' sh "$scripts/check_version.sh" "$tree"

@@ -90,10 +90,10 @@ bool is_quick(const Json& task) {
          !task.contains("generator") && works_quickly(task);
 }
 
-// The formats in which motions are written.
+// The formats in which motions are written, and the page.
 const std::vector<std::string>& written_formats() {
   static const std::vector<std::string> formats = [] {
-    std::vector<std::string> names;
+    std::vector<std::string> names{"html"};
     const Json facts = Json::parse(text_of(shigusa_facts));
     for (const Json& format : facts.at("formats")) {
       if (format.at("written")) names.push_back(format.at("name"));

@@ -178,6 +178,7 @@ const std::vector<Step>& steps() {
       {"shigusa_result_export bvh", [](const Hands& h) { return exported(h.result, "bvh"); }},
       {"shigusa_result_export csv", [](const Hands& h) { return exported(h.result, "csv"); }},
       {"shigusa_result_export svg", [](const Hands& h) { return exported(h.result, "svg"); }},
+      {"shigusa_result_export html", [](const Hands& h) { return exported(h.result, "html"); }},
       {"shigusa_result_export glb", [](const Hands& h) { return exported(h.own, "glb"); }},
       {"shigusa_result_export_with",
        [](const Hands& h) {

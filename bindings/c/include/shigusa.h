@@ -47,11 +47,11 @@ extern "C" {
 #define SHIGUSA_ABI_VERSION 1
 
 /** Version of the library that this header is of. */
-#define SHIGUSA_HEADER_VERSION "0.1.0"
+#define SHIGUSA_HEADER_VERSION "0.2.0"
 
 /** SHIGUSA_ABI_VERSION of the library's build. */
 SHIGUSA_API uint32_t shigusa_abi_version(void);
-/** Version of the library ("0.1.0"). */
+/** Version of the library ("0.2.0"). */
 SHIGUSA_API const char* shigusa_version(void);
 
 /** Result of a call: one of the numbers below. */
@@ -127,6 +127,17 @@ SHIGUSA_API shigusa_status shigusa_character_create(const char* spec, const void
 /** Frees a character; null is allowed. */
 SHIGUSA_API void shigusa_character_free(shigusa_character* character);
 
+/** Creates a character from the nodes of a host's skeleton, in any order and axes, as of a GLB file
+ * that has them. `spec`: as above; its `source` is the name "NAME.glb" by which messages and
+ * summaries call it, and which need not be there. `nodes`: JSON {"nodes": [{"name", "parent"
+ * (index; -1 or absent: none), "translation" [x, y, z], "rotation" [x, y, z, w] and "scale" [x, y,
+ * z] (in the parent, at rest; absent: none), "pose": {"translation", "rotation", "scale"} (as the
+ * node is now; what is absent is as at rest)}, …]}, 1 to 2048. If any node has a pose, motions
+ * start from it. A node's index is "file_node" of the description, and nodes that stand above the
+ * others place, turn and scale them: the series with {"place": "file"} have the host's own axes. */
+SHIGUSA_API shigusa_status shigusa_character_of_nodes(const char* spec, const char* nodes,
+                                                      shigusa_character** character);
+
 /** Description of a character: the object that `shigusa body --json` prints, with the nodes of
  * SHIGUSA_NODE_TRANSLATIONS and _ROTATIONS: "nodes": [{"name", "parent" (index or -1), "offset"
  * [x, y, z] and "rotation" [x, y, z, w] (in its parent, in the posture that was measured), "scale"
@@ -164,6 +175,40 @@ typedef struct shigusa_watch {
 SHIGUSA_API shigusa_status shigusa_generate(const shigusa_character* character, const char* task,
                                             int32_t threads, const shigusa_watch* watch,
                                             shigusa_result** result);
+
+/** Motions that a criterion of the host scores, of equal shapes. Tables are row by row, and valid
+ * during the call. */
+typedef struct shigusa_motions {
+  size_t motions;               /**< 1 and more */
+  size_t frames;                /**< of each */
+  size_t dofs;                  /**< degrees of freedom, in the order of the description's joints */
+  size_t effectors;             /**< of the task's goals, in their order */
+  double frame_time;            /**< s between frames */
+  const double* angles;         /**< motions × frames × dofs: rad */
+  const double* torques;        /**< motions × frames × dofs: N·m */
+  const double* centre_of_mass; /**< motions × frames × 3: m, world */
+  const double* effector_places; /**< motions × frames × effectors × 3: m, world */
+} shigusa_motions;
+
+/** A criterion of the host: a number of a whole motion, where less is better. Its penalty is value
+ * / scale, held between 0 and 1, and adds weight · penalty to a score, as built-in criteria do. */
+typedef struct shigusa_criterion {
+  const char* name; /**< in scores; not that of a built-in criterion */
+  double weight;    /**< 0 and more */
+  double scale;     /**< value at which the penalty is 1, above 0 */
+  /** Writes the values (motions) of all motions of a step of the search; a motion of the value NaN
+   * ranks last. Called on the calling thread. Returns 0; any other value, or an exception, ends the
+   * call (SHIGUSA_HOST). */
+  int32_t (*values)(void* user, const shigusa_motions* motions, double* values);
+  void* user; /**< passed to `values` */
+} shigusa_criterion;
+
+/** Searches motions as shigusa_generate, which score also by `count` criteria of the host. These
+ * are called during this call alone: edits of the result are scored without them. */
+SHIGUSA_API shigusa_status shigusa_generate_by(const shigusa_character* character, const char* task,
+                                               const shigusa_criterion* criteria, size_t count,
+                                               int32_t threads, const shigusa_watch* watch,
+                                               shigusa_result** result);
 
 /** Searches motions for `count` tasks in one call, on `threads` threads in all, with the results of
  * shigusa_generate for each. `results`: room for `count` results; null for a task that fails, which
@@ -245,8 +290,9 @@ SHIGUSA_API shigusa_status shigusa_result_action_parameters(const shigusa_result
                                                             int32_t candidate, int32_t action,
                                                             shigusa_bytes** json);
 
-/** Exports a candidate to a written format (shigusa_facts), such as "bvh". Fails if this build or
- * the character does not support it. Candidate 0: all of them in one GLB. */
+/** Exports a candidate to a written format (shigusa_facts), such as "bvh", or to "html": a page
+ * with the moving figure, its verdict and score, that loads no other file. Fails if this build or
+ * the character does not support it. Candidate 0: all of them in one GLB or page. */
 SHIGUSA_API shigusa_status shigusa_result_export(const shigusa_result* result, int32_t candidate,
                                                  const char* format, shigusa_bytes** file);
 

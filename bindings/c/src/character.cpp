@@ -34,6 +34,22 @@ shigusa_status shigusa_character_create(const char* spec, const void* file, size
   });
 }
 
+shigusa_status shigusa_character_of_nodes(const char* spec, const char* nodes,
+                                          shigusa_character** character) {
+  return guarded([&]() -> Result<void> {
+    SHG_TRY(need("spec", spec, "nodes", nodes, "character", character));
+    SHG_TRY_ASSIGN(CharacterSpec parsed, parse_character_spec(spec, "character"));
+    if (!parsed.source.ends_with(".glb")) {
+      return fail(ErrorCode::invalid_argument, "is " + parsed.source + "; nodes are of a NAME.glb",
+                  "character: source");
+    }
+    SHG_TRY(load_nodes(nodes, parsed));
+    SHG_TRY(build_character(parsed));
+    *character = new shigusa_character{std::move(parsed)};
+    return {};
+  });
+}
+
 void shigusa_character_free(shigusa_character* character) { delete character; }
 
 shigusa_status shigusa_character_describe(const shigusa_character* character,

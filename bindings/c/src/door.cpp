@@ -47,7 +47,7 @@ shigusa_status status_of(ErrorCode code) {
   return SHIGUSA_FAULT;
 }
 
-// The three numbers of a version, "0.1.0".
+// The three numbers of a version, "0.2.0".
 std::optional<std::array<int, 3>> version_numbers(std::string_view text) {
   std::array<int, 3> numbers{};
   for (std::size_t k = 0; k < numbers.size(); ++k) {

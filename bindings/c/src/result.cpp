@@ -6,6 +6,7 @@
 #include <shigusa/run.hpp>
 #include <shigusa/score.hpp>
 
+#include "criteria.hpp"
 #include "document/facts.hpp"
 #include "door.hpp"
 #include "watch.hpp"
@@ -14,6 +15,9 @@ using namespace shigusa;
 using namespace shigusa::door;
 
 namespace {
+
+// The moving page: `shigusa show` writes it from results, and it is no format of a motion.
+constexpr std::string_view kPageFormat = "html";
 
 // Replaces the task's character.
 void put_character(const shigusa_character* character, TaskFile& file) {
@@ -116,6 +120,18 @@ Result<void> worked(const shigusa_result& result, int32_t candidate, const WorkE
   return {};
 }
 
+// Page of a candidate's moving figure; 0: of all candidates.
+Result<std::string> page_of(const shigusa_result& result, int32_t candidate) {
+  const auto page = [&result](const GenerateResult& of) {
+    const ShownResult shown{result.task, of};
+    return motion_page({&shown, 1});
+  };
+  if (candidate == 0) return page(result.generation);
+  GenerateResult one = result.generation;
+  one.candidates = {one.candidates[static_cast<size_t>(candidate - 1)]};
+  return page(one);
+}
+
 // Fails if the result has no candidate of that number.
 Result<void> check_candidate(const shigusa_result& result, int32_t candidate) {
   const size_t count = result.generation.candidates.size();
@@ -132,20 +148,29 @@ extern "C" {
 shigusa_status shigusa_generate(const shigusa_character* character, const char* task,
                                 int32_t threads, const shigusa_watch* watch,
                                 shigusa_result** result) {
+  return shigusa_generate_by(character, task, nullptr, 0, threads, watch, result);
+}
+
+shigusa_status shigusa_generate_by(const shigusa_character* character, const char* task,
+                                   const shigusa_criterion* criteria, size_t count, int32_t threads,
+                                   const shigusa_watch* watch, shigusa_result** result) {
   return guarded_watched([&](const OwnArithmetic& arithmetic) -> Result<void> {
     SHG_TRY(need("task", task, "result", result));
+    if (count > 0) SHG_TRY(need("criteria", criteria));
     SHG_TRY(check_threads(threads));
     SHG_TRY_ASSIGN(TaskFile file, parse_task(task, "task"));
     put_character(character, file);
     SHG_TRY_ASSIGN(Task asked, task_of(file));
     asked.batch.threads = threads;
     Watched watched(watch, arithmetic);
+    SHG_TRY(add_criteria(criteria, count, watched, asked.criteria));
     const auto begin = std::chrono::steady_clock::now();
     Result<GenerateResult> found = asked.actions.empty() ? generate(asked, watched.progress())
                                                          : perform(asked, watched.progress());
     watched.pass_on();
     SHG_TRY_ASSIGN(GenerateResult generation, std::move(found));
     RunInfo info = search_info(asked, begin);
+    asked.criteria.user.clear();
     *result = new shigusa_result{std::move(file), std::move(asked), std::move(generation),
                                  std::move(info)};
     return {};
@@ -320,12 +345,17 @@ shigusa_status shigusa_result_export_with(const shigusa_result* result, int32_t 
     SHG_TRY(need("result", result, "format", format, "file", file));
     SHG_TRY_ASSIGN(FileSettings settings, parse_file_settings(options == nullptr ? "{}" : options,
                                                               "options", {.animation = {}}));
+    if (std::string_view(format) == kPageFormat) {
+      if (candidate != 0) SHG_TRY(check_candidate(*result, candidate));
+      SHG_TRY_ASSIGN(std::string page, page_of(*result, candidate));
+      return give(std::move(page), file);
+    }
     SHG_TRY_ASSIGN(const auto formats, parse_formats(format));
     if (formats.size() != 1) return fail(ErrorCode::invalid_argument, "one format at a time");
     const auto& all = result->generation.candidates;
     if (candidate == 0) {
       if (formats.front() != FileFormat::glb) {
-        return fail(ErrorCode::invalid_argument, "all candidates in one file are a glb");
+        return fail(ErrorCode::invalid_argument, "all candidates in one file are a glb or html");
       }
       SHG_TRY_ASSIGN(std::string bytes,
                      export_all(result->file.character, result->task, all, settings));

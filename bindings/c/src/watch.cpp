@@ -12,17 +12,10 @@ Progress Watched::progress() {
 }
 
 void Watched::tell(const ProgressReport& report) noexcept {
-  if (failed_) return;
-  try {
-    const HostArithmetic host(arithmetic_->host());
-    const auto answer =
-        watch_->report(watch_->user, report.fraction, report.evaluations, report.best_score);
-    if (answer != 0) stop_ = true;
-  } catch (...) {
-    failed_ = true;
-    thrown_ = std::current_exception();
-    stop_ = true;
-  }
+  ask([&] {
+    return watch_->report(watch_->user, report.fraction, report.evaluations, report.best_score) ==
+           0;
+  });
 }
 
 }  // namespace shigusa::door

@@ -27,6 +27,22 @@ class Watched {
   Watched& operator=(const Watched&) = delete;
 
   [[nodiscard]] Progress progress();
+  // Calls a function of the host, bool(), in the host's floating-point environment; false, and the
+  // search ends, if it returns false or throws.
+  template <class Call>
+  bool ask(const Call& call) noexcept {
+    if (failed_) return false;
+    try {
+      const HostArithmetic host(arithmetic_->host());
+      if (call()) return true;
+      stop_ = true;
+    } catch (...) {
+      failed_ = true;
+      thrown_ = std::current_exception();
+      stop_ = true;
+    }
+    return false;
+  }
   // Throws a HostFault if the host's function threw.
   void pass_on() const {
     if (failed_) throw HostFault{thrown_};

@@ -12,13 +12,16 @@ the origin is on the floor between the feet. Tasks have the keys of task files (
 
 from __future__ import annotations
 
+import io
+import math
 import pathlib
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Union, overload
 
 from . import _library
 from ._library import (
-    Cancelled, Failure, InvalidValue, NotFound, OutOfMemory, Progress, SystemRefused, Table, Unsupported,
+    Cancelled, Criterion, Failure, InvalidValue, Motions, NotFound, OutOfMemory, Progress, SystemRefused, Table,
+    Unsupported,
 )
 
 if TYPE_CHECKING:
@@ -26,13 +29,19 @@ if TYPE_CHECKING:
 
 __version__ = _library.version()
 __all__ = [
-    "Cancelled", "Candidate", "Character", "Failure", "InvalidValue", "Nodes", "NotFound", "OutOfMemory", "Result",
-    "SystemRefused", "Unsupported", "facts", "motion", "reach", "reach_all", "score",
+    "Cancelled", "Candidate", "Character", "Criterion", "Failure", "InvalidValue", "Motions", "Nodes", "NotFound",
+    "OutOfMemory", "Result", "SystemRefused", "Unsupported", "facts", "motion", "reach", "reach_all", "score",
 ]
 
 Place = Union[Sequence[float], Table]
 Goals = Union[Mapping[str, Union[Place, Mapping[str, Any]]], Sequence[Mapping[str, Any]]]
 Edit = Union[float, bool, str]
+# Styles of a page within a notebook: as small as can be seen well.
+_IN_NOTEBOOKS = (
+    "header,footer,.asked{display:none}.result{margin:12px 0}.candidates{grid-template-columns:repeat(auto-fill,minmax(230px,1fr))}"
+    ".candidates>li{max-width:280px}"
+)
+_NO_COST = "costs are not told: the task has no cost=True"
 
 # Series, by shigusa_series.
 _SERIES = {
@@ -51,6 +60,17 @@ class Character:
         self._handle = _library.create_character({"source": path.name if path.suffix else str(source), **spec}, file)
         self._name = path.name
         self._about: dict[str, Any] | None = None
+
+    @classmethod
+    def of_nodes(cls, nodes: Sequence[Mapping[str, Any]], name: str = "nodes", **spec: Any) -> Character:
+        """The person of a host's skeleton, in its own axes: nodes with "name", "parent" (index or -1), "translation",
+        "rotation" (x, y, z, w) and "scale" at rest, and "pose" with these as they are now, from which motions start.
+        `spec`: as of Character()."""
+        made = cls.__new__(cls)
+        made._handle = _library.character_of_nodes({"source": f"{name}.glb", **spec}, [dict(node) for node in nodes])
+        made._name = name
+        made._about = None
+        return made
 
     @property
     def about(self) -> dict[str, Any]:
@@ -189,8 +209,8 @@ class Candidate:
         return Result(made)[0]
 
     def export(self, form: str, **options: Any) -> bytes:
-        """The motion as a file: "bvh", "csv", "svg", "glb" or "vrma", with fps=24, clip="Reach", joint_names="mixamo" or
-        in_place=True."""
+        """The motion as a file: "bvh", "csv", "svg", "glb", "vrma" or "html" (a page with the moving figure), with
+        fps=24, clip="Reach", joint_names="mixamo" or in_place=True."""
         return _library.export(self._result._handle, self._number, form, options or None)
 
     def save(self, path: str | pathlib.Path, **options: Any) -> None:
@@ -212,8 +232,29 @@ class Candidate:
         frame.index.name = "time_s"
         return frame
 
+    @property
+    def cost(self) -> dict[str, Any]:
+        """What the motion costs the body, by methods of ergonomics ("reba", "rula", "en_1005_4", "low_back",
+        "strengths", "niosh"); of tasks with cost=True, and of pieces of work."""
+        found: dict[str, Any] | None = self.about.get("cost")
+        if found is None:
+            raise NotFound(_NO_COST)
+        return found
+
+    def cost_frame(self) -> pandas.DataFrame:
+        """A pandas frame by time (s) of a task with cost=True: REBA and RULA of each side, their sub-scores of the worse
+        one, and moment, compression and shear at L5/S1."""
+        import pandas as pd  # pylint: disable=import-outside-toplevel
+
+        table = pd.read_csv(io.BytesIO(self.export("csv")), index_col=0)
+        table.index.name = "time_s"
+        columns = [name for name in table if name.startswith(("reba.", "rula.", "l5s1."))]
+        if not columns:
+            raise NotFound(_NO_COST)
+        return table[columns]
+
     def _repr_html_(self) -> str:
-        return f"<p>{self!r}</p>{self.export('svg').decode()}".replace("<?xml version=\"1.0\" encoding=\"UTF-8\"?>", "")
+        return _framed(self.export("html"))
 
     def __repr__(self) -> str:
         return f"<shigusa.Candidate {self.verdict}, score {self.score:.3f}, {self.times[-1]:.2f} s>"
@@ -264,11 +305,53 @@ class Result(Sequence[Candidate]):
             return [Candidate(self, number) for number in numbers]
         return Candidate(self, numbers)
 
+    def costs(self) -> pandas.DataFrame:
+        """A pandas frame with a row for each candidate, from 1: greatest and mean scores, the greatest loads at L5/S1,
+        the share of people who are strong enough, and lifting indices (infinite where no load is allowed). Of tasks with
+        cost=True, and of pieces of work."""
+        import pandas as pd  # pylint: disable=import-outside-toplevel
+
+        rows = pd.DataFrame([_cost_row(candidate) for candidate in self], index=range(1, len(self) + 1))
+        rows.index.name = "candidate"
+        return rows
+
+    def export(self, form: str, **options: Any) -> bytes:
+        """All motions in one file, "glb" or "html"; `options` as of Candidate.export()."""
+        return _library.export(self._handle, 0, form, options or None)
+
+    def save(self, path: str | pathlib.Path, **options: Any) -> None:
+        """Writes all motions to one file, whose ending tells the format: .glb or .html."""
+        target = pathlib.Path(path)
+        target.write_bytes(self.export(target.suffix.lstrip(".").lower(), **options))
+
     def _repr_html_(self) -> str:
-        return "".join(candidate._repr_html_() for candidate in self)
+        return _framed(self.export("html"))
 
     def __repr__(self) -> str:
         return f"<shigusa.Result {self.status}, {len(self)} candidates>"
+
+
+def _cost_row(candidate: Candidate) -> dict[str, Any]:
+    cost = candidate.cost
+    row: dict[str, Any] = {"score": candidate.score, "verdict": candidate.verdict}
+    for method in ("reba", "rula"):
+        row[method] = cost.get(method, {}).get("worst", math.nan)
+        row[f"{method}_mean"] = cost.get(method, {}).get("mean", math.nan)
+    for load in ("moment_nm", "compression_n", "shear_n"):
+        row[load] = cost.get("low_back", {}).get(load, math.nan)
+    weakest = cost["strengths"][0] if cost["strengths"] else {}
+    row["strong_enough"], row["weakest_joint"] = weakest.get("able", math.nan), weakest.get("joint")
+    row["lifting_index"] = max((lift.get("lifting_index", math.inf) for lift in cost["niosh"]), default=math.nan)
+    row["composite_index"] = cost.get("composite_index", math.nan)
+    return row
+
+
+def _framed(page: bytes) -> str:
+    """A page in a notebook: its script runs, and neither reaches the other's styles."""
+    text = page.decode().replace("</head>", f"<style>{_IN_NOTEBOOKS}</style></head>", 1)
+    text = text.replace("&", "&amp;").replace("'", "&#39;")
+    look = "width:100%;height:620px;border:0"
+    return f"<iframe sandbox='allow-scripts' title='Moving figures' style='{look}' srcdoc='{text}'></iframe>"
 
 
 def _goals(goals: Goals) -> list[dict[str, Any]]:
@@ -302,6 +385,7 @@ def reach(
     goals: Goals | None = None,
     *,
     actions: Sequence[Mapping[str, Any]] | None = None,
+    own_criteria: Sequence[Criterion] = (),
     threads: int = 0,
     progress: Progress | None = None,
     **task: Any,
@@ -310,11 +394,14 @@ def reach(
 
     `goals`: places (m) by effector, {"right_hand": (-0.2, 0.6, 0.45)}, or with the other keys of a goal,
     {"right_hand": {"position_m": …, "load_kg": 2}}. `actions`: a piece of work instead, as in tasks of version 2, with
-    things={…}. `task`: other keys of a task file, such as seed=3, candidates=8 or obstacles=[…]. `threads`: 0 for all
+    things={…}. `own_criteria`: functions that motions are scored by as well; edits are scored without them. `task`:
+    other keys of a task file, such as seed=3, candidates=8 or obstacles=[…]. `threads`: 0 for all
     cores; results are the same. `progress`: called with the share done, the motions scored and the best score; False
     ends the search with the best so far. Ctrl-C ends it too.
     """
-    return Result(_library.generate(_character(character)._handle, _task(goals, actions, task), threads, progress))
+    return Result(_library.generate(
+        _character(character)._handle, _task(goals, actions, task), own_criteria, threads, progress
+    ))
 
 
 def reach_all(

@@ -5,13 +5,14 @@ from __future__ import annotations
 
 import contextlib
 import ctypes
+import importlib.metadata
 import json
 import os
 import pathlib
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Optional
+from typing import Any, NamedTuple, Optional
 
 import numpy as np
 import numpy.typing as npt
@@ -61,6 +62,56 @@ class _Watch(ctypes.Structure):
     _fields_ = [("report", _Report), ("user", ctypes.c_void_p)]
 
 
+class Motions(NamedTuple):
+    """Motions that a criterion gets to see, of equal shapes."""
+
+    angles: Table  # (motions, frames, degrees of freedom) rad, in the order of joint_names
+    torques: Table  # (motions, frames, degrees of freedom) N·m
+    centre_of_mass: Table  # (motions, frames, 3) m, world
+    effectors: Table  # (motions, frames, goals, 3) m, world
+    frame_time: float  # s between frames
+
+
+class Criterion(NamedTuple):
+    """A criterion of one's own: any number of a whole motion, where less is better. Its penalty is value / scale, held
+    between 0 and 1, and adds weight * penalty to a score."""
+
+    name: str
+    values: Callable[[Motions], npt.ArrayLike]  # (motions), of all motions of a step of the search at once
+    weight: float = 0.1
+    scale: float = 1.0
+
+
+class _Motions(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_size_t) for name in ("motions", "frames", "dofs", "effectors")] + [
+        ("frame_time", ctypes.c_double),
+        *((name, ctypes.POINTER(ctypes.c_double)) for name in ("angles", "torques", "centre_of_mass", "effector_places")),
+    ]
+
+    def copied(self) -> Motions:
+        """The tables, which live during the call alone, as arrays that last."""
+        shape = (self.motions, self.frames)
+        columns = {"angles": (self.dofs,), "torques": (self.dofs,), "centre_of_mass": (3,),
+                   "effector_places": (self.effectors, 3)}
+        tables = [
+            np.array(np.ctypeslib.as_array(getattr(self, name), shape + more)) if np.prod(more) else np.zeros(shape + more)
+            for name, more in columns.items()
+        ]
+        return Motions(*tables, self.frame_time)
+
+
+_Values = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(_Motions), ctypes.POINTER(ctypes.c_double)
+)
+
+
+class _Criterion(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p), ("weight", ctypes.c_double), ("scale", ctypes.c_double), ("values", _Values),
+        ("user", ctypes.c_void_p),
+    ]
+
+
 def _load() -> ctypes.CDLL:
     beside = pathlib.Path(__file__).parent / "libshigusa_c.so"
     library = ctypes.CDLL(os.environ.get("SHIGUSA_LIBRARY", str(beside)))
@@ -94,6 +145,13 @@ def version() -> str:
 def check_version(expected: str) -> None:
     """Raises Unsupported where the library is of another ABI, or older."""
     check(_library.shigusa_check_version(ctypes.c_uint32(ABI_VERSION), expected.encode()))
+
+
+if "SHIGUSA_LIBRARY" in os.environ:
+    try:
+        check_version(importlib.metadata.version("shigusa"))
+    except importlib.metadata.PackageNotFoundError:
+        check_version("0.0.0")  # not installed: any library of this ABI
 
 
 def _plain(value: Any) -> Any:
@@ -174,6 +232,26 @@ class _Watcher:
         self._report = _Report(tell)
         self.watch = _Watch(self._report, None)
 
+    def criterion(self, own: Criterion) -> _Criterion:
+        """A criterion as the library calls it; what it raises ends the search and is raised after it."""
+
+        def tell(_: object, motions: Any, values: Any) -> int:
+            try:
+                shown = motions.contents
+                told = np.asarray(own.values(shown.copied()), dtype=np.float64)
+                if told.shape != (shown.motions,):
+                    raise InvalidValue(
+                        f"the criterion {own.name} gives values of the shape {told.shape}; one of each of "
+                        f"{shown.motions} motions is needed: ({shown.motions},)"
+                    )
+                np.ctypeslib.as_array(values, told.shape)[:] = told
+            except BaseException as raised:  # pylint: disable=broad-except
+                self._raised = raised
+                return 1
+            return 0
+
+        return _Criterion(own.name.encode(), own.weight, own.scale, _Values(tell), None)
+
     def _interrupt(self, *_: object) -> None:
         self._raised = KeyboardInterrupt()
         self._stopped = True
@@ -187,7 +265,7 @@ class _Watcher:
             signal.signal(signal.SIGINT, self._interrupt)
         try:
             yield
-        except Cancelled:
+        except Failure:
             if self._raised is None:
                 raise
         finally:
@@ -201,6 +279,11 @@ def create_character(spec: dict[str, Any], file: bytes | None) -> Handle:
     """A character of a spec, and of its file's bytes."""
     size = ctypes.c_size_t(len(file) if file is not None else 0)
     return call_handle("character", "shigusa_character_create", _text(spec), file, size)
+
+
+def character_of_nodes(spec: dict[str, Any], nodes: Sequence[dict[str, Any]]) -> Handle:
+    """A character of a spec and of the nodes of a host's skeleton."""
+    return call_handle("character", "shigusa_character_of_nodes", _text(spec), _text({"nodes": list(nodes)}))
 
 
 def describe_character(character: Handle) -> Any:
@@ -217,8 +300,17 @@ def _watched(name: str, report: Progress | None, *arguments: Any) -> Handle:
         return call_handle("result", name, *arguments, ctypes.byref(watcher.watch))
 
 
-def generate(character: Handle | None, task: dict[str, Any], threads: int, report: Progress | None) -> Handle:
-    return _watched("shigusa_generate", report, _pointer(character), _text(task), ctypes.c_int32(threads))
+def generate(
+    character: Handle | None, task: dict[str, Any], criteria: Sequence[Criterion], threads: int, report: Progress | None
+) -> Handle:
+    """Searches motions, by criteria of Python as well."""
+    watcher = _Watcher(report)
+    own = (_Criterion * len(criteria))(*[watcher.criterion(one) for one in criteria])
+    with watcher.watching():
+        return call_handle(
+            "result", "shigusa_generate_by", _pointer(character), _text(task), own, ctypes.c_size_t(len(criteria)),
+            ctypes.c_int32(threads), ctypes.byref(watcher.watch),
+        )
 
 
 def generate_all(

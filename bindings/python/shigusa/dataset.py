@@ -386,9 +386,13 @@ class Dataset(Sequence[Motion]):
         """What is kept of each frame: "angles", "torques", "nodes", …"""
         return list(self.plan.get("series", []))
 
-    @functools.cached_property
+    @property
     def bodies(self) -> dict[str, Body]:
         """The tables of motions, by name."""
+        return self._bodies
+
+    @functools.cached_property
+    def _bodies(self) -> dict[str, Body]:
         return {name: self._shards.bodies[name] for name in self._rows["body"].unique()}
 
     def _table(self, name: str) -> pandas.DataFrame:

@@ -33,6 +33,8 @@ inline constexpr std::array kFiles{
     MessageText{"bvh_unread",
                 "frames with values that are no numbers are left out: {} of them, frame {} first"},
     MessageText{"frame_time_guessed", "a frame time of {:g} s: {:.4f} s is taken"},
+    MessageText{"nodes_list", "must be a list of 1 to {} nodes"},
+    MessageText{"nodes_in_ring", "nodes hang on themselves: their parents form a ring"},
     MessageText{"fbx_no_bone", "no bone: there is no skeleton in this file"},
     MessageText{"no_fbx", "no FBXVersion: this is no FBX file"},
     MessageText{

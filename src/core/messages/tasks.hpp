@@ -22,6 +22,9 @@ inline constexpr std::array kTasks{
     MessageText{"thing_twice", "two things are named {}"},
     MessageText{"held_already", "{} is in the hands already"},
     MessageText{"not_held", "{} is not in a hand: grasp it first"},
+    MessageText{"no_hold",
+                "no hand can hold {}: something covers each place of it for a hand, or no "
+                "hand is free"},
     MessageText{"hand_full", "the {} holds {} already"},
     MessageText{"not_a_hand", "{} is not a hand of this body; its hands are {}"},
     MessageText{"hand_holds", "the {} holds {} with the other hand: place or release it first"},

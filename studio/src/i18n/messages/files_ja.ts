@@ -18,6 +18,8 @@ export const files: Readonly<Record<string, string>> = {
   bvh_goes_on: 'ファイルにある {0} フレームの後に、さらに {1} フレームあります。その分は使いません。',
   bvh_unread: '{0} フレームに数でない値があるため除きました（最初はフレーム {1}）。',
   frame_time_guessed: 'フレーム時間が {0} 秒のため、{1} 秒としました。',
+  nodes_list: 'ノードを 1 から {0} 個並べたリストにしてください。',
+  nodes_in_ring: 'ノードの親子関係が輪になっています。',
   fbx_no_bone: 'ボーンがありません。このファイルには骨格がありません。',
   no_fbx: 'FBX ファイルではありません（FBXVersion がありません）。',
   old_fbx: 'FBX のバージョンが {0}.{1} です。読めるのは 6 以降です。FBX 7.4（2014）か GLB で保存してください。',

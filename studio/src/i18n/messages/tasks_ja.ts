@@ -13,6 +13,7 @@ export const tasks: Readonly<Record<string, string>> = {
   thing_twice: '{0} という名前の物が二つあります。',
   held_already: '{0} はもう手の中にあります。',
   not_held: '{0} は手の中にありません。まず grasp してください。',
+  no_hold: '{0} を持てる手がありません。手を置く所がすべて覆われているか、空いた手がありません。',
   hand_full: '{0} はもう {1} を持っています。',
   not_a_hand: '{0} はこの体の手ではありません。手は {1} です。',
   hand_holds: '{0} はもう一方の手と一緒に {1} を持っています。まず place か release してください。',
