@@ -31,12 +31,6 @@ std::uint64_t whole_in(const Column& column, std::size_t row) {
   return number >= 0.0 ? static_cast<std::uint64_t>(number) : 0;
 }
 
-// Columns of a series.
-bool is_of(std::string_view column, DatasetSeries series) {
-  const bool turns = series == DatasetSeries::nodes;
-  return column == word_of(series) || (turns && (column == "root_m" || column == "offsets_m"));
-}
-
 // Rows of a table by their task.
 std::multimap<std::uint64_t, Row> by_task(const Table& table) {
   std::multimap<std::uint64_t, Row> rows;
@@ -59,7 +53,6 @@ Result<void> join_motions(ShardRows& rows, std::size_t others, const std::string
   const auto table = rows.tables.begin();
   const auto tasks = by_task(*table);
   const auto goals = by_task(*std::next(table, 1));
-  const auto obstacles = by_task(*std::next(table, 2));
   for (auto it = std::next(table, static_cast<std::ptrdiff_t>(others)); it != rows.tables.end();
        ++it) {
     for (std::size_t at = 0; at < it->rows(); ++at) {
@@ -70,12 +63,10 @@ Result<void> join_motions(ShardRows& rows, std::size_t others, const std::string
         return fail(ErrorCode::parse,
                     fmt::format("has a motion of task {}, which it has not", number), place);
       }
-      rows.motions.push_back(
-          {motion, task->second, rows_of(goals, number), rows_of(obstacles, number)});
+      rows.motions.push_back({motion, task->second, rows_of(goals, number)});
       const DataMotion& one = rows.motions.back();
-      if (std::max(one.goals.size(), one.obstacles.size()) > kMostOfTask) {
-        return fail(ErrorCode::parse,
-                    fmt::format("has more than {} goals or obstacles of a task", kMostOfTask),
+      if (one.goals.size() > kMostOfTask) {
+        return fail(ErrorCode::parse, fmt::format("has more than {} goals of a task", kMostOfTask),
                     place);
       }
     }
@@ -150,16 +141,6 @@ std::string Row::text(std::string_view column) const {
   return std::string(padded.substr(0, padded.find('\0')));
 }
 
-FinalPosture DataMotion::ends() const {
-  const double index = motion.number("stoop_squat_index");
-  return {.sits = is_finite(task.number("seat_m")),
-          .knee_flexion = motion.number("knee_flexion_rad"),
-          .stoop_squat_index = is_finite(index) ? std::optional(index) : std::nullopt,
-          .trunk_lean = motion.number("trunk_lean_rad"),
-          .trunk_turn = motion.number("trunk_turn_rad"),
-          .elbow_swivel = motion.number("elbow_swivel_rad")};
-}
-
 std::string DataMotion::id() const { return fmt::format("{:06}-{}", number(), rank()); }
 
 Result<DataFolder> DataFolder::open(const std::filesystem::path& folder) {
@@ -190,33 +171,23 @@ Split split_of(const DataMotion& motion, const DatasetPlan& plan) {
                          plan.people() > 0);
 }
 
-std::vector<std::string> column_names(const Table& table,
-                                      const std::vector<DatasetSeries>& series) {
-  std::vector<std::string> names;
-  for (const Column& column : table.columns) {
-    const bool asked = std::any_of(series.begin(), series.end(), [&column](DatasetSeries one) {
-      return is_of(column.name, one);
-    });
-    if (column.shape.size() <= 1 || asked) names.push_back(column.name);
-  }
-  return names;
-}
-
-Result<ShardRows> read_rows(const DataFolder& data, std::uint64_t shard,
-                            const std::vector<DatasetSeries>& series) {
+Result<ShardRows> read_rows(const DataFolder& data, std::uint64_t shard) {
   SHG_TRY_ASSIGN(const ShardReader reader, open_shard(data.plan, data.folder, shard));
-  ShardRows rows{.head = reader.head(), .tables = {}, .motions = {}};
-  for (const char* path : {kTasksTable, kGoalsTable, kObstaclesTable}) {
+  ShardRows rows;
+  for (const char* path : {kTasksTable, kGoalsTable}) {
     SHG_TRY_ASSIGN(Table table, read_columns(reader, path, {}));
     rows.tables.push_back(std::move(table));
   }
-  rows.tasks = &rows.tables.front();
-  SHG_TRY(check_tasks(*rows.tasks, rows.head, shard_name(shard)));
+  SHG_TRY(check_tasks(rows.tables.front(), reader.head(), shard_name(shard)));
   const std::size_t others = rows.tables.size();
   SHG_TRY_ASSIGN(const std::vector<std::string> paths, reader.motion_tables());
   for (const std::string& path : paths) {
     SHG_TRY_ASSIGN(const Table empty, reader.table(path, {}, {0, 0}));
-    SHG_TRY_ASSIGN(Table table, read_columns(reader, path, column_names(empty, series)));
+    std::vector<std::string> names;
+    for (const Column& column : empty.columns) {
+      if (column.shape.size() <= 1) names.push_back(column.name);
+    }
+    SHG_TRY_ASSIGN(Table table, read_columns(reader, path, names));
     rows.tables.push_back(std::move(table));
   }
   SHG_TRY(join_motions(rows, others, shard_name(shard)));

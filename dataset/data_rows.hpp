@@ -40,23 +40,18 @@ struct DataMotion {
   Row motion;
   Row task;
   std::vector<Row> goals;
-  std::vector<Row> obstacles;
 
   [[nodiscard]] std::uint64_t number() const { return task.whole("task"); }
   [[nodiscard]] std::uint64_t rank() const { return motion.whole("rank"); }
-  // Posture at the end.
-  [[nodiscard]] FinalPosture ends() const;
   // Name from task number and rank, "000012-1"; names sort in the order of tasks.
   [[nodiscard]] std::string id() const;
 };
 
 // Rows of a shard, or of some of its columns.
 struct ShardRows {
-  ShardHead head;
   // a list, as rows point to its tables
   std::list<Table> tables;
   std::vector<DataMotion> motions;  // by task, then by rank
-  const Table* tasks = nullptr;
 };
 
 // Folder of a data set: its plan, and its existing shards.
@@ -70,17 +65,11 @@ struct DataFolder {
   [[nodiscard]] static Result<DataFolder> open(const std::filesystem::path& folder);
 };
 
-// Reads a shard's tables; of motions the columns of single numbers and lists, and the named series
-// that are stored.
-[[nodiscard]] Result<ShardRows> read_rows(const DataFolder& data, std::uint64_t shard,
-                                          const std::vector<DatasetSeries>& series);
+// Reads a shard's tables of tasks and goals, and of motions the columns of single numbers and
+// lists.
+[[nodiscard]] Result<ShardRows> read_rows(const DataFolder& data, std::uint64_t shard);
 
 // Part of the data set of a motion, by its person.
 [[nodiscard]] Split split_of(const DataMotion& motion, const DatasetPlan& plan);
-
-// Columns of a motion table without rows: those of single numbers and lists, and those of the
-// series.
-[[nodiscard]] std::vector<std::string> column_names(const Table& table,
-                                                    const std::vector<DatasetSeries>& series);
 
 }  // namespace shigusa

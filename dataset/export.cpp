@@ -1,23 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <shigusa/dataset_export.hpp>
 #include <shigusa/files.hpp>
 
-#include "export_writer.hpp"
+#include "export_glb.hpp"
+#include "files/staging.hpp"
 
 namespace shigusa {
 namespace {
 
-using MakeWriter = Result<std::unique_ptr<DataWriter>> (*)(const ExportJob&);
+// Output folder of an export. Files are completed in one staging folder and renamed, as write_file
+// would scan the folder each time.
+class ExportFolder {
+ public:
+  // Fails if the folder is not writable.
+  [[nodiscard]] Result<void> open(const std::filesystem::path& path) {
+    if (const int reason = staging_.open(path)) return refused(path, "open", reason);
+    if (const int reason = staging_.make()) return refused(path, "write to", reason);
+    return {};
+  }
+  // Writes a file of the folder, such as "motions/0000/000012-1.glb", creating its parent folders.
+  [[nodiscard]] Result<void> put(const std::string& name, std::string_view bytes) {
+    const std::filesystem::path& path = staging_.path();
+    const std::size_t slash = name.find_last_of('/');
+    const std::string above = slash == std::string::npos ? "" : name.substr(0, slash);
+    if (!above.empty() && above != last_) {
+      std::error_code failed;
+      std::filesystem::create_directories(path / above, failed);
+      if (failed) return refused(path / above, "make", failed.value());
+      last_ = above;
+    }
+    constexpr const char* kMade = "made";
+    int reason = staging_.add(kMade, bytes, false);
+    if (reason == 0) reason = staging_.move_out(kMade, name);
+    return reason == 0 ? Result<void>{} : refused(path / name, "write", reason);
+  }
 
-// Writers in the order of DataFormat.
-template <std::size_t... place>
-constexpr std::array<MakeWriter, sizeof...(place)> all_writers(std::index_sequence<place...>) {
-  return {make_writer<kDataFormats[place].format>...};
-}
-constexpr auto kWriters = all_writers(std::make_index_sequence<kDataFormats.size()>());
+ private:
+  Staging staging_;
+  std::string last_;  // folder that was made last
+};
 
 // Fails on a folder that holds foreign files.
 Result<void> prepare(const DataExportSettings& settings) {
@@ -32,22 +55,6 @@ Result<void> prepare(const DataExportSettings& settings) {
         settings.to.string());
   }
   return {};
-}
-
-Result<double> rate_of(const DataExportSettings& settings) {
-  const DataFormatInfo& info = info_of(settings.format);
-  if (!settings.rate) return info.rate;
-  if (info.rate_fixed) {
-    return fail(ErrorCode::invalid_argument,
-                info.rate > 0.0
-                    ? fmt::format("is {}; motions leave as {} at {} frames a second alone",
-                                  *settings.rate, info.word, info.rate)
-                    : fmt::format("is {}; motions leave as {} with their own frames alone",
-                                  *settings.rate, info.word),
-                "--fps");
-  }
-  SHG_TRY(check_rate(*settings.rate, "--fps"));
-  return *settings.rate;
 }
 
 Result<void> check_tasks(const DataExportSettings& settings, const DatasetPlan& plan) {
@@ -76,45 +83,75 @@ bool has_asked(const DataExportSettings& settings, const TaskRange& tasks) {
          (tasks.first < settings.tasks->last && tasks.last > settings.tasks->first);
 }
 
-// An export in progress.
+// File of a motion: a folder per thousand tasks, as folders of very many files are slow.
+std::string motion_file(const DataMotion& motion) {
+  constexpr std::uint64_t kTasksOfFolder = 1000;
+  return fmt::format("motions/{:04}/{}.glb", motion.number() / kTasksOfFolder, motion.id());
+}
+
+// Beginning of a README.md: source and selection of the motions.
+std::string about_export(const DatasetPlan& plan, const DataExportSettings& settings,
+                         std::uint64_t motions) {
+  std::string text = fmt::format(
+      "# {}\n\n{} motions of a data set that shigusa made, exported as GLB. Plan {} (SHA-256), "
+      "seed "
+      "{}{}.\nA motion's name is its task's number in the plan and its rank among the task's "
+      "motions.\n",
+      plan.name().empty() ? "Motions" : plan.name(), motions, plan.digest(), plan.seed(),
+      plan.licence().empty() ? "" : ", licence " + plan.licence());
+  if (settings.verdict) {
+    text += fmt::format("Only motions of the verdict `{}` or a better one are here.\n",
+                        word_of(*settings.verdict));
+  }
+  if (settings.split) {
+    text += fmt::format("Only people of the part `{}` are here.\n", *settings.split);
+  }
+  return text;
+}
+
+// An export in progress. Borrows all but the counts.
 struct Exporting {
-  const ExportJob& job;
-  DataWriter& writer;
+  const DataExportSettings& settings;
+  const DataFolder& data;
+  ExportFolder& folder;
+  GlbWriter& writer;
   std::optional<Split> split{};
   DataExportReport report{};
   DataExportRun run{};
 
   [[nodiscard]] bool is_asked(const DataMotion& motion) const {
-    const DataExportSettings& asked = job.settings;
     const std::uint64_t task = motion.number();
-    if (asked.tasks && (task < asked.tasks->first || task >= asked.tasks->last)) return false;
-    if (split && split_of(motion, job.data.plan) != *split) return false;
-    return !asked.verdict ||
-           motion.motion.whole("verdict") <= static_cast<std::uint64_t>(*asked.verdict);
+    if (settings.tasks && (task < settings.tasks->first || task >= settings.tasks->last)) {
+      return false;
+    }
+    if (split && split_of(motion, data.plan) != *split) return false;
+    return !settings.verdict ||
+           motion.motion.whole("verdict") <= static_cast<std::uint64_t>(*settings.verdict);
   }
   bool is_over() {
-    run.stopped = job.settings.cancel != nullptr && job.settings.cancel->load();
-    return run.stopped || (job.settings.most && run.motions >= *job.settings.most);
+    run.stopped = settings.cancel != nullptr && settings.cancel->load();
+    return run.stopped || (settings.most && run.motions >= *settings.most);
   }
   void tell() const {
-    if (job.settings.report) job.settings.report(report);
+    if (settings.report) settings.report(report);
   }
   Result<void> add(const DataMotion& motion) {
-    Result<void> added = writer.add(motion);
-    if (added) {
+    const Result<std::string> bytes = writer.file_of(motion);
+    if (bytes) {
+      SHG_TRY(folder.put(motion_file(motion), *bytes));
       report.motions = ++run.motions;
       return {};
     }
-    if (added.error().code != ErrorCode::unsupported) return added;
+    if (bytes.error().code != ErrorCode::unsupported) return tl::unexpected(bytes.error());
     if (run.left_out++ == 0) {
-      run.why = fmt::format("motion {}: {}", motion.id(), added.error().to_string());
+      run.why = fmt::format("motion {}: {}", motion.id(), bytes.error().to_string());
     }
     return {};
   }
   Result<void> add_shard(std::uint64_t shard) {
-    const TaskRange tasks = job.data.plan.tasks_of(shard);
-    if (has_asked(job.settings, tasks)) {
-      SHG_TRY_ASSIGN(const ShardRows rows, read_rows(job.data, shard, writer.series()));
+    const TaskRange tasks = data.plan.tasks_of(shard);
+    if (has_asked(settings, tasks)) {
+      SHG_TRY_ASSIGN(const ShardRows rows, read_rows(data, shard));
       for (const DataMotion& motion : rows.motions) {
         if (is_over()) return {};
         if (!is_asked(motion)) continue;
@@ -130,80 +167,34 @@ struct Exporting {
 
 }  // namespace
 
-Result<void> ExportFolder::open(const std::filesystem::path& path) {
-  if (const int reason = staging_.open(path)) return refused(path, "open", reason);
-  if (const int reason = staging_.make()) return refused(path, "write to", reason);
-  return {};
-}
-
-Result<void> ExportFolder::put(const std::string& name, std::string_view bytes) {
-  const std::filesystem::path& path = staging_.path();
-  const std::size_t slash = name.find_last_of('/');
-  const std::string above = slash == std::string::npos ? "" : name.substr(0, slash);
-  if (!above.empty() && above != last_) {
-    std::error_code failed;
-    std::filesystem::create_directories(path / above, failed);
-    if (failed) return refused(path / above, "make", failed.value());
-    last_ = above;
-  }
-  constexpr const char* kMade = "made";
-  int reason = staging_.add(kMade, bytes, false);
-  if (reason == 0) reason = staging_.move_out(kMade, name);
-  return reason == 0 ? Result<void>{} : refused(path / name, "write", reason);
-}
-
-std::string motion_file(const DataMotion& motion, std::string_view ending) {
-  constexpr std::uint64_t kTasksOfFolder = 1000;
-  return fmt::format("motions/{:04}/{}.{}", motion.number() / kTasksOfFolder, motion.id(), ending);
-}
-
-std::string about_export(const ExportJob& job, std::uint64_t motions) {
-  const DatasetPlan& plan = job.data.plan;
-  std::string text = fmt::format(
-      "# {}\n\n{} motions of a data set that shigusa made, exported as {}. Plan {} (SHA-256), seed "
-      "{}{}.\nA motion's name is its task's number in the plan and its rank among the task's "
-      "motions.\n",
-      plan.name().empty() ? "Motions" : plan.name(), motions, word_of(job.settings.format),
-      plan.digest(), plan.seed(), plan.licence().empty() ? "" : ", licence " + plan.licence());
-  if (job.settings.verdict) {
-    text += fmt::format("Only motions of the verdict `{}` or a better one are here.\n",
-                        word_of(*job.settings.verdict));
-  }
-  if (job.settings.split) {
-    text += fmt::format("Only people of the part `{}` are here.\n", *job.settings.split);
-  }
-  return text;
-}
-
 Result<DataExportRun> export_dataset(const DataExportSettings& settings) {
   SHG_TRY_ASSIGN(const DataFolder data, DataFolder::open(settings.from));
-  SHG_TRY_ASSIGN(const double rate, rate_of(settings));
+  SHG_TRY(check_rate(settings.rate, "--fps"));
   SHG_TRY(check_tasks(settings, data.plan));
   SHG_TRY_ASSIGN(const std::optional<Split> split, asked_split(settings));
-  ExportFolder folder;
-  const ExportJob job{settings, data, folder, rate};
-  SHG_TRY_ASSIGN(const std::unique_ptr<DataWriter> writer,
-                 kWriters[static_cast<std::size_t>(settings.format)](job));
+  SHG_TRY_ASSIGN(GlbWriter writer, GlbWriter::of(data.plan, settings));
   SHG_TRY(prepare(settings));
+  ExportFolder folder;
   SHG_TRY(folder.open(settings.to));
-  Exporting work{job, *writer, split};
+  Exporting work{settings, data, folder, writer, split};
   work.report.of = data.tasks;
   work.tell();
   for (const std::uint64_t shard : data.shards) {
     if (work.is_over()) break;
     SHG_TRY(work.add_shard(shard));
   }
-  if (work.run.motions == 0 && !work.run.stopped) {
-    return fail(
-        ErrorCode::invalid_argument,
-        work.run.left_out > 0
-            ? fmt::format("no motion can leave as {}: {}", word_of(settings.format), work.run.why)
-            : "has no motion that is asked for: ask for other tasks, verdicts or people",
-        settings.from.string());
+  DataExportRun& run = work.run;
+  if (run.motions == 0 && !run.stopped) {
+    return fail(ErrorCode::invalid_argument,
+                run.left_out > 0
+                    ? fmt::format("no motion can leave as GLB: {}", run.why)
+                    : "has no motion that is asked for: ask for other tasks, verdicts or people",
+                settings.from.string());
   }
-  SHG_TRY(writer->finish());
-  writer->count(work.run);
-  return work.run;
+  SHG_TRY(folder.put("README.md", about_export(data.plan, settings, run.motions) + writer.about()));
+  run.searched = writer.searched();
+  run.missed = writer.missed();
+  return run;
 }
 
 }  // namespace shigusa

@@ -125,10 +125,6 @@ std::string doubles(const std::vector<double>& values, const Shape& shape) {
 std::string integers(const std::vector<std::int32_t>& values, const Shape& shape) {
   return file_of("<i4", shape, bytes_of(values));
 }
-std::string number(double value) { return doubles({value}, {}); }
-std::string whole(std::uint64_t value) {
-  return file_of("<u8", {}, bytes_of(std::vector<std::uint64_t>{value}));
-}
 std::string texts(const std::vector<std::string>& values) {
   return text_file(values, {values.size()});
 }

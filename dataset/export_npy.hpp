@@ -18,8 +18,6 @@ using Shape = std::vector<std::size_t>;
 [[nodiscard]] std::string floats(const std::vector<float>& values, const Shape& shape);
 [[nodiscard]] std::string doubles(const std::vector<double>& values, const Shape& shape);
 [[nodiscard]] std::string integers(const std::vector<std::int32_t>& values, const Shape& shape);
-[[nodiscard]] std::string number(double value);
-[[nodiscard]] std::string whole(std::uint64_t value);
 // Array of texts from UTF-8.
 [[nodiscard]] std::string texts(const std::vector<std::string>& values);
 [[nodiscard]] std::string text(std::string_view value);

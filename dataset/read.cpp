@@ -45,7 +45,7 @@ Result<void> read_motions(const std::filesystem::path& folder,
                           const std::function<void(const DatasetMotion&)>& show) {
   SHG_TRY_ASSIGN(const DataFolder data, DataFolder::open(folder));
   for (const std::uint64_t shard : data.shards) {
-    SHG_TRY_ASSIGN(const ShardRows rows, read_rows(data, shard, {}));
+    SHG_TRY_ASSIGN(const ShardRows rows, read_rows(data, shard));
     for (const DataMotion& row : rows.motions) show(motion_of(row));
   }
   return {};

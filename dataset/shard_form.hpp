@@ -20,7 +20,7 @@ namespace shigusa {
 // infinities, numbers without a word, zero durations, malformed texts.
 [[nodiscard]] Result<void> check_values(const Table& table);
 
-// Largest number of goals of a task, and of motions and obstacles.
+// Largest number of goals of a task.
 inline constexpr std::size_t kMostOfTask = 1000;
 
 }  // namespace shigusa

@@ -102,7 +102,7 @@ BEGIN {
   face("character", "character")
   face("document", "files report score series")
   face("edit", "edit")
-  face("dataset", "dataset dataset_merge dataset_check dataset_show dataset_export dataset_read")
+  face("dataset", "dataset dataset_merge dataset_check dataset_export dataset_read")
   face("shigusa", "shigusa")
 
   n = split("aio dirent dlfcn execinfo fcntl ftw glob grp ifaddrs langinfo libgen link netdb poll pthread pwd " \

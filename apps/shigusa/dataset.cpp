@@ -260,7 +260,6 @@ void add_dataset(CLI::App& app, int& exit_code) {
   add_making_options(*c, o);
   add_dataset_merge(*c, exit_code);
   add_dataset_check(*c, exit_code);
-  add_dataset_show(*c, exit_code);
   add_dataset_export(*c, exit_code);
   c->callback([options, c, &exit_code] {
     if (!c->get_subcommands().empty()) return;

@@ -14,7 +14,6 @@ inline constexpr const char* kOfDataset = "Commands of a data set that is there"
 // The further commands for data sets; each function adds one to `shigusa dataset`.
 void add_dataset_merge(CLI::App& dataset, int& exit_code);
 void add_dataset_check(CLI::App& dataset, int& exit_code);
-void add_dataset_show(CLI::App& dataset, int& exit_code);
 void add_dataset_export(CLI::App& dataset, int& exit_code);
 
 // List of shards, "12 shards: 3, 7 to 17".

@@ -15,16 +15,13 @@ namespace {
 
 struct ExportOptions {
   std::string from;
-  std::string format;
   std::string to;
   bool force = false;
   std::optional<std::string> split;
   std::string tasks;  // FIRST:LAST, or empty for all
   std::optional<std::string> verdict;
   std::optional<std::uint64_t> most;
-  std::optional<double> fps;
-  bool series = false;
-  std::optional<std::size_t> least_frames;
+  double fps = kUsualRate;
   std::string character;
 };
 
@@ -63,29 +60,15 @@ Result<DataExportSettings> settings_of(const ExportOptions& options) {
                               .split = options.split,
                               .most = options.most,
                               .rate = options.fps,
-                              .series = options.series,
-                              .least_frames = options.least_frames.value_or(0),
                               .character = options.character,
                               .report = export_reporter(),
                               .cancel = &interrupted()};
-  const auto format = value_of<DataFormat>(options.format, "format");
-  if (!format) return fail(format.error().code, format.error().message, "--to");
-  settings.format = *format;
   SHG_TRY_ASSIGN(settings.tasks, asked_tasks(options));
   if (options.verdict) {
     const auto verdict = value_of<Verdict>(*options.verdict, "verdict");
     if (!verdict) return fail(verdict.error().code, verdict.error().message, "--verdict");
     settings.verdict = *verdict;
   }
-  const auto alone = [&](bool given, const char* option, DataFormat of) -> Result<void> {
-    if (!given || settings.format == of) return {};
-    return fail(ErrorCode::invalid_argument,
-                fmt::format("is for --to {} alone; the format is {}", word_of(of), options.format),
-                option);
-  };
-  SHG_TRY(alone(options.series, "--series", DataFormat::csv));
-  SHG_TRY(alone(options.least_frames.has_value(), "--least-frames", DataFormat::humanml3d));
-  SHG_TRY(alone(!options.character.empty(), "--character", DataFormat::glb));
   return settings;
 }
 
@@ -93,7 +76,7 @@ Result<int> dataset_export(const ExportOptions& options) {
   SHG_TRY_ASSIGN(const DataExportSettings settings, settings_of(options));
   SHG_TRY_ASSIGN(const DataExportRun run, export_dataset(settings));
   end_progress_line();
-  print_out("{} motions as {} in {}\n", run.motions, options.format, printable(options.to));
+  print_out("{} motions as GLB in {}\n", run.motions, printable(options.to));
   if (run.left_out > 0) {
     note("left out", fmt::format("{} motions; the first: {}", run.left_out, run.why));
   }
@@ -109,14 +92,6 @@ Result<int> dataset_export(const ExportOptions& options) {
   }
   if (run.stopped) note("stopped", "what is written so far is whole");
   return run.stopped ? kUnreachable : kDone;
-}
-
-std::string formats_help() {
-  std::string text;
-  for (const DataFormatInfo& info : kDataFormats) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : " ", info.word, info.about);
-  }
-  return text;
 }
 
 // Options that select motions.
@@ -142,39 +117,29 @@ void add_choice_options(CLI::App& c, ExportOptions& o) {
 void add_dataset_export(CLI::App& dataset, int& exit_code) {
   const auto options = std::make_shared<ExportOptions>();
   ExportOptions& o = *options;
-  CLI::App* c = dataset.add_subcommand("export", "Write a data set's motions for other programs");
+  CLI::App* c = dataset.add_subcommand(
+      "export",
+      "Write a data set's motions as GLB, on any character\nNumPy archives, HumanML3D's folders, "
+      "tables and plots come by the Python package: shigusa.dataset.");
   c->group(kOfDataset)
       ->footer(
-          "shigusa dataset export motions --to csv --out tables\n"
-          "shigusa dataset export motions --to glb --out clips --split test --most 20");
+          "shigusa dataset export motions --out clips --split test --most 20\n"
+          "shigusa dataset export motions --character hero.glb --out clips");
   describe(c->add_option("folder", o.from)->required(),
            {.brief = "Folder of the data set", .form = "FOLDER"});
   add_choice_options(*c, o);
   const std::string output = heading(OptionGroup::output);
-  describe(c->add_option("--to", o.format)->required(), {.group = output,
-                                                         .brief = "Format of the files",
-                                                         .full = formats_help(),
-                                                         .form = choices<DataFormat>()});
   describe(c->add_option("--out", o.to)->required(),
            {.group = output, .brief = "Folder for the files, new or empty", .form = "FOLDER"});
   describe(c->add_flag("--force", o.force),
            {.group = output,
             .brief = "Into a folder that is not empty",
             .full = "Into a folder that is not empty: files of the same names are replaced."});
-  describe(
-      c->add_option("--fps", o.fps),
-      {.group = output, .brief = "Frames a second of npz and glb (default 60)", .form = "RATE"});
-  describe(c->add_flag("--series", o.series),
-           {.group = output, .brief = "Of csv: a file of each motion's series too"});
-  describe(c->add_option("--least-frames", o.least_frames)->check(whole_number(1, 10'000)),
-           {.group = output,
-            .brief = "Of humanml3d: shorter motions hold their last pose",
-            .full = "Of humanml3d: motions of fewer frames hold their last pose up to that; its "
-                    "usual readers leave out those of fewer than 40.",
-            .form = "N"});
+  describe(c->add_option("--fps", o.fps),
+           {.group = output, .brief = "Frames a second (default 60)", .form = "RATE"});
   describe(c->add_option("--character", o.character),
            {.group = output,
-            .brief = "Of glb: the file of who moves (default: the tasks' own)",
+            .brief = "The file of who moves (default: the tasks' own)",
             .form = "FILE"});
   c->callback([options, &exit_code] { exit_code = exit_code_of(dataset_export(*options)); });
 }

@@ -90,7 +90,7 @@ inline constexpr std::array kEnvironment{
 
 // Usage of an option, "--goal EFFECTOR=X,Y,Z …"; "…" means that it is repeatable.
 [[nodiscard]] std::string label_of(const OptionManual& option);
-// Synopsis, "shigusa dataset export FOLDER --to csv|npz --out FOLDER [OPTION]…".
+// Synopsis, "shigusa dataset export FOLDER --out FOLDER [OPTION]…".
 [[nodiscard]] std::string usage_of(const CommandManual& command);
 // Choices for its value; empty if it is not a choice.
 [[nodiscard]] std::vector<std::string> words_of(const OptionManual& option);

@@ -23,6 +23,10 @@ Requires-Python: >=3.9
 Requires-Dist: numpy
 Provides-Extra: frames
 Requires-Dist: pandas; extra == "frames"
+Provides-Extra: dataset
+Requires-Dist: h5py; extra == "dataset"
+Requires-Dist: pandas; extra == "dataset"
+Requires-Dist: matplotlib; extra == "dataset"
 Description-Content-Type: text/markdown
 
 {readme}"""

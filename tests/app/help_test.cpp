@@ -241,7 +241,7 @@ TEST(Manual, TellsExitCodesAndEnvironmentInEachForm) {
 }
 
 TEST(Manual, IsOfACommandBelowAnother) {
-  EXPECT_THAT(run_shigusa({"manual", "dataset", "export"}).out, HasSubstr("humanml3d"));
+  EXPECT_THAT(run_shigusa({"manual", "dataset", "export"}).out, HasSubstr("--character"));
 }
 
 // The words that bash offers after a call with an unfinished last word.
@@ -274,7 +274,7 @@ TEST(Completion, OfBashOffersCommandsOptionsWordsAndPaths) {
   EXPECT_EQ(completed(work, {"shigusa", "reach", "t"}), "task.json ");
   EXPECT_EQ(completed(work, {"shigusa", "dataset", "m"}), "merge ");
   EXPECT_EQ(completed(work, {"shigusa", "dataset", "merge", ""}), "folder ");
-  EXPECT_EQ(completed(work, {"shigusa", "dataset", "export", "d", "--to", "g"}), "glb ");
+  EXPECT_EQ(completed(work, {"shigusa", "dataset", "export", "d", "--split", "v"}), "validation ");
 }
 
 TEST(Completion, IsReadByEachShell) {

@@ -143,8 +143,7 @@ TEST(DatasetOfWork, LeavesAsGlbWithItsThings) {
   ASSERT_TRUE(keep_plan(plan, work.path()));
   made(plan, {.folder = work.path(), .threads = 1});
   const WorkFolder out;
-  const auto run =
-      export_dataset({.from = work.path(), .to = out.path(), .format = DataFormat::glb});
+  const auto run = export_dataset({.from = work.path(), .to = out.path()});
   ASSERT_TRUE(run) << run.error().to_string();
   EXPECT_EQ(run->motions, 2U);
   EXPECT_EQ(run->left_out, 0U) << run->why;

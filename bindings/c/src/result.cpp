@@ -122,6 +122,11 @@ Result<void> worked(const shigusa_result& result, int32_t candidate, const WorkE
 
 // Page of a candidate's moving figure; 0: of all candidates.
 Result<std::string> page_of(const shigusa_result& result, int32_t candidate) {
+#ifdef __EMSCRIPTEN__
+  // it would make the module of a browser, which draws figures itself, 80 kB larger
+  (void)result, (void)candidate;
+  return fail(ErrorCode::unsupported, "this build writes no page");
+#else
   const auto page = [&result](const GenerateResult& of) {
     const ShownResult shown{result.task, of};
     return motion_page({&shown, 1});
@@ -130,6 +135,7 @@ Result<std::string> page_of(const shigusa_result& result, int32_t candidate) {
   GenerateResult one = result.generation;
   one.candidates = {one.candidates[static_cast<size_t>(candidate - 1)]};
   return page(one);
+#endif
 }
 
 // Fails if the result has no candidate of that number.
