@@ -77,7 +77,8 @@ BEGIN {
   documents = "work explore draw scene character formats robot files " generates
   allow("document", documents)
   allow("edit", "document " documents)
-  all = "work dataset edit document " documents
+  allow("assistant", "edit document " documents)
+  all = "assistant work dataset edit document " documents
   allow("dataset", "edit document " documents)
   allow("shigusa", all)  # the header that includes all others
   outside = "apps examples tests bindings bench research"
@@ -114,7 +115,7 @@ BEGIN {
 
   # folders that may use public headers, and all headers of these rooms
   inside["dataset"] = " dataset core files formats "
-  inside["apps"] = " core files problem "
+  inside["apps"] = " assistant core files problem "
   inside["bindings"] = " document generate "
 }
 

@@ -7,9 +7,9 @@ cd "${1:-$(dirname "$0")/..}"
 
 # Exceptions, texts that no page shows: errors of the operating system about files and folders (files/file,
 # files/descriptor, document/result_folder, document/result_store), the library's own faulty tables (formats/csv),
-# settings of strip figures, which are options of the command line (draw), and data sets (dataset). The command line and
-# the C interface (apps, bindings) are in English.
-files=$(find src include -type f \( -name '*.hpp' -o -name '*.cpp' \) ! -path 'src/core/*' ! -path 'src/draw/*' \
+# settings of strip figures, which are options of the command line (draw), data sets (dataset) and the tools of
+# assistants (assistant). The command line and the C interface (apps, bindings) are in English.
+files=$(find src include -type f \( -name '*.hpp' -o -name '*.cpp' \) ! -path 'src/core/*' ! -path 'src/draw/*' ! -path 'src/assistant/*' \
   ! -path src/files/file.cpp ! -path src/files/descriptor.cpp ! -path src/formats/csv.cpp \
   ! -path src/document/result_folder.cpp ! -path src/document/result_store.cpp | LC_ALL=C sort) || true
 [ -n "$files" ] || { echo "check_messages: no sources below $(pwd)" >&2; exit 1; }

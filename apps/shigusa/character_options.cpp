@@ -245,8 +245,9 @@ void add_file_options(CLI::App& c, FileOptions& o, const FileHelp& help) {
             .brief = fmt::format("Frames a second of {} (default {})", format_words(is_rated),
                                  help.rate),
             .full = fmt::format("Frames a second of {}, 1 to 240, such as 24 or 29.97; {} when not "
-                                "given. The others have the motion's own frames.",
-                                format_words(is_rated), help.rate),
+                                "given, but {:g} of npz. The others have the motion's own frames, "
+                                "unless it is the csv of a robot.",
+                                format_words(is_rated), help.rate, info_of(FileFormat::npz).rate),
             .form = "RATE",
             .rare = help.rare});
   add_rare_file_options(c, o);
@@ -278,7 +279,7 @@ Result<ExportSettings> export_settings(const FileOptions& options, const Charact
   SHG_TRY(check_files_of_robot(options, spec));
   usual.from_svg = picture_from;
   usual.one_file = options.one_file;
-  usual.rate = options.fps.value_or(usual.rate);
+  if (options.fps) usual.rate = options.fps;
   usual.clip = options.clip;
   usual.in_place = options.in_place;
   usual.only_this_clip = options.only_this_clip;

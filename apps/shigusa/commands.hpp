@@ -73,6 +73,7 @@ void add_map(CLI::App& app, int& exit_code);
 void add_body(CLI::App& app, int& exit_code);
 void add_dataset(CLI::App& app, int& exit_code);
 void add_studio(CLI::App& app, int& exit_code);
+void add_mcp(CLI::App& app, int& exit_code);
 void add_schema(CLI::App& app);
 
 // The words of an enum as an option's form (see OptionHelp): "paper|flat".
@@ -137,6 +138,26 @@ inline constexpr const char* kFramesHelp = "Part of the clip, by its frames from
 // Opens closed standard streams, so that no file gets their numbers: output to stderr is discarded,
 // and writing to stdout fails.
 void open_standard_streams();
+
+// Lines of the standard input.
+class InputLines {
+ public:
+  // At most `most` + 1 bytes of a line are kept.
+  explicit InputLines(std::size_t most) : most_(most) {}
+
+  // The next line, without its end; nothing at the end of the input and after Ctrl-C, or, without
+  // waiting, if no whole line is there yet.
+  [[nodiscard]] std::optional<std::string> next(bool wait);
+
+ private:
+  [[nodiscard]] bool read_block(bool wait);
+
+  std::size_t most_;
+  std::string block_{};   // bytes that were read
+  std::size_t used_ = 0;  // of them in lines
+  std::string line_{};    // a line's beginning
+  bool ended_ = false;
+};
 
 // Whether stderr is a terminal.
 [[nodiscard]] bool is_terminal();

@@ -92,7 +92,9 @@ Result<fs::path> attach_character(const EditOptions& options, StoredResult& stor
 
 // Formats of the result, except those that need the person's missing file.
 ExportSettings usual_settings(const StoredResult& stored, int candidate, const fs::path& file) {
-  ExportSettings usual{.formats = {}, .rate = stored.rate, .character = file};
+  ExportSettings usual{.formats = {}, .character = file};
+  // formats of another usual rate keep theirs
+  if (stored.rate != kUsualRate) usual.rate = stored.rate;
   const auto index = static_cast<std::size_t>(candidate) - 1;
   if (index < stored.files.size()) {
     for (const auto& [name, written] : stored.files[index]) {

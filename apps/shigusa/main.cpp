@@ -25,6 +25,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_habit(app, exit_code);
   add_dataset(app, exit_code);
   add_studio(app, exit_code);
+  add_mcp(app, exit_code);
   add_schema(app);
   add_completion(app, exit_code);
   add_manual(app, exit_code);  // of those before it

@@ -2,12 +2,16 @@
 // Calls of the operating system: streams, signals, programs and libraries.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <filesystem>
+#include <utility>
 
 #include "commands.hpp"
 
@@ -37,6 +41,36 @@ void open_standard_streams() {
     if (fcntl(stream, F_GETFD) >= 0) continue;
     // this takes the lowest free number; writing to a read-only descriptor fails
     (void)!open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+bool InputLines::read_block(bool wait) {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  while (!ended_) {
+    const int ready = poll(&input, 1, wait ? -1 : 0);
+    if (ready == 0 || interrupt_flag) return false;
+    if (ready < 0) continue;  // another signal
+    constexpr std::size_t kBlock = 1 << 16;
+    block_.resize(kBlock);
+    const ssize_t count = read(STDIN_FILENO, block_.data(), kBlock);
+    block_.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    used_ = 0;
+    if (count > 0) return true;
+    ended_ = count == 0 || errno != EINTR;
+  }
+  return false;
+}
+
+std::optional<std::string> InputLines::next(bool wait) {
+  for (;;) {
+    const std::size_t end = std::min(block_.find('\n', used_), block_.size());
+    line_.append(block_, used_, std::min(end - used_, most_ + 1 - line_.size()));
+    const bool whole = end < block_.size();
+    used_ = whole ? end + 1 : end;
+    if (whole) return std::exchange(line_, {});
+    if (read_block(wait)) continue;
+    if (!ended_ || line_.empty()) return std::nullopt;
+    return std::exchange(line_, {});
   }
 }
 

@@ -208,7 +208,9 @@ struct ExportSettings {
   std::vector<FileFormat> formats;  ///< formats written for each candidate
   /// Writes all candidates into candidates.glb instead of one GLB each.
   bool one_file = false;
-  double rate = kUsualRate;  ///< Hz, frame rate of BVH, GLB and VRMA: kRateMin..kRateMax
+  /// Hz, frame rate of rated formats and of a robot's CSV: kRateMin..kRateMax; empty: that of each
+  /// format (FormatInfo::rate).
+  std::optional<double> rate{};
   /// Path of the character's file, recorded in the result; may be empty.
   std::filesystem::path character{};
   std::string clip{};                  ///< see FileSettings::animation; empty: named by rank
@@ -240,14 +242,15 @@ struct WrittenResult {
 /// frame, the first at or after the motion's end, is its final posture. Their bytes are read back
 /// before they are written: a file whose nodes deviate by more than 1 mm or 0.1° is left out with a
 /// note, and a file that deviates less, but beyond its format's precision, gets a note. Fails if
-/// all files are left out. CSV and figures have the motion's own frames.
+/// all files are left out. CSV and figures have the motion's own frames, but the CSV of a robot has
+/// a requested rate too. NPZ is for controllers of robots (docs/robot_references.md).
 [[nodiscard]] Result<WrittenResult> write_result(const std::filesystem::path& folder,
                                                  const FinishedRun& run,
                                                  const ExportSettings& settings);
 
 /// Settings for writing one motion.
 struct FileSettings {
-  double rate = kUsualRate;            ///< Hz, see ExportSettings::rate
+  std::optional<double> rate{};        ///< Hz, see ExportSettings::rate
   std::string animation = "shigusa";   ///< name of the animation in GLB and VRMA
   JointNames names = JointNames::own;  ///< joint names of a built-in body in BVH and GLB
   /// Keeps the hips in place horizontally in BVH, GLB and VRMA, for game engines that move the
@@ -272,8 +275,8 @@ struct FileSettings {
 
 /// The bytes of a file with one candidate on the body's own skeleton. BVH: in centimetres. CSV:
 /// joint angles, torques, centre of mass and hand path over time; for a robot, the file's joints
-/// and the pose of its root link in the robot's world, z up and x ahead. SVG, PNG, PDF: strip
-/// figure. Fails as write_result does.
+/// and the pose of its root link in the robot's world, z up and x ahead. NPZ: these at a rate, with
+/// velocities and the bodies' poses. SVG, PNG, PDF: strip figure. Fails as write_result does.
 [[nodiscard]] Result<std::string> export_candidate(const Task& task, const Candidate& candidate,
                                                    FileFormat format,
                                                    const FileSettings& settings = {});

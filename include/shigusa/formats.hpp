@@ -26,6 +26,7 @@ enum class FileFormat {
   fbx,   ///< character, converted to glTF when read
   urdf,  ///< robot
   mjcf,  ///< MuJoCo model of a robot
+  npz,   ///< NumPy arrays for controllers of robots
 };
 
 /// The kind of character file that writing a format requires.
@@ -50,6 +51,7 @@ struct FormatInfo {
   bool written = false;       ///< motions can be written in it
   bool usual = false;         ///< written by default if the character allows it
   bool rated = false;         ///< written at the requested frame rate
+  double rate = kUsualRate;   ///< Hz, of a rated format if none is requested
   std::size_t max_bytes = 0;  ///< size limit of a file that is read
   /// Kind of character file that writing requires.
   NeededFile needs = NeededFile::none;
@@ -156,6 +158,16 @@ inline constexpr std::array kFileFormats{
                .about = "A robot as MuJoCo has it.",
                .robot = true,
                .max_bytes = 4 * kMebibyte},
+    FormatInfo{.format = FileFormat::npz,
+               .word = "npz",
+               .endings = {".npz"},
+               .media_type = "application/zip",
+               .about =
+                   "Joints, bodies, velocities and torques as NumPy arrays, for controllers of "
+                   "robots.",
+               .written = true,
+               .rated = true,
+               .rate = 50.0},
 };
 /// The words of FileFormat.
 template <>

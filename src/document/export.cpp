@@ -109,7 +109,7 @@ Result<FileSettings> parse_file_settings(std::string_view text, std::string_view
                                          FileSettings settings) {
   SHG_TRY_ASSIGN(const Json json, parse_json(text, name));
   JsonReader reader(json, std::string(name) + ": ");
-  reader.number("fps", settings.rate, kRateMin, kRateMax);
+  if (reader.has("fps")) reader.number("fps", settings.rate.emplace(), kRateMin, kRateMax);
   reader.text("clip", settings.animation);
   reader.word("joint_names", settings.names);
   reader.truth("in_place", settings.in_place);
@@ -120,14 +120,14 @@ Result<FileSettings> parse_file_settings(std::string_view text, std::string_view
 
 Result<void> check_file_settings(const CharacterSpec& character, FileFormat format,
                                  const FileSettings& settings) {
-  SHG_TRY(check_rate(settings.rate, "rate"));
+  if (settings.rate) SHG_TRY(check_rate(*settings.rate, "rate"));
   constexpr std::size_t kClipNameMax = 200;
   if (settings.animation.size() > kClipNameMax) {
     return fail(ErrorCode::invalid_argument,
                 say("long_clip_name", settings.animation.size(), kClipNameMax), "the clip's name");
   }
   const bool has_own = character.rig || character.urdf;
-  if (settings.names == JointNames::own || !has_own || !info_of(format).rated) return {};
+  if (settings.names == JointNames::own || !has_own || !info_of(format).clip) return {};
   return fail(ErrorCode::invalid_argument, say("own_joint_names", character.source), "joint names");
 }
 

@@ -45,11 +45,17 @@ Result<MadeFile> write_as<FileFormat::vrma>(const WriteRequest& request);
 template <>
 Result<MadeFile> write_as<FileFormat::csv>(const WriteRequest& request);
 template <>
+Result<MadeFile> write_as<FileFormat::npz>(const WriteRequest& request);
+template <>
 Result<MadeFile> write_as<FileFormat::svg>(const WriteRequest& request);
 template <>
 Result<MadeFile> write_as<FileFormat::png>(const WriteRequest& request);
 template <>
 Result<MadeFile> write_as<FileFormat::pdf>(const WriteRequest& request);
+
+// A candidate's motion at a rate (Hz). Fails if it exceeds the limits of files.
+[[nodiscard]] Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
+                                        const Candidate& candidate, double rate);
 
 // Wraps bytes that hold no motion of nodes, for write_as.
 [[nodiscard]] Result<MadeFile> unread(Result<std::string> bytes);

@@ -141,15 +141,21 @@ Json resting_to_json(const CharacterSpec& character, const Candidate& candidate)
   return list;
 }
 
-// Adds the files of a candidate. The frame count is that of files that hold the motion of nodes.
-void add_files(const Candidate& candidate, const CandidateFiles& files, double rate, Json& json) {
+// Adds the files of a candidate, with the rate and the frames of those that have the rate asked
+// for.
+void add_files(const Candidate& candidate, const CandidateFiles& files, double rate, bool robot,
+               Json& json) {
   json["files"] = Json::object();
   for (const auto& [format, file] : files) {
     json["files"][format] = file.name;
     if (!file.sha256.empty()) json["sha256"][format] = file.sha256;
-    if (!file.read_back) continue;
+    const auto known = value_of<FileFormat>(format, "format");
+    const bool rated = known && (info_of(*known).rated || (robot && *known == FileFormat::csv));
+    // where none was asked for, formats without nodes have frames of their own
+    if (!rated || (rate == kUsualRate && !file.read_back)) continue;
     json["fps"] = rate;
     json["file_frames"] = frames_at(candidate.motion.clip.duration(), rate);
+    if (!file.read_back) continue;
     json["read_back"][format] = {{"effector_mm", file.read_back->effector * kMillimetres},
                                  {"feet_mm", file.read_back->feet * kMillimetres},
                                  {"turn_deg", degrees(file.read_back->turn)}};
@@ -192,7 +198,7 @@ Json candidate_to_json(const FinishedRun& run, std::size_t index, const ResultFi
   json["parameters"] = parameters_to_json(*run.generation.parameters, candidate.parameters);
   const bool written = index < files.candidates.size();
   const CandidateFiles& own = written ? files.candidates[index] : CandidateFiles{};
-  add_files(candidate, own, files.rate, json);
+  add_files(candidate, own, files.rate, run.task.robot.has_value(), json);
   if (own.contains("glb")) {
     json["glb_animation"] = candidate_animation(character, index + 1);
     json["glb_unit_m"] = node_unit(character);

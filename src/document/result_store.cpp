@@ -139,7 +139,7 @@ Result<WrittenResult> write_result(const fs::path& folder, const FinishedRun& ru
   ResultFolder out;
   SHG_TRY(out.open(folder));
   const std::size_t count = run.generation.candidates.size();
-  ResultFiles files{settings.rate,
+  ResultFiles files{settings.rate.value_or(kUsualRate),
                     std::vector<CandidateFiles>(count),
                     from_folder(settings.character, folder),
                     {}};

@@ -11,32 +11,14 @@
 #include "cost/posture_parts.hpp"
 #include "export_file.hpp"
 #include "formats/csv.hpp"
-#include "kinematics/forward_kinematics.hpp"
 #include "robot/root_joints.hpp"
+#include "sampled.hpp"
 
 namespace shigusa {
 namespace {
 
-// Converts a point (m) from shigusa's world to a robot's: x ahead, y to the left, z up.
-Vec3d in_robot_world(const Vec3d& point) { return {point.z, point.x, point.y}; }
-
 constexpr std::array kPoseNames{"root.x [m]", "root.y [m]", "root.z [m]", "root.qx",
                                 "root.qy",    "root.qz",    "root.qw"};
-
-// (frames) placements of the root.
-std::vector<Transformd> root_places(const BodyModel& body, const RobotFrame& robot,
-                                    const Clip& clip) {
-  Kinematics<double> kinematics(body);
-  std::vector<Transformd> places;
-  for (int f = 0; f < clip.frames; ++f) {
-    forward_kinematics<double>(body, clip.frame(f), kinematics);
-    const Mat3d r = kinematics.link_rotation(robot.link) * robot.root_in_link.rotation;
-    places.push_back(
-        {Mat3d{in_robot_world(r.cx), in_robot_world(r.cy), in_robot_world(r.cz)},
-         in_robot_world(kinematics.point(robot.link, robot.root_in_link.translation))});
-  }
-  return places;
-}
 
 // (frames) values of the joints between the world and the root; empty if the root is free, or if
 // those joints cannot reach its placements.
@@ -78,20 +60,12 @@ void add_robot_columns(const PosedBody& posed, const Motion& motion,
   const std::vector<RootValues> ways = carried(robot, root);
   if (!ways.empty()) root.assign(root.size(), robot.world);
   add_pose(root, columns);
-  const auto dofs = static_cast<std::size_t>(clip.dofs);
-  const auto of_dof = [&](const RobotJoint& joint, const std::vector<double>& all) {
-    std::vector<double> values;
-    for (std::size_t i = static_cast<std::size_t>(joint.dof); i < all.size(); i += dofs) {
-      values.push_back(0.0 + joint.sign * all[i]);  // 0.0 + avoids -0
-    }
-    return values;
-  };
   const auto frames = static_cast<std::size_t>(clip.frames);
   const std::size_t first = columns.size();
   for (const RobotJoint& joint : robot.joints) {
-    columns.push_back(
-        {joint.name + (joint.slides ? " [m]" : " [rad]"),
-         joint.dof < 0 ? std::vector<double>(frames, joint.angle) : of_dof(joint, clip.angles)});
+    columns.push_back({joint.name + (joint.slides ? " [m]" : " [rad]"),
+                       joint.dof < 0 ? std::vector<double>(frames, joint.angle)
+                                     : of_joint(joint, clip.angles, clip.dofs)});
   }
   for (std::size_t f = 0; f < ways.size(); ++f) {
     for (std::size_t k = 0; k < robot.carriers.size(); ++k) {
@@ -100,7 +74,7 @@ void add_robot_columns(const PosedBody& posed, const Motion& motion,
   }
   for (const RobotJoint& joint : robot.joints) {
     if (joint.dof < 0) continue;
-    columns.push_back({joint.name + " torque [N m]", of_dof(joint, motion.torques)});
+    columns.push_back({joint.name + " torque [N m]", of_joint(joint, motion.torques, clip.dofs)});
   }
 }
 
@@ -179,9 +153,26 @@ void add_cost_columns(const MotionCost& cost, std::vector<CsvColumn>& columns) {
       [](const FrameCost& frame) { return frame.back ? frame.back->shear : 0.0; });
 }
 
+// The cost in the frames of another clip: what is found in a frame holds until the next.
+MotionCost in_frames_of(const Clip& clip, const Clip& own, MotionCost cost) {
+  const std::vector<FrameCost> frames = std::exchange(cost.frames, {});
+  for (int f = 0; f < clip.frames && !frames.empty(); ++f) {
+    constexpr double kSlack = 1e-9;  // frames, of a time that is a frame's own
+    const double at = f * clip.frame_time / max(own.frame_time, kSlack) + kSlack;
+    cost.frames.push_back(frames[std::min(static_cast<std::size_t>(at), frames.size() - 1)]);
+  }
+  return cost;
+}
+
 Result<std::string> motion_csv(const WriteRequest& request) {
   const Task& task = request.task;
-  const Candidate& candidate = request.candidate;
+  Candidate at_rate;
+  // controllers of robots have a rate; a person's numbers stay those of the motion's own frames
+  const std::optional<double> rate = task.robot ? request.settings.rate : std::nullopt;
+  if (rate) {
+    SHG_TRY_ASSIGN(at_rate, sampled(request.character, task, request.candidate, *rate));
+  }
+  const Candidate& candidate = rate ? at_rate : request.candidate;
   const Motion& motion = candidate.motion;
   const bool robot = task.robot.has_value();
   std::vector<CsvColumn> columns{{"time [s]", {}}};
@@ -198,11 +189,14 @@ Result<std::string> motion_csv(const WriteRequest& request) {
     add_points(candidate.goals[g].asked.effector, motion.effectors[g]);
   }
   for (const ThingMotion& thing : candidate.things) add_thing_columns(thing, columns);
-  if (task.cost && request.cost != nullptr) {
-    add_cost_columns(*request.cost, columns);
-  } else if (task.cost) {
-    SHG_TRY_ASSIGN(const MotionCost cost, candidate_cost(task, candidate, task.ergonomics));
-    add_cost_columns(cost, columns);
+  if (task.cost) {
+    Result<MotionCost> cost = request.cost != nullptr
+                                  ? Result<MotionCost>(*request.cost)
+                                  : candidate_cost(task, request.candidate, task.ergonomics);
+    if (!cost) return tl::unexpected(cost.error());
+    add_cost_columns(
+        rate ? in_frames_of(motion.clip, request.candidate.motion.clip, std::move(*cost)) : *cost,
+        columns);
   }
   return format_csv(columns);
 }

@@ -21,22 +21,14 @@
 namespace shigusa {
 namespace {
 
-// The motion at a file's rate. Fails if it exceeds the limits of files.
-Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
-                          const Candidate& candidate, double rate) {
-  const Clip& clip = candidate.motion.clip;
-  const std::size_t nodes =
-      character.rig ? character.rig->rig.nodes.size() : task.body.nodes().size();
-  const auto frames = static_cast<std::size_t>(frames_at(clip.duration(), rate));
-  if (frames * nodes <= kBvhMaxTransforms) return motion_at(task.body, candidate, rate);
-  return fail(ErrorCode::invalid_argument, say("file_frames", frames, nodes, kBvhMaxTransforms));
-}
+// Frames a second of a file.
+double rate_of(const FileSettings& settings) { return settings.rate.value_or(kUsualRate); }
 
 // A file made by `make` from the motion at the requested rate, and read back by `check`.
 template <class Make, class Check>
 Result<MadeFile> checked_file(const WriteRequest& request, Make&& make, Check&& check) {
   const auto& [character, task, candidate, settings, cost] = request;
-  SHG_TRY_ASSIGN(const Clip clip, clip_at_rate(character, task, candidate, settings.rate));
+  SHG_TRY_ASSIGN(const Clip clip, clip_at_rate(character, task, candidate, rate_of(settings)));
   SHG_TRY_ASSIGN(std::string bytes, make(clip));
   SHG_TRY_ASSIGN(const ReadBack back,
                  check(ReadBackCheck(character, task, candidate, clip, settings.in_place), bytes));
@@ -71,6 +63,16 @@ GltfAnimation animation_of(const GlbExporter& exporter, const Task& task,
 
 }  // namespace
 
+Result<Clip> clip_at_rate(const CharacterSpec& character, const Task& task,
+                          const Candidate& candidate, double rate) {
+  const Clip& clip = candidate.motion.clip;
+  const std::size_t nodes =
+      character.rig ? character.rig->rig.nodes.size() : task.body.nodes().size();
+  const auto frames = static_cast<std::size_t>(frames_at(clip.duration(), rate));
+  if (frames * nodes <= kBvhMaxTransforms) return motion_at(task.body, candidate, rate);
+  return fail(ErrorCode::invalid_argument, say("file_frames", frames, nodes, kBvhMaxTransforms));
+}
+
 // BVH of any body; a character from a file keeps its own nodes.
 template <>
 Result<MadeFile> write_as<FileFormat::bvh>(const WriteRequest& request) {
@@ -99,7 +101,7 @@ Result<MadeFile> write_as<FileFormat::glb>(const WriteRequest& request) {
   const auto make = [&](const Clip& clip) {
     const auto& [character, task, candidate, settings, cost] = request;
     return exporter->glb(
-        std::vector{animation_of(*exporter, task, candidate, clip, settings.rate, name)});
+        std::vector{animation_of(*exporter, task, candidate, clip, rate_of(settings), name)});
   };
   return checked_file(request, make, [&](const ReadBackCheck& check, const std::string& bytes) {
     return check.glb(bytes, name);
@@ -128,14 +130,14 @@ Result<MadeGlb> make_one_glb(const CharacterSpec& character, const Task& task,
   std::vector<GltfAnimation> animations;
   std::vector<Clip> clips;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    SHG_TRY_ASSIGN(Clip clip, clip_at_rate(character, task, candidates[i], settings.rate));
+    SHG_TRY_ASSIGN(Clip clip, clip_at_rate(character, task, candidates[i], rate_of(settings)));
     clips.push_back(std::move(clip));
     const std::string name =
         settings.animation.empty()
             ? candidate_animation(character, i + 1)
             : free_animation(character, fmt::format("{} {}", settings.animation, i + 1));
     animations.push_back(
-        animation_of(*exporter, task, candidates[i], clips.back(), settings.rate, name));
+        animation_of(*exporter, task, candidates[i], clips.back(), rate_of(settings), name));
   }
   SHG_TRY_ASSIGN(std::string bytes, exporter->glb(animations));
   MadeGlb made{std::move(bytes), {}};

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "core/say.hpp"
+#include "formats/base64.hpp"
 #include "formats/gltf.hpp"
 #include "formats/gltf_json.hpp"
 #include "watched_json.hpp"
@@ -90,33 +91,6 @@ const GltfJson* extension(const GltfJson& of, const std::array<const char*, N>& 
 std::string text_or_none(const GltfJson& of, const char* key) {
   const auto found = of.find(key);
   return found != of.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-std::optional<std::string> from_base64(std::string_view text) {
-  std::string bytes;
-  std::uint32_t group = 0;
-  int bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    std::uint32_t six = 0;
-    if (c >= 'A' && c <= 'Z') {
-      six = static_cast<std::uint32_t>(c - 'A');
-    } else if (c >= 'a' && c <= 'z') {
-      six = static_cast<std::uint32_t>(c - 'a') + 26;
-    } else if (c >= '0' && c <= '9') {
-      six = static_cast<std::uint32_t>(c - '0') + 52;
-    } else if (c == '+' || c == '/') {
-      six = c == '+' ? 62 : 63;
-    } else {
-      return std::nullopt;
-    }
-    group = (group << 6 | six) & 0xFFFFFF;
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(group >> bits & 0xFF);
-  }
-  return bytes;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/check.hpp"
 #include "core/index.hpp"
 #include "core/say.hpp"
+#include "formats/base64.hpp"
 #include "glb.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_animation_layout.hpp"
@@ -26,23 +27,6 @@ using Value = JsonSplice::Value;
 constexpr const char* kThingMaterial =
     R"({"name":"thing","pbrMetallicRoughness":{"baseColorFactor":[0.5776,0.3916,0.1878,1],)"
     R"("metallicFactor":0,"roughnessFactor":0.8}})";
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kLetters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      const bool padding = i + k > bytes.size();
-      text += padding ? '=' : kLetters[group >> (18 - 6 * k) & 63];
-    }
-  }
-  return text;
-}
 
 // Adds animations to one file.
 class AnimationAdder {
@@ -93,7 +77,7 @@ class AnimationAdder {
       json_.append(
           "buffers",
           fmt::format(R"({{"byteLength":{},"uri":"data:application/octet-stream;base64,{}"}})",
-                      layout.data.size(), base64(layout.data)));
+                      layout.data.size(), to_base64(layout.data)));
       return assemble(parts_.binary);
     }
     binary += layout.data;

@@ -192,7 +192,7 @@ TEST(Help, ExamplesAreUnderstood) {
   for (const std::string& example : examples()) {
     // the page is not served: its folder is not there
     const std::string last = example.starts_with("studio") ? " --folder gone" : "";
-    run_shell(program_in(work) + example + last + " > out.txt 2> err.txt");
+    run_shell(program_in(work) + example + last + " > out.txt 2> err.txt < /dev/null");
     const std::string err = work.get("err.txt");
     EXPECT_EQ(err.find("tells what can be given"), err.npos) << example << ": " << err;
     EXPECT_EQ(err.find("unknown"), err.npos) << example << ": " << err;

@@ -27,7 +27,7 @@ inline void add_search(Texts& said) {
   ASSERT_NE(found, nullptr);
   const std::string summary = text_of(shigusa_result_describe, found.get());
   said["result"] = summary;
-  for (const char* format : {"bvh", "csv", "svg"}) {
+  for (const char* format : {"bvh", "csv", "npz", "svg"}) {
     said[format] = text_of(shigusa_result_export, found.get(), 1, format);
   }
   shigusa_result* changed = nullptr;

@@ -52,7 +52,8 @@ TEST(FileFormats, NeedFilesThatPeopleComeFrom) {
 }
 
 TEST(FileFormats, AreListedAsAPersonReads) {
-  EXPECT_EQ(format_words([](const FormatInfo& info) { return info.rated; }), "bvh, glb and vrma");
+  EXPECT_EQ(format_words([](const FormatInfo& info) { return info.rated; }),
+            "bvh, glb, vrma and npz");
   EXPECT_EQ(format_endings([](const FormatInfo& info) { return info.robot; }),
             ".urdf, .xml or .mjcf");
   EXPECT_EQ(format_words([](const FormatInfo&) { return false; }), "");

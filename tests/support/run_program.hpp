@@ -24,7 +24,8 @@ struct RunSettings {
   std::filesystem::path folder = ".";  // where the program is started
   // the program's cache; by default a folder that cannot be made
   std::filesystem::path cache = "/dev/null/cache";
-  bool terminal = false;  // stderr is a terminal
+  std::filesystem::path input = "/dev/null";  // full path of the standard input
+  bool terminal = false;                      // stderr is a terminal
   // SIGINT comes this long after the start
   std::optional<std::chrono::milliseconds> interrupt_after = {};
 };
@@ -88,9 +89,9 @@ inline pid_t start_shigusa(const std::vector<std::string>& arguments, const RunS
   const pid_t child = fork();
   SHG_CHECK(child >= 0, "a process");
   if (child == 0) {
-    const int nothing = open("/dev/null", O_RDONLY);
+    const int input = open(settings.input.c_str(), O_RDONLY);
     if (chdir(settings.folder.c_str()) == 0 &&
-        setenv("SHIGUSA_CACHE", settings.cache.c_str(), 1) == 0 && dup2(nothing, 0) >= 0 &&
+        setenv("SHIGUSA_CACHE", settings.cache.c_str(), 1) == 0 && dup2(input, 0) >= 0 &&
         dup2(out.write_end, 1) >= 0 && dup2(err.write_end, 2) >= 0) {
       execv(program.c_str(), argv.data());
     }

@@ -297,12 +297,13 @@ SHIGUSA_API shigusa_status shigusa_result_export(const shigusa_result* result, i
                                                  const char* format, shigusa_bytes** file);
 
 /** Exports with `options`: {"fps": 24, "clip": "Reach", "joint_names": "mixamo", "in_place": true}.
- * fps: frame rate (Hz) of rated formats, 1 to 240 (default 60); clip: name of the animation in GLB
- * and VRMA, for all candidates followed by their numbers; joint_names (shigusa_facts): for a
- * built-in body in BVH; in_place: leaves out the horizontal travel of the hips. The last frame is
- * the first one not before the motion's end, and holds exactly the motion's last posture. The file
- * is read back before it is returned: if its nodes deviate from the motion, the call fails
- * (SHIGUSA_UNSUPPORTED). Unrated formats have the frames of the series. `options` may be null. */
+ * fps: frame rate (Hz) of rated formats, 1 to 240 (default 60, of NPZ 50); clip: name of the
+ * animation in GLB and VRMA, for all candidates followed by their numbers; joint_names
+ * (shigusa_facts): for a built-in body in BVH; in_place: leaves out the horizontal travel of the
+ * hips. The last frame is the first one not before the motion's end, and holds exactly the motion's
+ * last posture. The file is read back before it is returned: if its nodes deviate from the motion,
+ * the call fails (SHIGUSA_UNSUPPORTED). Unrated formats have the frames of the series, but a
+ * robot's CSV has `fps` if that is given. `options` may be null. */
 SHIGUSA_API shigusa_status shigusa_result_export_with(const shigusa_result* result,
                                                       int32_t candidate, const char* format,
                                                       const char* options, shigusa_bytes** file);

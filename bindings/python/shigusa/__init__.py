@@ -209,8 +209,8 @@ class Candidate:
         return Result(made)[0]
 
     def export(self, form: str, **options: Any) -> bytes:
-        """The motion as a file: "bvh", "csv", "svg", "glb", "vrma" or "html" (a page with the moving figure), with
-        fps=24, clip="Reach", joint_names="mixamo" or in_place=True."""
+        """The motion as a file: "bvh", "csv", "npz", "svg", "glb", "vrma" or "html" (a page with the moving figure),
+        with fps=24, clip="Reach", joint_names="mixamo" or in_place=True."""
         return _library.export(self._result._handle, self._number, form, options or None)
 
     def save(self, path: str | pathlib.Path, **options: Any) -> None:

@@ -93,7 +93,7 @@ class Reach(unittest.TestCase):
 
     def test_files(self):
         with tempfile.TemporaryDirectory() as folder:
-            for ending in ("bvh", "csv", "svg", "glb", "html"):
+            for ending in ("bvh", "csv", "npz", "svg", "glb", "html"):
                 path = pathlib.Path(folder) / f"reach.{ending}"
                 self.result[0].save(path)
                 self.assertGreater(path.stat().st_size, 1000)

@@ -52,7 +52,7 @@ export const englishBody: BodyWords = {
   habits: { natural: 'natural', half: 'half squat', squat: 'squat', stoop: 'stoop' },
   bodies: { human: 'Person', full_body: 'Person, simple', half_body: 'One arm and one leg' },
   sexes: { male: 'male', female: 'female' },
-  formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: 'Strip, SVG', png: 'Strip, PNG', pdf: 'Strip, PDF', task: 'Task, JSON', result: 'Result, JSON' },
+  formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', npz: 'NPZ', svg: 'Strip, SVG', png: 'Strip, PNG', pdf: 'Strip, PDF', task: 'Task, JSON', result: 'Result, JSON' },
   timing: {
     ease: 'Right: quick to begin and gentle to end. Left: slow to begin.', gaze_lead: 'How much earlier the head turns to the goal than people’s does, as a share of the time.',
   },
@@ -89,7 +89,7 @@ export const japaneseBody: BodyWords = {
   habits: { natural: '自然', half: '中腰', squat: 'しゃがむ', stoop: 'かがむ' },
   bodies: { human: '人', full_body: '人（簡略）', half_body: '片腕片脚' },
   sexes: { male: '男性', female: '女性' },
-  formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', svg: '連続図 SVG', png: '連続図 PNG', pdf: '連続図 PDF', task: 'タスク JSON', result: '結果 JSON' },
+  formats: { glb: 'GLB', vrma: 'VRMA', bvh: 'BVH', csv: 'CSV', npz: 'NPZ', svg: '連続図 SVG', png: '連続図 PNG', pdf: '連続図 PDF', task: 'タスク JSON', result: '結果 JSON' },
   timing: {
     ease: '右へ：早く動き出し、ゆっくり終わります。左へ：ゆっくり動き出します。', gaze_lead: '頭が目標を向くのを人より早める量（所要時間に対する割合）。',
   },
