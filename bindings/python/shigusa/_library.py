@@ -91,13 +91,19 @@ class _Motions(ctypes.Structure):
     def copied(self) -> Motions:
         """The tables, which live during the call alone, as arrays that last."""
         shape = (self.motions, self.frames)
-        columns = {"angles": (self.dofs,), "torques": (self.dofs,), "centre_of_mass": (3,),
-                   "effector_places": (self.effectors, 3)}
-        tables = [
-            np.array(np.ctypeslib.as_array(getattr(self, name), shape + more)) if np.prod(more) else np.zeros(shape + more)
-            for name, more in columns.items()
-        ]
-        return Motions(*tables, self.frame_time)
+
+        def table(name: str, *columns: int) -> Table:
+            if not all(columns):
+                return np.zeros(shape + columns)
+            return np.array(np.ctypeslib.as_array(getattr(self, name), shape + columns))
+
+        return Motions(
+            angles=table("angles", self.dofs),
+            torques=table("torques", self.dofs),
+            centre_of_mass=table("centre_of_mass", 3),
+            effectors=table("effector_places", self.effectors, 3),
+            frame_time=self.frame_time,
+        )
 
 
 _Values = ctypes.CFUNCTYPE(
