@@ -362,6 +362,28 @@ TEST(Generate, OwnCriterionChangesWhatIsChosen) {
   EXPECT_EQ(with.candidates[0].score.terms.back().name, "elbow_bend");
 }
 
+TEST(Generate, OwnCriterionOfManyMotionsIsTheSame) {
+  Task task = task_for(half_body(), {-0.3, 1.2, 0.35});
+  task.criteria.user = {elbow_bend()};
+  const GenerateResult one_by_one = generated(task);
+  std::size_t most = 0;
+  task.criteria.user[0].values = [&most, bend = elbow_bend().value](const BodyModel& body,
+                                                                    std::span<const Motion> motions,
+                                                                    std::span<double> values) {
+    most = std::max(most, motions.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) values[i] = bend(body, motions[i]);
+  };
+  task.criteria.user[0].value = nullptr;
+  const GenerateResult together = generated(task);
+  EXPECT_GT(most, 1U);
+  ASSERT_EQ(together.candidates.size(), one_by_one.candidates.size());
+  for (std::size_t i = 0; i < together.candidates.size(); ++i) {
+    EXPECT_EQ(together.candidates[i].motion.clip.angles,
+              one_by_one.candidates[i].motion.clip.angles);
+    EXPECT_EQ(together.candidates[i].score.total, one_by_one.candidates[i].score.total);
+  }
+}
+
 TEST(Generate, CriterionThatIsAlwaysZeroChangesNothing) {
   Task task = task_for(half_body(), kFrontLow);
   const GenerateResult without = generated(task);

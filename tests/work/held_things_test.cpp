@@ -67,6 +67,27 @@ TEST(HeldThings, WhatTheWristForbidsIsTold) {
       << failed.conflict.text;
 }
 
+// A cup between six plates, a centimetre from each of its sides.
+TEST(HeldThings, WhatNoHandCanHoldIsTold) {
+  Task task(human_body(), {});
+  const Vec3d at{-0.2, 0.95, 0.45};
+  const Vec3d cup{0.08, 0.1, 0.08};
+  task.things = {{.name = "cup", .size = cup, .mass = 0.3, .position = at}};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      Obstacle plate{.position = at, .size = {0.2, 0.2, 0.2}};
+      plate.position[axis] += side * (0.5 * cup[axis] + 0.011);
+      plate.size[axis] = 0.02;
+      task.obstacles.push_back(plate);
+    }
+  }
+  task.actions = {{.grasp = "cup"}, {.place = "cup", .position = at + Vec3d{0, 0.3, 0}}};
+  const auto refused = perform(task);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().to_string().find("action 1: no hand can hold cup"), std::string::npos)
+      << refused.error().to_string();
+}
+
 TEST(HeldThings, WorkEndsSoonOnceCancelled) {
   std::atomic<bool> cancel = false;
   int reports = 0;
