@@ -45,7 +45,7 @@ RIGIFY = _rig(
     "Rigify", "ORG-",
     "spine<- spine.001<spine spine.002<spine.001 spine.003<spine.002 spine.004<spine.003 spine.005<spine.004"
     " spine.006<spine.005 shoulder.{}<spine.003 upper_arm.{}<shoulder.{} forearm.{}<upper_arm.{} hand.{}<forearm.{}"
-    " f_middle.01.{}<hand.{} thigh.{}<spine shin.{}<thigh.{} foot.{}<shin.{} toe.{}<foot.{} heel.02.{}<foot.{}",
+    " f_middle.01.{}<hand.{} f_middle.02.{}<f_middle.01.{} f_middle.03.{}<f_middle.02.{} thigh.{}<spine shin.{}<thigh.{} foot.{}<shin.{} toe.{}<foot.{} heel.02.{}<foot.{}",
     ["torso<spine", "spine_fk<spine spine_fk.001<spine.001", "spine_fk.002<spine.002", "spine_fk.003<spine.003",
      "tweak_spine<spine tweak_spine.001<spine.001 tweak_spine.002<spine.002 tweak_spine.003<spine.003",
      "neck<spine.004 shoulder.{}<shoulder.{} thigh_fk.{}<thigh.{}",
@@ -137,13 +137,13 @@ def title(candidate: Any) -> str:
     return str(candidate.about["final_posture"]["words"])
 
 
-def verdict(candidate: Any) -> str:
-    """Whether the body could make it, why not, and what is left to each goal that it does not reach."""
-    words = [candidate.verdict, *candidate.reasons[:1]]
-    for reached in candidate.about["reached"]:
-        if reached["error_mm"] > 0.1:
-            words.append(f"{reached['effector'].replace('_', ' ')} ends {reached['error_mm'] / 1000:.3f} m from its goal")
-    return ": ".join(words[:2]) + "".join(f", {more}" for more in words[2:])
+def remarks(candidate: Any) -> list[str]:
+    """Why the body could not make it, and what is left to each goal that it does not reach."""
+    left = [one for one in candidate.about["reached"] if one["error_mm"] > 0.1]
+    return [
+        *(f"{one['effector'].replace('_', ' ')} ends {one['error_mm'] / 1000:.2g} m from its goal" for one in left),
+        *candidate.reasons[:1],
+    ]
 
 
 def sliders(candidate: Any) -> dict[str, dict[str, Any]]:
@@ -153,7 +153,7 @@ def sliders(candidate: Any) -> dict[str, dict[str, Any]]:
 
 def picture(starts: Any, ends: Any, bones: list[tuple[int, int]], size: int = 128) -> Any:
     """Figures of lines, the last posture before the first: (size, size, 4), the lowest row first. `starts`, `ends`:
-    (places, 2) right and up; `bones`: pairs of places."""
+    (places, 2) right and up; `bones`: pairs of places, the same one twice for a head."""
     both = np.concatenate([starts, ends])
     low, high = both.min(0), both.max(0)
     scale = 0.88 * size / max(float((high - low).max()), 1e-6)
@@ -165,7 +165,8 @@ def picture(starts: Any, ends: Any, bones: list[tuple[int, int]], size: int = 12
         for a, b in bones:
             along = drawn[b] - drawn[a]
             share = np.clip((grid - drawn[a]) @ along / max(float(along @ along), 1e-9), 0, 1)
-            near = np.minimum(near, np.linalg.norm(grid - drawn[a] - share[..., None] * along, axis=-1))
+            head = 0.035 * size if a == b else 0.0
+            near = np.minimum(near, np.linalg.norm(grid - drawn[a] - share[..., None] * along, axis=-1) - head)
         ink = np.clip(width * size - near + 0.5, 0, 1)[..., None]
         made = made * (1 - ink) + np.array([*colour, 1.0], np.float32) * ink
     return made
@@ -218,4 +219,11 @@ def figure(parents: list[int], nodes: list[dict[str, Any]], about: dict[str, Any
     axes = np.array([about["placement"][axis] for axis in ("left", "up", "ahead")])
     left, up, ahead = np.moveaxis(placed[..., :3, 3] @ axes.T, -1, 0)
     shown = np.stack([0.8 * left + 0.6 * ahead, up], -1)
+    named = {nodes[number + 1]["name"]: place for place, number in enumerate(kept)}
+    neck, head = (named.get(about["humanoid"].get(bone, "")) for bone in ("neck", "head"))
+    if neck is not None and head is not None:
+        pairs.append((len(kept), len(kept)))
+        along = shown[:, head] - shown[:, neck]
+        top = shown[:, head] + 0.05 * np.ptp(up) * along / np.maximum(np.linalg.norm(along, axis=-1, keepdims=True), 1e-9)
+        shown = np.concatenate([shown, top[:, None]], 1)
     return picture(shown[0], shown[1], pairs)

@@ -287,15 +287,17 @@ class SHIGUSA_PT_panel(bpy.types.Panel):
 
     def draw(self, context: Any) -> None:
         layout, settings = self.layout, context.scene.shigusa
-        layout.prop(settings, "armature")
-        for effector in logic.EFFECTORS:
-            row = layout.row(align=True)
-            row.prop(settings, effector)
-            if getattr(settings, effector) is None:
-                row.operator("shigusa.goal", text="", icon="ADD").effector = effector
-        row = layout.row(align=True)
-        row.prop(settings, "candidates")
-        row.prop(settings, "seed")
+        column = layout.column(align=True)
+        for name in ("armature", *logic.EFFECTORS):
+            split = column.split(factor=0.36)
+            split.label(text=settings.bl_rna.properties[name].name)
+            row = split.row(align=True)
+            row.prop(settings, name, text="")
+            if name in logic.EFFECTORS and getattr(settings, name) is None:
+                row.operator("shigusa.goal", text="", icon="ADD").effector = name
+        column = layout.column(align=True)
+        column.prop(settings, "candidates")
+        column.prop(settings, "seed")
         if state.search is not None:
             row = layout.row()
             row.label(text=f"Searching: {100 * state.search.share:.0f} %")
@@ -313,20 +315,26 @@ class SHIGUSA_PT_panel(bpy.types.Panel):
 
     def _draw_candidate(self, layout: Any, number: int, candidate: Any) -> None:
         chosen = number == state.chosen
-        row = layout.box().row()
+        column = layout.box().column()
+        column.operator(
+            "shigusa.apply", text=f"{number + 1}: {candidate.verdict}", depress=chosen).candidate = number
+        row = column.split(factor=0.45)
         if str(number) in pictures:
             row.template_icon(icon_value=pictures[str(number)].icon_id, scale=4)
+        shown = state.shown if chosen else candidate
         column = row.column()
-        column.operator("shigusa.apply", text=f"{number + 1}: {logic.title(candidate)}", depress=chosen).candidate = number
-        _lines(column, logic.verdict(state.shown if chosen else candidate), "NONE")
+        _lines(column, logic.title(shown), "NONE", 14)
+        for words in logic.remarks(shown):
+            _lines(column, words, "NONE", 14)
 
 
-def _lines(layout: Any, text: str, icon: str) -> None:
-    """A text in lines of some 40 letters, as labels do not wrap."""
+def _lines(layout: Any, text: str, icon: str, letters: int = 28) -> None:
+    """A text in lines, as labels do not wrap."""
     column = layout.column(align=True)
+    column.scale_y = 0.75
     lines = [""]
     for word in text.split():
-        if lines[-1] and len(lines[-1]) + len(word) > 40:
+        if lines[-1] and len(lines[-1]) + len(word) > letters:
             lines.append("")
         lines[-1] += (" " if lines[-1] else "") + word
     for line in lines:

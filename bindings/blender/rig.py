@@ -97,13 +97,16 @@ def _turns(bone: Any, bases: list[Matrix]) -> tuple[str, Any]:
 
 
 def _key(bone: Any, bases: list[Matrix]) -> list[Key]:
-    """A bone's place, where it has one, and its rotation."""
+    """A bone's rotation, its place, where it has one, and its scale, where that is not as now: limbs that IK stretches."""
     path, turns = _turns(bone, bases)
     keys = [Key(bone.name, bone.path_from_id(path), np.array(turns))]
     places = np.array([basis.translation for basis in bases])
     free = not (bone.bone.use_connect and bone.bone.parent)
     if free and (np.abs(places).max() > 1e-6 or any(bone.location)):
         keys.append(Key(bone.name, bone.path_from_id("location"), places))
+    scales = np.array([basis.to_scale() for basis in bases])
+    if np.abs(scales - np.array(bone.scale)).max() > 1e-5:
+        keys.append(Key(bone.name, bone.path_from_id("scale"), scales))
     return keys
 
 
@@ -139,7 +142,7 @@ def control_keys(armature: Any, found: Skeleton, frames: Any, layer: Any) -> lis
     steps = [[(posed[control], at[bone], armature.data.bones[bone].matrix_local.inverted_safe()
                @ armature.data.bones[control].matrix_local) for control, bone in step] for step in controls.steps]
     used = [control for step in steps for control, _, _ in step]
-    before = [(control, control.matrix_basis.copy(), control.scale.copy()) for control in used]
+    before = [(control, control.matrix_basis.copy()) for control in used]
     switched = [(posed[bone], name, posed[bone][name]) for bone, name in controls.switches if name in posed[bone]]
     bases: dict[str, list[Matrix]] = {control.name: [] for control in used}
     data = armature.animation_data_create()
@@ -152,16 +155,14 @@ def control_keys(armature: Any, found: Skeleton, frames: Any, layer: Any) -> lis
         for frame in frames:
             for step in steps:
                 for control, number, offset in step:
-                    scale = control.scale.copy()
                     control.matrix = Matrix(frame[number].tolist()) @ offset
-                    control.scale = scale
                 layer.update()
             for control in used:
                 bases[control.name].append(control.matrix_basis.copy())
     finally:
         for bone, name, value in switched:
             bone[name] = value
-        for control, basis, _ in before:
+        for control, basis in before:
             control.matrix_basis = basis
         data.action = action
     keys = [Key(bone.name, f'{bone.path_from_id()}["{name}"]', np.array([[1.0]])) for bone, name, _ in switched]
