@@ -172,6 +172,11 @@ def picture(starts: Any, ends: Any, bones: list[tuple[int, int]], size: int = 12
     return made
 
 
+def refusal(wrong: Exception, name: str) -> str:
+    """The engine's words, in which an armature is a file."""
+    return str(wrong).replace(f"{name}.glb: ", f"{name} is not understood as a person: ")
+
+
 class Search(threading.Thread):
     """A search in a thread of its own: `share` tells how far it is, cancel() ends it without a result."""
 
@@ -201,7 +206,7 @@ class Search(threading.Thread):
             if not self.cancelled:
                 self.result = found
         except engine.Failure as wrong:
-            self.failure = str(wrong)
+            self.failure = refusal(wrong, name)
 
 
 def figure(parents: list[int], nodes: list[dict[str, Any]], about: dict[str, Any], frames: Any) -> Any:

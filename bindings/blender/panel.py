@@ -79,7 +79,7 @@ class SHIGUSA_OT_goal(bpy.types.Operator):
         try:
             about = engine.Character.of_nodes(found.nodes, armature.name).about
         except engine.Failure as wrong:
-            self.report({"ERROR"}, str(wrong))
+            self.report({"ERROR"}, logic.refusal(wrong, armature.name))
             return {"CANCELLED"}
         prefix = found.controls.prefix if found.controls else ""
         empty = bpy.data.objects.new(f"{armature.name} {self.effector.replace('_', ' ')}", None)
@@ -154,15 +154,15 @@ class SHIGUSA_OT_find(bpy.types.Operator):
 
     def modal(self, context: Any, event: Any) -> set[str]:
         search = state.search
-        if event.type == "ESC":
+        if search is not None and event.type == "ESC":
             search.cancel()
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         _redraw(context)
-        if search.is_alive():
+        if search is not None and search.is_alive():
             return {"PASS_THROUGH"}
         context.window_manager.event_timer_remove(self._timer)
-        return self._end(context)
+        return self._end(context) if search is not None else {"CANCELLED"}
 
 
 class SHIGUSA_OT_cancel(bpy.types.Operator):
@@ -342,6 +342,14 @@ def _lines(layout: Any, text: str, icon: str, letters: int = 28) -> None:
         icon = "BLANK1" if icon != "NONE" else "NONE"
 
 
+@bpy.app.handlers.persistent
+def _forget(*_: Any) -> None:
+    """Another file is loaded: what was found was of the one before."""
+    if state.search is not None:
+        state.search.cancel()
+    state.__init__()  # type: ignore[misc]
+
+
 CLASSES = (SHIGUSA_PG_settings, SHIGUSA_OT_goal, SHIGUSA_OT_find, SHIGUSA_OT_cancel, SHIGUSA_OT_apply, SHIGUSA_PT_panel)
 
 
@@ -351,11 +359,12 @@ def register() -> None:
         bpy.utils.register_class(one)
     bpy.types.Scene.shigusa = bpy.props.PointerProperty(type=SHIGUSA_PG_settings)
     pictures = bpy.utils.previews.new()
+    bpy.app.handlers.load_post.append(_forget)
 
 
 def unregister() -> None:
-    if state.search is not None:
-        state.search.cancel()
+    bpy.app.handlers.load_post.remove(_forget)
+    _forget()
     _drop_sliders()
     bpy.utils.previews.remove(pictures)
     del bpy.types.Scene.shigusa

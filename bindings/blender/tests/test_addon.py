@@ -4,6 +4,7 @@ evaluation."""
 import math
 import os
 import sys
+import tomllib
 import unittest
 
 import bpy
@@ -211,7 +212,170 @@ class Rigs(unittest.TestCase):
                 self.both(lambda: imported(name))
 
 
+def refused(operator, **settings):
+    """The words by which an operator refuses; Blender raises what it reports as an error."""
+    try:
+        operator(**settings)
+    except RuntimeError as wrong:
+        return str(wrong)
+    return ""
+
+
+class Use(unittest.TestCase):
+    def setUp(self):
+        empty_file()
+
+    def found(self, *ahead_across_up):
+        armature = metarig()
+        empty = goal(armature, "right_hand", *(ahead_across_up or (0.25, 0.12, 0.45)))
+        bpy.ops.shigusa.find()
+        return armature, empty
+
+    def test_sliders_change_the_motion_and_keep_the_hand(self):
+        armature, empty = self.found()
+        bpy.ops.shigusa.apply(candidate=0)
+        last = int(armature.animation_data.action.frame_range[1])
+        before = heads(armature, last)
+        sliders = bpy.context.scene.shigusa_sliders
+        self.assertAlmostEqual(sliders.squat_deg, panel().state.parameters["squat_deg"]["value"], 4)
+        sliders.squat_deg = 75
+        after = heads(armature)
+        self.assertGreater((after["spine"].translation - before["spine"].translation).length, 0.1)
+        self.assertLess((after[end_bone()].translation - empty.location).length, BOUND)
+        self.assertEqual(len(bpy.data.actions), 1)
+        sliders.squat_deg = panel().state.parameters["squat_deg"]["value"]
+        again = heads(armature)
+        self.assertLess((again["spine"].translation - before["spine"].translation).length, BOUND)
+        # another candidate has its own values
+        bpy.ops.shigusa.apply(candidate=1)
+        value = panel().state.parameters["squat_deg"]["value"]
+        self.assertAlmostEqual(bpy.context.scene.shigusa_sliders.squat_deg, value, 4)
+
+    def test_both_hands_and_a_foot(self):
+        armature = metarig()
+        empties = {
+            effector: goal(armature, effector, *place) for effector, place in
+            {"right_hand": (0.25, 0.1, 0.6), "left_hand": (0.2, -0.2, 0.5), "left_foot": (0.2, -0.1, 0.1)}.items()}
+        self.assertEqual(bpy.ops.shigusa.find(), {"FINISHED"})
+        bpy.ops.shigusa.apply(candidate=0)
+        end = heads(armature, int(armature.animation_data.action.frame_range[1]))
+        for effector, empty in empties.items():
+            self.assertLess((end[end_bone(effector)].translation - empty.location).length, BOUND, effector)
+
+    def test_a_goal_begins_where_the_hand_is(self):
+        armature = metarig()
+        armature.matrix_world = MOVED
+        for effector, bone in (("left_hand", "f_middle.01.L"), ("right_foot", "foot.R"), ("left_foot", "foot.L")):
+            bpy.ops.shigusa.goal(effector=effector)
+            empty = getattr(bpy.context.scene.shigusa, effector)
+            self.assertLess((empty.location - heads(armature)[bone].translation).length, BOUND, effector)
+
+    def test_a_goal_out_of_reach_ends_near_and_says_so(self):
+        armature, empty = self.found(2.0, 0.1, 0.5)
+        self.assertEqual(panel().state.result.status, "unreachable")
+        words = " ".join(panel().logic.remarks(panel().state.result[0]))
+        self.assertRegex(words, r"right hand ends [0-9.]+ m from its goal")
+        self.assertEqual(bpy.ops.shigusa.apply(candidate=0), {"FINISHED"})
+        end = heads(armature, int(armature.animation_data.action.frame_range[1]))
+        off = (end[end_bone()].translation - empty.location).length
+        self.assertAlmostEqual(off * 1000, panel().state.result[0].about["reached"][0]["error_mm"], delta=0.1)
+
+    def test_the_frames_are_whole_at_the_scenes_rate(self):
+        bpy.context.scene.render.fps, bpy.context.scene.render.fps_base = 30, 1.001
+        armature, _ = self.found()
+        bpy.ops.shigusa.apply(candidate=0)
+        seconds = panel().state.shown.times[-1]
+        action = armature.animation_data.action
+        frames = {point.co[0] for curve in action.fcurves for point in curve.keyframe_points}
+        self.assertEqual(frames, set(range(1, 2 + math.ceil(seconds * 30 / 1.001 - 1e-9))))
+
+    def test_an_action_that_was_there_is_kept(self):
+        armature = metarig()
+        armature.pose.bones["spine.006"].keyframe_insert("rotation_quaternion", frame=1)
+        own = armature.animation_data.action
+        goal(armature, "right_hand", 0.25, 0.12, 0.45)
+        bpy.ops.shigusa.find()
+        bpy.ops.shigusa.apply(candidate=0)
+        bpy.ops.shigusa.apply(candidate=1)
+        self.assertEqual(len(bpy.data.actions), 2)
+        self.assertTrue(own.use_fake_user)
+        self.assertEqual({len(curve.keyframe_points) for curve in own.fcurves}, {1})
+
+    def test_the_next_search_goes_on_from_the_present_pose(self):
+        armature, empty = self.found()
+        bpy.ops.shigusa.apply(candidate=0)
+        last = int(armature.animation_data.action.frame_range[1])
+        start = heads(armature, last)
+        empty.location.z += 0.3
+        bpy.context.view_layer.update()
+        bpy.ops.shigusa.find()
+        bpy.ops.shigusa.apply(candidate=0)
+        begun = heads(armature, last)
+        self.assertLess(max((begun[name].translation - start[name].translation).length for name in start), BOUND)
+
+    def test_mistakes_are_told_in_words(self):
+        self.assertIn("choose an armature", refused(bpy.ops.shigusa.find))
+        metarig()
+        self.assertIn("there is no goal", refused(bpy.ops.shigusa.find))
+        self.assertEqual(len(panel().state.result), 0)
+        # a deleted goal is none
+        goal(bpy.context.object, "right_hand", 0.2, 0.1, 0.5)
+        bpy.data.objects.remove(bpy.context.scene.shigusa.right_hand)
+        self.assertIn("there is no goal", refused(bpy.ops.shigusa.find))
+
+    def test_a_rope_is_no_person(self):
+        bpy.ops.object.armature_add()
+        rope = bpy.context.object
+        bpy.ops.object.mode_set(mode="EDIT")
+        for _ in range(12):
+            bpy.ops.armature.extrude_move(TRANSFORM_OT_translate={"value": (0.1, 0, 1)})
+        bpy.ops.object.mode_set(mode="OBJECT")
+        bpy.context.scene.shigusa.right_hand = bpy.data.objects.new("there", None)
+        bpy.context.scene.collection.objects.link(bpy.context.scene.shigusa.right_hand)
+        words = refused(bpy.ops.shigusa.find)
+        self.assertIn("Armature is not understood as a person: no left leg", words)
+        self.assertIn("no left leg", refused(bpy.ops.shigusa.goal, effector="left_hand"))
+        self.assertIsNone(rope.animation_data)
+
+    def test_constraints_are_told(self):
+        armature = metarig()
+        armature.pose.bones["forearm.R"].constraints.new("COPY_ROTATION")
+        goal(armature, "right_hand", 0.25, 0.12, 0.45)
+        bpy.ops.shigusa.find()
+        self.assertIn("forearm.R", panel().state.message)
+
+    def test_a_cancelled_search_has_no_result(self):
+        armature = metarig()
+        found = panel().rig.skeleton(armature, bpy.context.evaluated_depsgraph_get())
+        search = panel().logic.Search(panel().engine, found.nodes, "it", {"right_hand": [-0.3, -0.4, 0.9]}, evaluations=10_000_000)
+        search.start()
+        search.cancel()
+        search.join(20)
+        self.assertFalse(search.is_alive())
+        self.assertIsNone(search.result)
+        self.assertEqual(search.failure, "")
+
+    def test_the_armature_may_be_gone(self):
+        armature, _ = self.found()
+        bpy.data.objects.remove(armature)
+        self.assertIn("is gone", refused(bpy.ops.shigusa.apply, candidate=0))
+
+    def test_both_manifests_have_the_librarys_version(self):
+        addon = sys.modules["shigusa_blender"]
+        with open(os.path.join(os.path.dirname(addon.__file__), "blender_manifest.toml"), "rb") as file:
+            manifest = tomllib.load(file)
+        self.assertEqual(manifest["version"], panel().engine.__version__)
+        self.assertEqual(".".join(map(str, addon.bl_info["version"])), manifest["version"])
+        self.assertEqual(manifest["license"], ["SPDX:GPL-3.0-or-later"])
+
+    def test_it_is_taken_off(self):
+        self.found()
+        bpy.ops.shigusa.apply(candidate=0)
+        bpy.ops.preferences.addon_disable(module="shigusa_blender")
+        self.assertFalse([name for name in dir(bpy.types.Scene) if "shigusa" in name])
+        self.assertFalse([name for name in dir(bpy.types) if name.startswith("SHIGUSA")])
+        bpy.ops.preferences.addon_enable(module="shigusa_blender")
+
+
 if __name__ == "__main__":
-    bpy.ops.preferences.addon_enable(module="rigify")
-    bpy.ops.preferences.addon_enable(module="shigusa_blender")
     unittest.main(argv=["test_addon", *(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else [])])

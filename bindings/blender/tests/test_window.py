@@ -11,8 +11,6 @@ import bpy
 TAB = 165  # from the sidebar's top to the middle of the add-on's tab
 PICTURE = sys.argv[sys.argv.index("--") + 1]
 bpy.context.preferences.view.show_splash = False
-bpy.ops.preferences.addon_enable(module="rigify")
-bpy.ops.preferences.addon_enable(module="shigusa_blender")
 panel = sys.modules["shigusa_blender.panel"]
 
 
