@@ -18,7 +18,7 @@ class ControlRig(NamedTuple):
     name: str
     prefix: str  # of the measured bones, left out of the names that the engine gets
     bones: dict[str, str | None]  # measured bone -> the measured bone above it
-    steps: list[list[tuple[str, str]]]  # (control, measured bone) that can be set at once, one step after the other
+    steps: list[list[tuple[str, str]]]  # (control, measured bone) that can be set at once, those above first, one step after the other
     switches: list[tuple[str, str]]  # (control, property) that is 1 where limbs follow these controls
 
 
@@ -46,10 +46,10 @@ RIGIFY = _rig(
     "spine<- spine.001<spine spine.002<spine.001 spine.003<spine.002 spine.004<spine.003 spine.005<spine.004"
     " spine.006<spine.005 shoulder.{}<spine.003 upper_arm.{}<shoulder.{} forearm.{}<upper_arm.{} hand.{}<forearm.{}"
     " f_middle.01.{}<hand.{} f_middle.02.{}<f_middle.01.{} f_middle.03.{}<f_middle.02.{} thigh.{}<spine shin.{}<thigh.{} foot.{}<shin.{} toe.{}<foot.{} heel.02.{}<foot.{}",
-    ["torso<spine", "spine_fk<spine spine_fk.001<spine.001", "spine_fk.002<spine.002", "spine_fk.003<spine.003",
-     "tweak_spine<spine tweak_spine.001<spine.001 tweak_spine.002<spine.002 tweak_spine.003<spine.003",
-     "neck<spine.004 shoulder.{}<shoulder.{} thigh_fk.{}<thigh.{}",
-     "head<spine.006 upper_arm_fk.{}<upper_arm.{} shin_fk.{}<shin.{}", "forearm_fk.{}<forearm.{} foot_fk.{}<foot.{}",
+    ["torso<spine", "spine_fk<spine spine_fk.001<spine.001 tweak_spine<spine tweak_spine.001<spine.001", "spine_fk.002<spine.002",
+     "spine_fk.003<spine.003 tweak_spine.002<spine.002 tweak_spine.003<spine.003",
+     "neck<spine.004 shoulder.{}<shoulder.{} thigh_fk.{}<thigh.{} shin_fk.{}<shin.{}",
+     "head<spine.006 upper_arm_fk.{}<upper_arm.{} forearm_fk.{}<forearm.{} foot_fk.{}<foot.{}",
      "hand_fk.{}<hand.{} toe_fk.{}<toe.{}"],
     "upper_arm_parent.{}<IK_FK thigh_parent.{}<IK_FK", True,
 )

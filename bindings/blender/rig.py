@@ -153,12 +153,18 @@ def control_keys(armature: Any, found: Skeleton, frames: Any, layer: Any) -> lis
         armature.update_tag(refresh={"OBJECT", "DATA", "TIME"})
         layer.update()
         for frame in frames:
+            placed: dict[str, Matrix] = {}  # Blender's evaluation has the controls of earlier steps alone
             for step in steps:
                 for control, number, offset in step:
-                    control.matrix = Matrix(frame[number].tolist()) @ offset
-                layer.update()
-            for control in used:
-                bases[control.name].append(control.matrix_basis.copy())
+                    rest, above = control.bone, control.parent
+                    placed[control.name] = Matrix(frame[number].tolist()) @ offset
+                    told = {} if above is None else {
+                        "parent_matrix": placed.get(above.name, above.matrix), "parent_matrix_local": above.bone.matrix_local}
+                    control.matrix_basis = rest.convert_local_to_pose(
+                        placed[control.name], rest.matrix_local, invert=True, **told)
+                    bases[control.name].append(control.matrix_basis.copy())
+                if step is not steps[-1]:
+                    layer.update()
     finally:
         for bone, name, value in switched:
             bone[name] = value

@@ -14,6 +14,11 @@ bpy.context.preferences.view.show_splash = False
 panel = sys.modules["shigusa_blender.panel"]
 
 
+# small pictures
+bpy.context.preferences.themes[0].view_3d.space.gradients.background_type = "SINGLE_COLOR"
+bpy.context.preferences.themes[0].view_3d.space.gradients.high_gradient = (0.2, 0.2, 0.2)
+
+
 def override():
     window = bpy.context.window_manager.windows[0]
     area = next(one for one in window.screen.areas if one.type == "VIEW_3D")
@@ -96,7 +101,7 @@ def steps():
     yield from click(sidebar.x + sidebar.width - 12, sidebar.y + sidebar.height - TAB)
     yield 2
     with override():
-        bpy.ops.screen.screenshot(filepath=PICTURE)
+        bpy.ops.screen.screenshot_area(filepath=PICTURE)
     assert os.path.getsize(PICTURE) > 10_000
 
 
