@@ -108,6 +108,8 @@ class SHIGUSA_OT_find(bpy.types.Operator):
             wrong = "choose an armature"
         elif armature.library is not None:
             wrong = f"{armature.name} is linked from another file: make a library override of it first"
+        elif armature.mode == "EDIT" or armature.data.pose_position == "REST":
+            wrong = f"{armature.name} shows its rest position: leave edit mode, and choose Pose Position"
         elif not goals:
             wrong = "there is no goal: add an empty for a hand or a foot, and move it"
         if wrong:

@@ -190,11 +190,11 @@ def _curves(armature: Any, action: Any) -> Any:
 
 
 def write(armature: Any, keys: list[Key], start: int, name: str) -> Any:
-    """Makes the armature's Action of the keys, from a frame on: a new one, or the add-on's own, written anew. An Action
-    that it replaces is kept."""
+    """Makes the armature's Action of the keys, from a frame on. The add-on's own is written anew from there; another one,
+    or one with a fake user, is kept beside a new one."""
     data = armature.animation_data_create()
     action = data.action
-    if action is None or OWN not in action:
+    if action is None or OWN not in action or action.use_fake_user:
         if action is not None:
             action.use_fake_user = True
         action = bpy.data.actions.new(name)
@@ -202,17 +202,25 @@ def write(armature: Any, keys: list[Key], start: int, name: str) -> Any:
         data.action = action
     action.name = name
     curves = _curves(armature, action)
+    points: dict[tuple[str, int], Any] = {}
+    groups: dict[str, str] = {}
     for curve in list(curves):
+        before = np.array([list(point.co) for point in curve.keyframe_points if point.co[0] < start - 0.5])
+        if len(before):
+            points[curve.data_path, curve.array_index] = before
+            groups[curve.data_path] = curve.group.name if curve.group else ""
         curves.remove(curve)
     for key in keys:
-        for component in range(key.values.shape[1]):
-            grouped = {} if hasattr(action, "slots") else {"action_group": key.bone}
-            curve = curves.new(key.path, index=component, **grouped)
-            count = len(key.values)
-            curve.keyframe_points.add(count)
-            points = np.stack([start + np.arange(count), key.values[:, component]], 1)
-            curve.keyframe_points.foreach_set("co", points.ravel())
-            for point in curve.keyframe_points:
-                point.interpolation = "LINEAR"
-            curve.update()
+        groups[key.path] = key.bone
+        for component, values in enumerate(key.values.T):
+            before = points.get((key.path, component), np.zeros((0, 2)))
+            points[key.path, component] = np.concatenate([before, np.stack([start + np.arange(len(values)), values], 1)])
+    for (path, component), places in points.items():
+        grouped = {} if hasattr(action, "slots") else {"action_group": groups[path]}
+        curve = curves.new(path, index=component, **grouped)
+        curve.keyframe_points.add(len(places))
+        curve.keyframe_points.foreach_set("co", places.ravel())
+        for point in curve.keyframe_points:
+            point.interpolation = "LINEAR"
+        curve.update()
     return action

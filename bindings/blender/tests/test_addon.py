@@ -305,19 +305,37 @@ class Use(unittest.TestCase):
         armature, empty = self.found()
         bpy.ops.shigusa.apply(candidate=0)
         last = int(armature.animation_data.action.frame_range[1])
-        start = heads(armature, last)
+        middle, start = heads(armature, last // 2), heads(armature, last)
         empty.location.z += 0.3
         bpy.context.view_layer.update()
         bpy.ops.shigusa.find()
         bpy.ops.shigusa.apply(candidate=0)
         begun = heads(armature, last)
         self.assertLess(max((begun[name].translation - start[name].translation).length for name in start), BOUND)
+        end = heads(armature, int(armature.animation_data.action.frame_range[1]))
+        self.assertLess((end[end_bone()].translation - empty.location).length, BOUND)
+        # in the same Action, which still has what came before
+        self.assertEqual(len(bpy.data.actions), 1)
+        again = heads(armature, last // 2)
+        self.assertLess(max((again[name].translation - middle[name].translation).length for name in middle), BOUND)
+
+    def test_an_action_with_a_fake_user_is_not_written_anew(self):
+        armature, _ = self.found()
+        bpy.ops.shigusa.apply(candidate=0)
+        kept = armature.animation_data.action
+        kept.use_fake_user = True
+        bpy.ops.shigusa.apply(candidate=1)
+        self.assertIsNot(armature.animation_data.action, kept)
+        self.assertEqual(len(bpy.data.actions), 2)
 
     def test_mistakes_are_told_in_words(self):
         self.assertIn("choose an armature", refused(bpy.ops.shigusa.find))
         metarig()
         self.assertIn("there is no goal", refused(bpy.ops.shigusa.find))
         self.assertEqual(len(panel().state.result), 0)
+        bpy.context.object.data.pose_position = "REST"
+        self.assertIn("rest position", refused(bpy.ops.shigusa.find))
+        bpy.context.object.data.pose_position = "POSE"
         # a deleted goal is none
         goal(bpy.context.object, "right_hand", 0.2, 0.1, 0.5)
         bpy.data.objects.remove(bpy.context.scene.shigusa.right_hand)
