@@ -4,6 +4,7 @@ pictures. Matrices are 4 × 4 and act on columns."""
 
 from __future__ import annotations
 
+import re
 import threading
 from typing import Any, NamedTuple
 
@@ -142,7 +143,7 @@ def remarks(candidate: Any) -> list[str]:
     left = [one for one in candidate.about["reached"] if one["error_mm"] > 0.1]
     return [
         *(f"{one['effector'].replace('_', ' ')} ends {one['error_mm'] / 1000:.2g} m from its goal" for one in left),
-        *candidate.reasons[:1],
+        *(re.sub(r"_|(?<=[a-z])\.(?=[a-z])", " ", reason) for reason in candidate.reasons[:1]),
     ]
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import time
 from typing import Any
 
 import bpy
@@ -16,6 +17,7 @@ class State:
 
     def __init__(self) -> None:
         self.search: logic.Search | None = None  # that runs
+        self.token = str(time.time_ns())
         self.message = ""
         self.armature = ""  # its name
         self.skeleton: rig.Skeleton | None = None
@@ -195,9 +197,9 @@ class SHIGUSA_OT_apply(bpy.types.Operator):
         if self.candidate >= len(state.result):
             self.report({"ERROR"}, f"there are {len(state.result)} candidates")
             return {"CANCELLED"}
-        state.chosen, state.shown = self.candidate, state.result[self.candidate]
-        state.parameters = logic.sliders(state.shown)
-        _make_sliders(context.scene)
+        _choose(self.candidate)
+        for name in state.parameters:
+            context.scene.shigusa_sliders.property_unset(name)
         if not _play(context):
             self.report({"ERROR"}, state.message)
             return {"CANCELLED"}
@@ -220,26 +222,34 @@ def _play(context: Any) -> bool:
         keys = rig.control_keys(armature, state.skeleton, frames, context.view_layer)
     else:
         keys = rig.direct_keys(armature, state.skeleton, frames, _person())
-    rig.write(armature, keys, state.start, f"Reach: {logic.title(state.shown)}")
+    rig.write(armature, keys, state.start, f"Reach: {logic.title(state.shown)}", f"{state.token} {state.chosen}")
     context.scene.frame_set(context.scene.frame_current)
     return True
 
 
-def _slid(sliders: Any, context: Any) -> None:
-    """Replays the chosen candidate by the sliders' values."""
+def _replay(sliders: Any) -> bool:
+    """Shows the chosen candidate by the sliders' values."""
     values = {name: getattr(sliders, name) for name in state.parameters}
     changed = {name: value for name, value in values.items() if abs(value - state.parameters[name]["value"]) > 1e-5}
     try:
-        state.shown = state.result[state.chosen].edit(changed)
-        _play(context)
+        state.shown = state.result[state.chosen].edit(changed) if changed else state.result[state.chosen]
     except engine.Failure as wrong:
         state.message = str(wrong)
+        return False
+    return True
 
 
-def _make_sliders(scene: Any) -> None:
-    """The sliders of the chosen candidate, each at its value."""
+def _slid(sliders: Any, context: Any) -> None:
+    if _replay(sliders):
+        _play(context)
+
+
+def _choose(number: int) -> None:
+    """Makes the sliders of a candidate, whose values are their defaults."""
     global slider_class
     _drop_sliders()
+    state.chosen, state.shown = number, state.result[number]
+    state.parameters = logic.sliders(state.shown)
     properties = {}
     for name, one in state.parameters.items():
         words = name[: -len("_deg")] if name.endswith("_deg") else name
@@ -250,8 +260,6 @@ def _make_sliders(scene: Any) -> None:
     slider_class = type("SHIGUSA_PG_sliders", (bpy.types.PropertyGroup,), {"__annotations__": properties})
     bpy.utils.register_class(slider_class)
     bpy.types.Scene.shigusa_sliders = bpy.props.PointerProperty(type=slider_class)
-    for name in properties:
-        scene.shigusa_sliders.property_unset(name)
 
 
 def _drop_sliders() -> None:
@@ -317,13 +325,12 @@ class SHIGUSA_PT_panel(bpy.types.Panel):
 
     def _draw_candidate(self, layout: Any, number: int, candidate: Any) -> None:
         chosen = number == state.chosen
+        shown = state.shown if chosen else candidate
         column = layout.box().column()
-        column.operator(
-            "shigusa.apply", text=f"{number + 1}: {candidate.verdict}", depress=chosen).candidate = number
+        column.operator("shigusa.apply", text=f"{number + 1}: {shown.verdict}", depress=chosen).candidate = number
         row = column.split(factor=0.45)
         if str(number) in pictures:
             row.template_icon(icon_value=pictures[str(number)].icon_id, scale=4)
-        shown = state.shown if chosen else candidate
         column = row.column()
         _lines(column, logic.title(shown), "NONE", 14)
         for words in logic.remarks(shown):
@@ -352,6 +359,20 @@ def _forget(*_: Any) -> None:
     state.__init__()  # type: ignore[misc]
 
 
+@bpy.app.handlers.persistent
+def _undone(*_: Any) -> None:
+    """Shows the candidate that the armature's Action is of, after an undo or a redo."""
+    armature = bpy.data.objects.get(state.armature)
+    action = armature.animation_data.action if armature is not None and armature.animation_data else None
+    token, _, number = str(action.get(rig.OWN, "") if action is not None else "").partition(" ")
+    if token != state.token:
+        state.chosen, state.shown = -1, None
+        return
+    if int(number) != state.chosen:
+        _choose(int(number))
+    _replay(bpy.context.scene.shigusa_sliders)
+
+
 CLASSES = (SHIGUSA_PG_settings, SHIGUSA_OT_goal, SHIGUSA_OT_find, SHIGUSA_OT_cancel, SHIGUSA_OT_apply, SHIGUSA_PT_panel)
 
 
@@ -362,10 +383,14 @@ def register() -> None:
     bpy.types.Scene.shigusa = bpy.props.PointerProperty(type=SHIGUSA_PG_settings)
     pictures = bpy.utils.previews.new()
     bpy.app.handlers.load_post.append(_forget)
+    bpy.app.handlers.undo_post.append(_undone)
+    bpy.app.handlers.redo_post.append(_undone)
 
 
 def unregister() -> None:
     bpy.app.handlers.load_post.remove(_forget)
+    bpy.app.handlers.undo_post.remove(_undone)
+    bpy.app.handlers.redo_post.remove(_undone)
     _forget()
     _drop_sliders()
     bpy.utils.previews.remove(pictures)

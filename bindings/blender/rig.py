@@ -11,7 +11,7 @@ from mathutils import Matrix
 
 from . import logic
 
-OWN = "shigusa"  # marks an Action that may be written anew
+OWN = "shigusa"  # of an Action that may be written anew: the search and the candidate that it is of
 
 
 class Key(NamedTuple):
@@ -189,7 +189,7 @@ def _curves(armature: Any, action: Any) -> Any:
     return strip.channelbag(slot, ensure=True).fcurves
 
 
-def write(armature: Any, keys: list[Key], start: int, name: str) -> Any:
+def write(armature: Any, keys: list[Key], start: int, name: str, mark: str) -> Any:
     """Makes the armature's Action of the keys, from a frame on. The add-on's own is written anew from there; another one,
     or one with a fake user, is kept beside a new one."""
     data = armature.animation_data_create()
@@ -198,9 +198,8 @@ def write(armature: Any, keys: list[Key], start: int, name: str) -> Any:
         if action is not None:
             action.use_fake_user = True
         action = bpy.data.actions.new(name)
-        action[OWN] = True
         data.action = action
-    action.name = name
+    action[OWN], action.name = mark, name
     curves = _curves(armature, action)
     points: dict[tuple[str, int], Any] = {}
     groups: dict[str, str] = {}

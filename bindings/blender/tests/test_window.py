@@ -88,11 +88,27 @@ def steps():
         assert len(bpy.data.actions) == 1
         assert bpy.ops.ed.undo() == {"FINISHED"}
         armature = bpy.data.objects["metarig"]
-        assert not bpy.data.actions and (armature.animation_data is None or armature.animation_data.action is None)
+        assert panel.state.chosen == -1 and not bpy.data.actions and (armature.animation_data is None or armature.animation_data.action is None)
         assert max(abs(x) for a, b in zip(pose, armature.pose.bones) for row in a - b.matrix for x in row) < 1e-6
         assert bpy.ops.ed.redo() == {"FINISHED"}
         assert len(bpy.data.actions) == 1 and bpy.data.objects["metarig"].animation_data.action
         print("  undone and done again")
+
+        # and so is a slider, of which a user's drag is one step, and another candidate
+        def curves():
+            return [point.co[1] for curve in bpy.data.actions[0].fcurves for point in curve.keyframe_points]
+
+        before, sliders = curves(), bpy.context.scene.shigusa_sliders
+        value = sliders.squat_deg
+        sliders.squat_deg = 70
+        bpy.ops.ed.undo_push(message="Squat")
+        assert curves() != before and panel.state.shown.parameters()["squat_deg"]["value"] == 70
+        assert bpy.ops.ed.undo() == {"FINISHED"}
+        assert curves() == before and abs(bpy.context.scene.shigusa_sliders.squat_deg - value) < 1e-4
+        assert abs(panel.state.shown.parameters()["squat_deg"]["value"] - value) < 1e-4
+        assert bpy.ops.shigusa.apply("EXEC_DEFAULT", True, candidate=1) == {"FINISHED"} and panel.state.chosen == 1
+        assert bpy.ops.ed.undo() == {"FINISHED"} and panel.state.chosen == 0 and curves() == before
+        print("  a slider and a second candidate undone")
         bpy.context.scene.frame_set(int(bpy.data.actions[0].frame_range[1]))
         bpy.ops.view3d.view_all()
     # the add-on's tab is the last of the sidebar
