@@ -147,6 +147,11 @@ def remarks(candidate: Any) -> list[str]:
     ]
 
 
+def ends(candidate: Any) -> list[str]:
+    """Which bone comes to each goal."""
+    return [f"{one['effector'].replace('_', ' ')}: {one['joint']}" for one in candidate.about["reached"]]
+
+
 def sliders(candidate: Any) -> dict[str, dict[str, Any]]:
     """The parameters that a person can read: angles and shares, and not the weights of joints."""
     return {name: one for name, one in candidate.parameters().items() if one["kind"] != "weight"}

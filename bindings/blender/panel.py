@@ -316,6 +316,8 @@ class SHIGUSA_PT_panel(bpy.types.Panel):
         layout.operator("shigusa.find", icon="VIEWZOOM")
         if state.message:
             _lines(layout, state.message, "ERROR")
+        for words in logic.ends(state.result[0]) if state.result else ():
+            _lines(layout, words, "BONE_DATA")
         for number, candidate in enumerate(state.result):
             self._draw_candidate(layout, number, candidate)
         if state.shown is not None and hasattr(context.scene, "shigusa_sliders"):

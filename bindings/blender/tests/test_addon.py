@@ -176,6 +176,7 @@ class Rigs(unittest.TestCase):
         turned = max(turn(begun[name], start[name]) for name in seen)
         self.assertLess(away, BOUND)
         self.assertLess(turned, 2e-3)
+        self.assertEqual(panel().logic.ends(panel().state.shown), ["right hand: " + joint[len(prefix()):]])
         print(f"  {armature.name}: hand {1000 * off:.4f} mm, feet {1000 * slid:.4f} mm, first frame {1000 * away:.4f} mm, "
               f"{turned:.5f} rad, {int(last) - 10} frames, {panel().logic.title(panel().state.shown)}")
 
@@ -207,7 +208,8 @@ class Rigs(unittest.TestCase):
 
     @unittest.skipUnless(SHARED, "there is no ../shared")
     def test_imported_files(self):
-        for name in ("lab0_CesiumMan.glb", "KayKit_Knight.glb", "mannequiny.glb"):
+        for name in ("lab0_CesiumMan.glb", "KayKit_Knight.glb", "mannequiny.glb",
+                     "VRM-Addon-for-Blender__armature_transform.vrm"):
             with self.subTest(name):
                 self.both(lambda: imported(name))
 

@@ -120,6 +120,13 @@ def steps():
         bpy.ops.screen.screenshot_area(filepath=PICTURE)
     assert os.path.getsize(PICTURE) > 10_000
 
+    # removed, nothing of it is left
+    path = os.path.dirname(sys.modules["shigusa_blender"].__file__)
+    with override():
+        bpy.ops.preferences.addon_remove("EXEC_DEFAULT", module="shigusa_blender")
+    assert not os.path.exists(path) and not hasattr(bpy.types.Scene, "shigusa"), path
+    assert "shigusa_blender" not in bpy.context.preferences.addons
+
 
 running = steps()
 
