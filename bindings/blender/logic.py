@@ -54,7 +54,7 @@ RIGIFY = _rig(
      "hand_fk.{}<hand.{} toe_fk.{}<toe.{}"],
     "upper_arm_parent.{}<IK_FK thigh_parent.{}<IK_FK", True,
 )
-# by its published names, and not tried
+# by its published names; tried on a stand-in alone
 AUTO_RIG_PRO = _rig(
     "Auto-Rig Pro", "",
     "root.x<- spine_01.x<root.x spine_02.x<spine_01.x spine_03.x<spine_02.x neck.x<spine_03.x head.x<neck.x"

@@ -63,6 +63,44 @@ def mixamo():
     return armature
 
 
+def auto_rig_pro():
+    """A stand-in for a rig of Auto-Rig Pro: its measured bones, by its names, copy its FK controls."""
+    table = panel().logic.AUTO_RIG_PRO
+    at = {"root": (0, 0.95, 0), "spine_01": (0, 1.05, 0), "spine_02": (0, 1.17, 0), "spine_03": (0, 1.3, 0), "neck": (0, 1.45, 0),
+          "head": (0, 1.53, 0.02), "shoulder": (0.03, 1.41, 0), "arm_stretch": (0.17, 1.4, 0), "forearm_stretch": (0.44, 1.4, 0),
+          "hand": (0.7, 1.4, 0), "thigh_stretch": (0.09, 0.9, 0), "leg_stretch": (0.09, 0.5, 0.01), "foot": (0.09, 0.08, 0),
+          "toes_01": (0.09, 0.02, 0.12)}
+    armature = bpy.data.objects.new("arp", bpy.data.armatures.new("arp"))
+    bpy.context.scene.collection.objects.link(armature)
+    bpy.context.view_layer.objects.active = armature
+    bpy.ops.object.mode_set(mode="EDIT")
+    controls = {bone: control for step in table.steps for control, bone in step}
+    for bone, above in table.bones.items():
+        kind, side = bone.rsplit(".", 1)
+        right, up, ahead = at[kind]
+        for name, parent in ((controls[bone], controls.get(above, "c_root_master.x")), (bone, above)):
+            made = armature.data.edit_bones.new(name)
+            made.head = (right * (-1 if side == "r" else 1), -ahead, up)
+            made.tail = made.head + Vector((0, 0.02, 0.08)) * (1 if name == bone else 1.5)
+            if parent is not None:
+                if parent not in armature.data.edit_bones:
+                    root = armature.data.edit_bones.new(parent)
+                    root.head, root.tail = (0, 0, 0.95), (0, 0.3, 0.95)
+                made.parent = armature.data.edit_bones[parent]
+    for limb in ("hand", "foot"):
+        for side in "lr":
+            made = armature.data.edit_bones.new(f"c_{limb}_ik.{side}")
+            made.tail = (0, 0.1, 0)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    for bone, control in controls.items():
+        copied = armature.pose.bones[bone].constraints.new("COPY_TRANSFORMS")
+        copied.target, copied.subtarget = armature, control
+    for limb in ("hand", "foot"):
+        for side in "lr":
+            armature.pose.bones[f"c_{limb}_ik.{side}"]["ik_fk_switch"] = 0.0
+    return armature
+
+
 def imported(name):
     if not hasattr(numpy, "bool"):  # Debian's importer asks its newer NumPy for a name that is gone
         numpy.bool = bool
@@ -205,6 +243,14 @@ class Rigs(unittest.TestCase):
                 armature.pose.bones[f"mixamorig:{side}Arm"].rotation_mode = "AXIS_ANGLE"
                 armature.pose.bones[f"mixamorig:{side}Arm"].rotation_axis_angle = (1.2, 0, 0, -sign)
         self.both(mixamo, pose)
+
+    def test_auto_rig_pros_table(self):
+        def pose(armature):
+            for side, sign in (("l", 1), ("r", -1)):
+                arm = armature.pose.bones[f"c_arm_fk.{side}"]
+                arm.rotation_mode = "XYZ"
+                arm.rotation_euler = (0.2, sign * 0.9, 0)
+        self.both(auto_rig_pro, pose)
 
     @unittest.skipUnless(SHARED, "there is no ../shared")
     def test_imported_files(self):
