@@ -10,6 +10,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+STATUS = {
+    "unreachable": "out of reach: the motion ends as near as it can",
+    "unsteady": "no motion that somebody can make was found",
+}
 EFFECTORS = ("right_hand", "left_hand", "right_foot", "left_foot")
 
 
@@ -213,6 +217,8 @@ class Search(threading.Thread):
                 self.result = found
         except engine.Failure as wrong:
             self.failure = refusal(wrong, name)
+        except Exception as wrong:  # pylint: disable=broad-except  # a thread would end in silence
+            self.failure = repr(wrong)
 
 
 def figure(parents: list[int], nodes: list[dict[str, Any]], about: dict[str, Any], frames: Any) -> Any:

@@ -131,14 +131,15 @@ class SHIGUSA_OT_find(bpy.types.Operator):
         search, state.search = state.search, None
         assert search is not None
         if search.result is None:
-            state.message = search.failure or "ended without a result"
+            state.message = search.failure or "cancelled"
             self.report({"ERROR"} if search.failure else {"INFO"}, state.message)
             return {"CANCELLED"}
         state.character, state.result = search.character, search.result
         armature = bpy.data.objects.get(state.armature)
         held = rig.constrained(armature, state.skeleton, _person()) if armature else []
-        if held:
-            state.message = "constraints hold against the motion: " + ", ".join(held)
+        words = [logic.STATUS.get(state.result.status, ""), state.result.summary.get("fewer", "")]
+        words.append("constraints hold against the motion: " + ", ".join(held) if held else "")
+        state.message = "; ".join(word for word in words if word)
         _draw_pictures()
         return {"FINISHED"}
 
@@ -217,7 +218,11 @@ def _play(context: Any) -> bool:
     if armature is None:
         state.message = f"the armature {state.armature} is gone"
         return False
-    frames = rig.motion(state.skeleton, state.character, state.shown, state.fps)
+    try:
+        frames = rig.motion(state.skeleton, state.character, state.shown, state.fps)
+    except engine.Failure as wrong:  # such as of a rate that is out of range
+        state.message = str(wrong)
+        return False
     if state.skeleton.controls:
         keys = rig.control_keys(armature, state.skeleton, frames, context.view_layer)
     else:

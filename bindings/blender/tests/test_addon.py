@@ -322,6 +322,7 @@ class Use(unittest.TestCase):
         armature, empty = self.found(2.0, 0.1, 0.5)
         self.assertEqual(panel().state.result.status, "unreachable")
         words = " ".join(panel().logic.remarks(panel().state.result[0]))
+        self.assertIn("out of reach", panel().state.message)
         self.assertRegex(words, r"right hand ends [0-9.]+ m from its goal")
         self.assertEqual(bpy.ops.shigusa.apply(candidate=0), {"FINISHED"})
         end = heads(armature, int(armature.animation_data.action.frame_range[1]))
@@ -384,8 +385,12 @@ class Use(unittest.TestCase):
         bpy.context.object.data.pose_position = "REST"
         self.assertIn("rest position", refused(bpy.ops.shigusa.find))
         bpy.context.object.data.pose_position = "POSE"
-        # a deleted goal is none
+        # a rate that the engine does not have
         goal(bpy.context.object, "right_hand", 0.2, 0.1, 0.5)
+        bpy.context.scene.render.fps = 1000
+        bpy.ops.shigusa.find()
+        self.assertIn("240", refused(bpy.ops.shigusa.apply, candidate=0))
+        # a deleted goal is none
         bpy.data.objects.remove(bpy.context.scene.shigusa.right_hand)
         self.assertIn("there is no goal", refused(bpy.ops.shigusa.find))
 
