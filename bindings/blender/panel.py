@@ -137,7 +137,7 @@ class SHIGUSA_OT_find(bpy.types.Operator):
         state.character, state.result = search.character, search.result
         armature = bpy.data.objects.get(state.armature)
         held = rig.constrained(armature, state.skeleton, _person()) if armature else []
-        words = [logic.STATUS.get(state.result.status, ""), state.result.summary.get("fewer", "")]
+        words = [logic.STATUS.get(state.result.status, "")]
         words.append("constraints hold against the motion: " + ", ".join(held) if held else "")
         state.message = "; ".join(word for word in words if word)
         _draw_pictures()
@@ -344,7 +344,7 @@ class SHIGUSA_PT_panel(bpy.types.Panel):
             _lines(column, words, "NONE", 14)
 
 
-def _lines(layout: Any, text: str, icon: str, letters: int = 28) -> None:
+def _lines(layout: Any, text: str, icon: str, letters: int = 26) -> None:
     """A text in lines, as labels do not wrap."""
     column = layout.column(align=True)
     column.scale_y = 0.75
