@@ -30,6 +30,7 @@ class Skeleton(NamedTuple):
     nodes: list[dict[str, Any]]  # the object, then the bones
     controls: logic.ControlRig | None
     present: dict[str, list[Key]]  # of each bone of the armature that is not at rest, its pose
+    followed: dict[str, tuple[int, Any]]  # of controls, once learnt: the bone that the parent follows, and how it lies in it
 
 
 def _parts(matrix: Matrix) -> dict[str, list[float]]:
@@ -64,7 +65,7 @@ def skeleton(armature: Any, depsgraph: Any) -> Skeleton:
         node = {"name": called, "parent": 0 if parent is None else number[parent] + 1, **_parts(rest), "pose": _parts(now)}
         nodes.append(node)
     present = {bone.name: _present(bone) for bone in armature.pose.bones}
-    return Skeleton(names, [-1 if parent is None else number[parent] for parent in above.values()], nodes, controls, present)
+    return Skeleton(names, [-1 if parent is None else number[parent] for parent in above.values()], nodes, controls, present, {})
 
 
 def constrained(armature: Any, found: Skeleton, humanoid: set[str]) -> list[str]:
@@ -134,17 +135,65 @@ def direct_keys(armature: Any, found: Skeleton, frames: Any, humanoid: set[str])
     return keys
 
 
+def _learn(found: Skeleton, frames: Any, bone: str, parents: Any) -> tuple[int, Any] | None:
+    """The measured bone above `bone`, or -1 for the armature, in which a control's parent lay still in all frames."""
+    number = found.bones.index(bone)
+    while number >= 0:
+        number = found.parents[number]
+        within = parents if number < 0 else np.linalg.solve(frames[:, number], parents)
+        if np.ptp(within, axis=0).max() < 1e-5:
+            return number, within[0]
+    return None
+
+
+def _control_bases(found: Skeleton, posed: Any, frames: Any, layer: Any) -> dict[str, list[Matrix]]:
+    """The bases of a rig's controls in each frame: each is set where its bone is to be, those above first, as Blender
+    evaluates the rig. Where parents of controls simply follow a bone, that is learnt, and not evaluated again."""
+    assert found.controls is not None
+    bases: dict[str, list[Matrix]] = {control: [] for step in found.controls.steps for control, _ in step}
+    seen: dict[str, list[Any]] = {}
+    bone_of = {control: bone for step in found.controls.steps for control, bone in step}
+    offsets = {control: posed[bone].bone.matrix_local.inverted_safe() @ posed[control].bone.matrix_local
+               for control, bone in bone_of.items()}
+    for frame in frames:
+        placed: dict[str, Matrix] = {}
+        stale = True
+        for step in found.controls.steps:
+            for control in [control for control, _ in step]:
+                above, told = posed[control].parent, {}
+                if above is not None:
+                    if above.name in placed:
+                        parent = placed[above.name]
+                    elif control in found.followed:
+                        number, within = found.followed[control]
+                        parent = Matrix((within if number < 0 else frame[number] @ within).tolist())
+                    else:
+                        if stale:
+                            layer.update()
+                            stale = False
+                        parent = above.matrix.copy()
+                        seen.setdefault(control, []).append(np.array(parent))
+                    told = {"parent_matrix": parent, "parent_matrix_local": above.bone.matrix_local}
+                placed[control] = Matrix(frame[found.bones.index(bone_of[control])].tolist()) @ offsets[control]
+                bases[control].append(posed[control].bone.convert_local_to_pose(
+                    placed[control], posed[control].bone.matrix_local, invert=True, **told))
+            for control, _ in step:
+                posed[control].matrix_basis = bases[control][-1]
+            stale = True
+    for control, parents in seen.items():
+        learnt = _learn(found, frames, bone_of[control], np.array(parents))
+        if learnt:
+            found.followed[control] = learnt
+    return bases
+
+
 def control_keys(armature: Any, found: Skeleton, frames: Any, layer: Any) -> list[Key]:
-    """Keys of a rig's controls, each set where its bone is to be, those above first, as Blender evaluates the rig."""
+    """Keys of a rig's controls, and of the switches that let limbs follow them."""
     controls, posed = found.controls, armature.pose.bones
     assert controls is not None
-    at = {name: number for number, name in enumerate(found.bones)}
-    steps = [[(posed[control], at[bone], armature.data.bones[bone].matrix_local.inverted_safe()
-               @ armature.data.bones[control].matrix_local) for control, bone in step] for step in controls.steps]
-    used = [control for step in steps for control, _, _ in step]
+    used = [posed[control] for step in controls.steps for control, _ in step]
     before = [(control, control.matrix_basis.copy()) for control in used]
     switched = [(posed[bone], name, posed[bone][name]) for bone, name in controls.switches if name in posed[bone]]
-    bases: dict[str, list[Matrix]] = {control.name: [] for control in used}
     data = armature.animation_data_create()
     action, data.action = data.action, None
     try:
@@ -152,19 +201,13 @@ def control_keys(armature: Any, found: Skeleton, frames: Any, layer: Any) -> lis
             bone[name] = type(value)(1)
         armature.update_tag(refresh={"OBJECT", "DATA", "TIME"})
         layer.update()
-        for frame in frames:
-            placed: dict[str, Matrix] = {}  # Blender's evaluation has the controls of earlier steps alone
-            for step in steps:
-                for control, number, offset in step:
-                    rest, above = control.bone, control.parent
-                    placed[control.name] = Matrix(frame[number].tolist()) @ offset
-                    told = {} if above is None else {
-                        "parent_matrix": placed.get(above.name, above.matrix), "parent_matrix_local": above.bone.matrix_local}
-                    control.matrix_basis = rest.convert_local_to_pose(
-                        placed[control.name], rest.matrix_local, invert=True, **told)
-                    bases[control.name].append(control.matrix_basis.copy())
-                if step is not steps[-1]:
-                    layer.update()
+        learnt = bool(found.followed)
+        bases = _control_bases(found, posed, frames, layer)
+        layer.update()
+        ends = {name: frames[-1, number, :3, 3] for number, name in enumerate(found.bones)}
+        if learnt and max(np.abs(np.array(posed[name].matrix)[:3, 3] - end).max() for name, end in ends.items()) > 1e-5:
+            found.followed.clear()
+            bases = _control_bases(found, posed, frames, layer)
     finally:
         for bone, name, value in switched:
             bone[name] = value
@@ -174,8 +217,7 @@ def control_keys(armature: Any, found: Skeleton, frames: Any, layer: Any) -> lis
     keys = [Key(bone.name, f'{bone.path_from_id()}["{name}"]', np.array([[1.0]])) for bone, name, _ in switched]
     for control in used:
         keys += _key(control, bases[control.name])
-    done = {control.name for control in used}
-    return keys + [key for bone, kept in found.present.items() if bone not in done for key in kept]
+    return keys + [key for bone, kept in found.present.items() if bone not in bases for key in kept]
 
 
 def _curves(armature: Any, action: Any) -> Any:
