@@ -51,8 +51,9 @@ RIGIFY = _rig(
     "spine<- spine.001<spine spine.002<spine.001 spine.003<spine.002 spine.004<spine.003 spine.005<spine.004"
     " spine.006<spine.005 shoulder.{}<spine.003 upper_arm.{}<shoulder.{} forearm.{}<upper_arm.{} hand.{}<forearm.{}"
     " f_middle.01.{}<hand.{} f_middle.02.{}<f_middle.01.{} f_middle.03.{}<f_middle.02.{} thigh.{}<spine shin.{}<thigh.{} foot.{}<shin.{} toe.{}<foot.{} heel.02.{}<foot.{}",
-    ["torso<spine", "spine_fk<spine spine_fk.001<spine.001 tweak_spine<spine tweak_spine.001<spine.001", "spine_fk.002<spine.002",
-     "spine_fk.003<spine.003 tweak_spine.002<spine.002 tweak_spine.003<spine.003",
+    ["torso<spine", "spine_fk.001<spine.001 spine_fk.002<spine.002",
+     "spine_fk<spine spine_fk.003<spine.003 tweak_spine<spine tweak_spine.001<spine.001 tweak_spine.002<spine.002"
+     " tweak_spine.003<spine.003",
      "neck<spine.004 shoulder.{}<shoulder.{} thigh_fk.{}<thigh.{} shin_fk.{}<shin.{}",
      "head<spine.006 upper_arm_fk.{}<upper_arm.{} forearm_fk.{}<forearm.{} foot_fk.{}<foot.{}",
      "hand_fk.{}<hand.{} toe_fk.{}<toe.{}"],

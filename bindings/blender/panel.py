@@ -218,6 +218,9 @@ def _play(context: Any) -> bool:
     if armature is None:
         state.message = f"the armature {state.armature} is gone"
         return False
+    if set(state.skeleton.present) != set(armature.pose.bones.keys()):
+        state.message = f"{state.armature} has other bones now: press Find again"
+        return False
     try:
         frames = rig.motion(state.skeleton, state.character, state.shown, state.fps)
     except engine.Failure as wrong:  # such as of a rate that is out of range

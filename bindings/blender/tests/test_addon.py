@@ -207,6 +207,13 @@ class Rigs(unittest.TestCase):
             (heads(armature, frame)[foot].translation - start[foot].translation).length
             for frame in range(11, int(last) + 1) for foot in feet)
         self.assertLess(slid, BOUND)
+        # halfway each bone is where the engine has it
+        frames = panel().rig.motion(panel().state.skeleton, panel().state.character, panel().state.shown, 24.0)
+        half = heads(armature, 11 + len(frames) // 2)
+        astray = max(
+            (half[bone].translation - armature.matrix_world @ Vector(frames[len(frames) // 2, number, :3, 3])).length
+            for number, bone in enumerate(panel().state.skeleton.bones))
+        self.assertLess(astray, BOUND)
         begun = heads(armature, 11)
         # of control rigs what follows them: IK's poles and handles stay
         seen = [name for name in start if name.startswith(("DEF-", "ORG-")) or not prefix()]
@@ -428,6 +435,8 @@ class Use(unittest.TestCase):
 
     def test_the_armature_may_be_gone(self):
         armature, _ = self.found()
+        armature.data.bones["hand.L"].name = "paw"
+        self.assertIn("other bones", refused(bpy.ops.shigusa.apply, candidate=0))
         bpy.data.objects.remove(armature)
         self.assertIn("is gone", refused(bpy.ops.shigusa.apply, candidate=0))
 
