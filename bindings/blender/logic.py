@@ -23,53 +23,47 @@ class ControlRig(NamedTuple):
     name: str
     prefix: str  # of the measured bones, left out of the names that the engine gets
     bones: dict[str, str | None]  # measured bone -> the measured bone above it
-    steps: list[list[tuple[str, str]]]  # (control, measured bone) that can be set at once, those above first, one step after the other
+    steps: list[list[tuple[str, str]]]  # (control, measured bone) that can be set at once, those above first
     switches: list[tuple[str, str]]  # (control, property) that is 1 where limbs follow these controls
 
 
-def _both(text: str) -> list[tuple[str, str]]:
-    """Pairs of words, each with {} for both sides of it."""
-    pairs = [tuple(pair.split("<")) for pair in text.split()]
-    return [(a.format(s), b.format(s)) for a, b in pairs for s in (("l", "r") if "{}" in a else ("",))]
+def _rig(name: str, prefix: str, sides: str, bones: str, steps: list[str], switches: str) -> ControlRig:
+    """A rig of pairs of words, each with {} for both sides of it."""
 
+    def pairs(text: str) -> list[tuple[str, str]]:
+        told = [pair.split("<") for pair in text.split()]
+        return [(a.format(side), b.format(side)) for a, b in told for side in (sides if "{}" in a else sides[:1])]
 
-def _rig(name: str, prefix: str, bones: str, steps: list[str], switches: str, capital: bool) -> ControlRig:
-    def sided(text: str) -> list[tuple[str, str]]:
-        pairs = _both(text)
-        return [(_upper(a), _upper(b)) for a, b in pairs] if capital else pairs
-
-    def _upper(word: str) -> str:
-        return word[:-2] + word[-2:].upper() if word[-2:] in (".l", ".r") else word
-
-    measured = {prefix + bone: prefix + above if above != "-" else None for bone, above in sided(bones)}
-    stepped = [[(control, prefix + bone) for control, bone in sided(step)] for step in steps]
-    return ControlRig(name, prefix, measured, stepped, sided(switches))
+    measured = {prefix + bone: prefix + above if above else None for bone, above in pairs(bones)}
+    stepped = [[(control, prefix + bone) for control, bone in pairs(step)] for step in steps]
+    return ControlRig(name, prefix, measured, stepped, pairs(switches))
 
 
 RIGIFY = _rig(
-    "Rigify", "ORG-",
-    "spine<- spine.001<spine spine.002<spine.001 spine.003<spine.002 spine.004<spine.003 spine.005<spine.004"
+    "Rigify", "ORG-", "LR",
+    "spine< spine.001<spine spine.002<spine.001 spine.003<spine.002 spine.004<spine.003 spine.005<spine.004"
     " spine.006<spine.005 shoulder.{}<spine.003 upper_arm.{}<shoulder.{} forearm.{}<upper_arm.{} hand.{}<forearm.{}"
-    " f_middle.01.{}<hand.{} f_middle.02.{}<f_middle.01.{} f_middle.03.{}<f_middle.02.{} thigh.{}<spine shin.{}<thigh.{} foot.{}<shin.{} toe.{}<foot.{} heel.02.{}<foot.{}",
+    " f_middle.01.{}<hand.{} f_middle.02.{}<f_middle.01.{} f_middle.03.{}<f_middle.02.{} thigh.{}<spine shin.{}<thigh.{}"
+    " foot.{}<shin.{} toe.{}<foot.{} heel.02.{}<foot.{}",
     ["torso<spine", "spine_fk.001<spine.001 spine_fk.002<spine.002",
      "spine_fk<spine spine_fk.003<spine.003 tweak_spine<spine tweak_spine.001<spine.001 tweak_spine.002<spine.002"
      " tweak_spine.003<spine.003",
      "neck<spine.004 shoulder.{}<shoulder.{} thigh_fk.{}<thigh.{} shin_fk.{}<shin.{}",
      "head<spine.006 upper_arm_fk.{}<upper_arm.{} forearm_fk.{}<forearm.{} foot_fk.{}<foot.{}",
      "hand_fk.{}<hand.{} toe_fk.{}<toe.{}"],
-    "upper_arm_parent.{}<IK_FK thigh_parent.{}<IK_FK", True,
+    "upper_arm_parent.{}<IK_FK thigh_parent.{}<IK_FK",
 )
 # by its published names; tried on a stand-in alone
 AUTO_RIG_PRO = _rig(
-    "Auto-Rig Pro", "",
-    "root.x<- spine_01.x<root.x spine_02.x<spine_01.x spine_03.x<spine_02.x neck.x<spine_03.x head.x<neck.x"
+    "Auto-Rig Pro", "", "lr",
+    "root.x< spine_01.x<root.x spine_02.x<spine_01.x spine_03.x<spine_02.x neck.x<spine_03.x head.x<neck.x"
     " shoulder.{}<spine_03.x arm_stretch.{}<shoulder.{} forearm_stretch.{}<arm_stretch.{} hand.{}<forearm_stretch.{}"
     " thigh_stretch.{}<root.x leg_stretch.{}<thigh_stretch.{} foot.{}<leg_stretch.{} toes_01.{}<foot.{}",
     ["c_root_master.x<root.x", "c_root.x<root.x", "c_spine_01.x<spine_01.x", "c_spine_02.x<spine_02.x",
      "c_spine_03.x<spine_03.x", "c_neck.x<neck.x c_shoulder.{}<shoulder.{} c_thigh_fk.{}<thigh_stretch.{}",
      "c_head.x<head.x c_arm_fk.{}<arm_stretch.{} c_leg_fk.{}<leg_stretch.{}",
      "c_forearm_fk.{}<forearm_stretch.{} c_foot_fk.{}<foot.{}", "c_hand_fk.{}<hand.{} c_toes_fk.{}<toes_01.{}"],
-    "c_hand_ik.{}<ik_fk_switch c_foot_ik.{}<ik_fk_switch", False,
+    "c_hand_ik.{}<ik_fk_switch c_foot_ik.{}<ik_fk_switch",
 )
 
 

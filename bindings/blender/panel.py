@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Operators, sliders and the panel. Results live here, beside the file: an Action is all that is left in it."""
 
-from __future__ import annotations
-
 import time
 from typing import Any
 
