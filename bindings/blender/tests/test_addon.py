@@ -102,7 +102,7 @@ def auto_rig_pro():
 
 
 def imported(name):
-    if not hasattr(numpy, "bool"):  # Debian's importer asks its newer NumPy for a name that is gone
+    if "bool" not in vars(numpy):  # Debian's importer asks its newer NumPy for a name that is gone
         numpy.bool = bool
     bpy.ops.import_scene.gltf(filepath=os.path.join(SHARED, "characters", name), guess_original_bind_pose=False)
     armature = next(one for one in bpy.data.objects if one.type == "ARMATURE")
