@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <shigusa/dataset_export.hpp>
 
-#include "export_npy.hpp"
+#include "formats/npz.hpp"
 
 namespace shigusa {
 
 Result<std::string> map_npz(const BodyModel& body, const ReachMap& map) {
-  npy::Shape shape;
+  std::vector<std::size_t> shape;
   std::vector<std::vector<double>> axes;
   for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
     std::vector<double>& along = axes.emplace_back();
@@ -28,17 +28,18 @@ Result<std::string> map_npz(const BodyModel& body, const ReachMap& map) {
   }
   std::vector<std::string> joints;
   for (const Dof& dof : body.dofs()) joints.push_back(dof.name);
-  return npy::archive({{"x", npy::doubles(axes[0], {shape[0]})},
-                       {"y", npy::doubles(axes[1], {shape[1]})},
-                       {"z", npy::doubles(axes[2], {shape[2]})},
-                       {"verdict", npy::integers(verdicts, shape)},
-                       {"verdicts", npy::texts(all_words<Verdict>())},
-                       {"score", npy::floats(scores, shape)},
-                       {"strength", npy::floats(strengths, shape)},
-                       {"reba", npy::integers(rebas, shape)},
-                       {"joint", npy::integers(dofs, shape)},
-                       {"joints", npy::texts(joints)},
-                       {"effector", npy::text(map.effector)}});
+  return format_npz(
+      std::vector<NpzArray>{{"x", {shape[0]}, axes[0]},
+                            {"y", {shape[1]}, axes[1]},
+                            {"z", {shape[2]}, axes[2]},
+                            {"verdict", shape, verdicts},
+                            {"verdicts", {all_words<Verdict>().size()}, all_words<Verdict>()},
+                            {"score", shape, scores},
+                            {"strength", shape, strengths},
+                            {"reba", shape, rebas},
+                            {"joint", shape, dofs},
+                            {"joints", {joints.size()}, joints},
+                            {"effector", {}, std::vector{map.effector}}});
 }
 
 }  // namespace shigusa
