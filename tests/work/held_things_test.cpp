@@ -75,7 +75,7 @@ TEST(HeldThings, WhatNoHandCanHoldIsTold) {
   task.things = {{.name = "cup", .size = cup, .mass = 0.3, .position = at}};
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
-      Obstacle plate{.position = at, .size = {0.2, 0.2, 0.2}};
+      Obstacle plate{.name = "plate", .position = at, .size = {0.2, 0.2, 0.2}};
       plate.position[axis] += side * (0.5 * cup[axis] + 0.011);
       plate.size[axis] = 0.02;
       task.obstacles.push_back(plate);
