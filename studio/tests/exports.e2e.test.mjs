@@ -44,7 +44,7 @@ test('every file that the page offers of a built-in body is read back or told of
   const { page, context, errors } = await openStudio(browser, site.url, { seen: true });
   await settled(page);
   const files = await takeAll(page);
-  assert.deepEqual([...files.keys()].filter((format) => !['bvh', 'csv', 'svg', 'png', 'glb', 'picture', 'film', 'result', 'task'].includes(format)), []);
+  assert.deepEqual([...files.keys()].filter((format) => !['bvh', 'csv', 'npz', 'svg', 'png', 'glb', 'picture', 'film', 'result', 'task'].includes(format)), []);
   const characters = await page.evaluate(() => window.shigusa.facts.formats.filter(({ person }) => person).map(({ name }) => name));
   const stature = await page.evaluate(() => window.shigusa.document.character.description.stature_m);
   for (const [format, file] of files) {
