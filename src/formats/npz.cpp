@@ -75,11 +75,10 @@ std::string npy_file(const NpzArray& array) {
   const auto [type, bytes] =
       std::visit([](const auto& values) { return numbers_of(values); }, array.values);
   std::size_t count = 1;
-  std::string shape;
-  for (const std::size_t side : array.shape) {
-    count *= side;
-    shape += fmt::format("{},", side);
-  }
+  for (const std::size_t side : array.shape) count *= side;
+  // of one side as a tuple of Python's
+  const std::string shape =
+      fmt::format("{}{}", fmt::join(array.shape, ","), array.shape.size() == 1 ? "," : "");
   SHG_CHECK(count == std::visit([](const auto& values) { return values.size(); }, array.values),
             "an array has the values of its shape");
   std::string header =

@@ -37,7 +37,7 @@ TEST(Npz, IsAnArchiveOfStoredFiles) {
 
 TEST(Npz, HeadersAreAlignedAndSayTheType) {
   const std::string bytes = format_npz(kArrays);
-  EXPECT_THAT(bytes, HasSubstr("{'descr': '<f8', 'fortran_order': False, 'shape': (2,2,), }"));
+  EXPECT_THAT(bytes, HasSubstr("{'descr': '<f8', 'fortran_order': False, 'shape': (2,2), }"));
   EXPECT_THAT(bytes, HasSubstr("'shape': (), }"));
   EXPECT_THAT(bytes, HasSubstr("{'descr': '<U2', 'fortran_order': False, 'shape': (2,), }"));
   EXPECT_THAT(bytes, HasSubstr("{'descr': '|b1'"));
