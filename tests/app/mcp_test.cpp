@@ -2,8 +2,7 @@
 // The streams of `shigusa mcp`: lines of any length, calls that are cancelled, and the end.
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
+#include "support/assistant_calls.hpp"
 #include "support/run_program.hpp"
 #include "support/work_folder.hpp"
 
@@ -13,20 +12,7 @@ namespace {
 using namespace testing_support;
 using testing::HasSubstr;
 using testing::StartsWith;
-using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
-
-const Json kLowTask{
-    {"goals", Json::array({{{"effector", "right_hand"}, {"position_m", {-0.2, 0.5, 0.4}}}})},
-    {"evaluations", 200},
-    {"candidates", 2}};
-
-Json request(int id, const std::string& method, const Json& params = Json::object()) {
-  return {{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}};
-}
-Json call(int id, const std::string& tool, const Json& arguments) {
-  return request(id, "tools/call", {{"name", tool}, {"arguments", arguments}});
-}
 
 class AssistantsDoor : public testing::Test {
  protected:

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "formats/base64.hpp"
+#include "support/assistant_calls.hpp"
 #include "support/gltf_file.hpp"
 #include "support/person_file.hpp"
 #include "support/work_folder.hpp"
@@ -19,18 +20,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 using Words = std::vector<std::string>;
-
-const Json kLowTask{
-    {"goals", Json::array({{{"effector", "right_hand"}, {"position_m", {-0.2, 0.5, 0.4}}}})},
-    {"evaluations", 200},
-    {"candidates", 2}};
-
-Json request(int id, const std::string& method, const Json& params = Json::object()) {
-  return {{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}};
-}
-Json call(int id, const std::string& tool, const Json& arguments) {
-  return request(id, "tools/call", {{"name", tool}, {"arguments", arguments}});
-}
 
 class Assistants : public testing::Test {
  protected:
