@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <shigusa/dataset_export.hpp>
 #include <shigusa/explore.hpp>
 #include <shigusa/files.hpp>
 #include <shigusa/kinematics.hpp>

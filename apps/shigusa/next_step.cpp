@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <shigusa/dataset.hpp>
 #include <shigusa/error.hpp>
 #include <shigusa/files.hpp>
 #include <shigusa/formats.hpp>
 #include <vector>
+
+#ifdef SHIGUSA_HAS_DATASETS
+#include <shigusa/dataset.hpp>
+#endif
 
 namespace shigusa::app {
 namespace {
@@ -75,9 +78,11 @@ std::string next_step(const Error& error) {
     if (path.filename() == kSummaryName) {
       return "; a result is a folder that reach, edit or mirror wrote";
     }
+#ifdef SHIGUSA_HAS_DATASETS
     if (path.filename() == kPlanName) {
       return "; a data set is a folder that `shigusa dataset PLAN --out FOLDER` made";
     }
+#endif
   }
   return nearest_path(path);
 }

@@ -317,6 +317,11 @@ inline constexpr std::size_t kMaxLimbFile = 1 << 16;
 /// `unreachable`, score, largest share of a joint's strength, that joint, the duration (s)
 /// and the worst score by REBA.
 [[nodiscard]] std::string map_csv(const BodyModel& body, const ReachMap& map);
+/// A map of reach as a NumPy archive: `x`, `y`, `z` (m, world), and of each place (x, y, z) its
+/// `verdict`, an index into `verdicts` or -1 out of reach, `score`, `strength` (share of the
+/// strength of the joint that needs the largest one), `reba`, the worst score by REBA or -1, and
+/// `joint`, that joint's index into `joints`.
+[[nodiscard]] Result<std::string> map_npz(const BodyModel& body, const ReachMap& map);
 /// A map of reach as a GLB file: a bead at each place in reach, in a mesh for each verdict,
 /// coloured by verdict and score, with the worst score by REBA as the attribute `_REBA`, 0 for
 /// none; metres, the body's world.

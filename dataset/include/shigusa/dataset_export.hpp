@@ -7,10 +7,8 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <shigusa/body.hpp>
 #include <shigusa/dataset.hpp>
 #include <shigusa/error.hpp>
-#include <shigusa/explore.hpp>
 #include <shigusa/generate.hpp>
 #include <shigusa/motion.hpp>
 #include <string>
@@ -57,11 +55,5 @@ struct DataExportRun {
 /// bytes. Fails on a folder that is not empty (unless `force`), on an invalid rate, character or
 /// part, on a data set without the data that the format needs, and if no motion can be exported.
 [[nodiscard]] Result<DataExportRun> export_dataset(const DataExportSettings& settings);
-
-/// A map of reach as a NumPy archive: `x`, `y`, `z` (m, world), and of each place (x, y, z) its
-/// `verdict`, an index into `verdicts` or -1 out of reach, `score`, `strength` (share of the
-/// strength of the joint that needs the largest one), `reba`, the worst score by REBA or -1, and
-/// `joint`, that joint's index into `joints`.
-[[nodiscard]] Result<std::string> map_npz(const BodyModel& body, const ReachMap& map);
 
 }  // namespace shigusa

@@ -3,7 +3,7 @@
 
 #include <cstring>
 #include <map>
-#include <shigusa/dataset_export.hpp>
+#include <shigusa/files.hpp>
 #include <shigusa/human.hpp>
 
 namespace shigusa {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <shigusa/dataset_export.hpp>
+#include <shigusa/files.hpp>
 
 #include "formats/npz.hpp"
 
