@@ -31,6 +31,13 @@ endif()
 # Flags for targets that wait for files more than they compute: they compile in two thirds of the time.
 set(shigusa_quick_build $<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<CONFIG:Release>>:-O1>)
 
+if(WIN32)
+  add_compile_definitions(UNICODE WIN32_LEAN_AND_MEAN NOMINMAX _WIN32_WINNT=0x0A00)
+  # g++ takes the registers that its own copy of an inline function changes for those of the copy that the
+  # linker keeps, which may be another file's
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fno-ipa-ra>)
+endif()
+
 if(SHIGUSA_SANITIZE)
   # without two checks that take a fifth of the compile time: the address sanitizer knows the sizes
   # that object-size estimates, and no class is cast to another, which vptr checks

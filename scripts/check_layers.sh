@@ -110,7 +110,7 @@ BEGIN {
             "sched semaphore signal spawn strings syslog termios ucontext unistd utime wordexp windows io", list, " ")
   for (i = 1; i <= n; ++i) system_headers[list[i] ".h"] = 1
   # streams and signals of the program; sockets of a web server; keys of threads
-  n = split("apps/shigusa/system.cpp apps/shigusa/page_server.cpp bindings/c/src/failure.cpp", list, " ")
+  n = split("apps/shigusa/system_posix.cpp apps/shigusa/system_windows.cpp apps/shigusa/page_server.cpp bindings/c/src/failure.cpp", list, " ")
   for (i = 1; i <= n; ++i) may_ask_system[list[i]] = 1
 
   # folders that may use public headers, and all headers of these rooms

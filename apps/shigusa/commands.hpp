@@ -136,8 +136,11 @@ inline constexpr const char* kFramesHelp = "Part of the clip, by its frames from
 }
 
 // Opens closed standard streams, so that no file gets their numbers: output to stderr is discarded,
-// and writing to stdout fails.
+// and writing to stdout fails. Of Windows, lets them pass every byte as it is.
 void open_standard_streams();
+
+// The arguments of main() in UTF-8.
+[[nodiscard]] char** utf8_arguments(char** arguments);
 
 // Lines of the standard input.
 class InputLines {

@@ -53,11 +53,12 @@ int main(int argc, char** argv) {
   CLI::App app("natural whole-body motions from the final state of hands and feet", "shigusa");
   app.set_version_flag("--version", SHIGUSA_VERSION);
   app.set_help_all_flag("--help-all");
+  app.allow_windows_style_options(false);  // of "/x", which is a path
   app.require_subcommand(1);
   int exit_code = kDone;
   add_commands(app, exit_code);
   try {
-    app.parse(argc, argv);
+    app.parse(argc, utf8_arguments(argv));
     return finish_output(exit_code);
   } catch (const CLI::ParseError& error) {
     return answer(app, error);

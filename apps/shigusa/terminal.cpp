@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 #include "commands.hpp"
 #include "next_step.hpp"
@@ -13,6 +15,19 @@ void write_out(std::string_view text) {
 }
 
 void write_err(std::string_view text) { (void)std::fwrite(text.data(), 1, text.size(), stderr); }
+
+std::optional<std::string> InputLines::next(bool wait) {
+  for (;;) {
+    const std::size_t end = std::min(block_.find('\n', used_), block_.size());
+    line_.append(block_, used_, std::min(end - used_, most_ + 1 - line_.size()));
+    const bool whole = end < block_.size();
+    used_ = whole ? end + 1 : end;
+    if (whole) return std::exchange(line_, {});
+    if (read_block(wait)) continue;
+    if (!ended_ || line_.empty()) return std::nullopt;
+    return std::exchange(line_, {});
+  }
+}
 
 int finish_output(int exit_code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;

@@ -3,23 +3,27 @@
 
 #include <locale.h>
 
+#include <string>
+
 namespace shigusa {
 
-// The C library's own locale, in which numbers have a decimal point.
-[[nodiscard]] locale_t c_locale();
-
-// Sets the C locale for the current thread during its lifetime, so that the C library reads and
-// writes numbers with a decimal point, whatever the program's locale. For libraries that read
-// numbers by strtod.
+// Sets the C library's own locale for the current thread during its lifetime, so that the C library
+// reads and writes numbers with a decimal point, whatever the program's locale. For strtod, and
+// libraries that call it.
 class WithinCLocale {
  public:
-  WithinCLocale() : before_(uselocale(c_locale())) {}
+  WithinCLocale();
+  ~WithinCLocale();
   WithinCLocale(const WithinCLocale&) = delete;
   WithinCLocale& operator=(const WithinCLocale&) = delete;
-  ~WithinCLocale() { uselocale(before_); }
 
  private:
+#ifdef _WIN32
+  int own_;  // whether the thread had a locale of its own
+  std::string before_;
+#else
   locale_t before_;
+#endif
 };
 
 }  // namespace shigusa

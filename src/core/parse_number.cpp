@@ -15,17 +15,13 @@ namespace {
 std::optional<double> parse_by_strtod(std::string_view text) {
   const std::string copy(text);
   char* stop = nullptr;
-  const double value = strtod_l(copy.c_str(), &stop, c_locale());
+  const WithinCLocale point;
+  const double value = std::strtod(copy.c_str(), &stop);
   if (copy.empty() || stop != copy.c_str() + copy.size()) return std::nullopt;
   return value;
 }
 
 }  // namespace
-
-locale_t c_locale() {
-  static const locale_t locale = newlocale(LC_ALL_MASK, "C", nullptr);
-  return locale;
-}
 
 std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+')) {

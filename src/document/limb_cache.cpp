@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include <cstdlib>
 #include <shigusa/files.hpp>
 #include <system_error>
 
 #include "files/file.hpp"
+#include "files/folder.hpp"
 
 namespace shigusa {
-namespace {
 
 namespace fs = std::filesystem;
 
-// Absolute path in an environment variable; relative ones are ignored (XDG Base Directory
-// Specification).
-std::optional<fs::path> absolute_from(const char* variable) {
-  const char* value = std::getenv(variable);
-  if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;
-  return fs::path(value);
-}
-
-}  // namespace
-
 std::optional<fs::path> cache_folder() {
-  if (const auto own = absolute_from("SHIGUSA_CACHE")) return own;
-  if (const auto cache = absolute_from("XDG_CACHE_HOME")) return *cache / "shigusa";
-  if (const auto home = absolute_from("HOME")) return *home / ".cache" / "shigusa";
+  if (const auto own = path_in_environment("SHIGUSA_CACHE")) return own;
+  if (const auto cache = path_in_environment("XDG_CACHE_HOME")) return *cache / "shigusa";
+  if (const auto windows = path_in_environment("LOCALAPPDATA")) return *windows / "shigusa";
+  if (const auto home = path_in_environment("HOME")) return *home / ".cache" / "shigusa";
   return std::nullopt;
 }
 

@@ -9,43 +9,52 @@
 #include <string_view>
 #include <utility>
 
+// The calls of the operating system that other files here make. system_posix.cpp implements
+// descriptor.hpp, folder.hpp and pages.hpp, system_windows.cpp does for Windows. Paths and names
+// are UTF-8.
 namespace shigusa {
 
-// Owner of an open file or folder. Its number is never that of a standard stream: if one of these
-// is closed, printed text would end up in the file.
+// Owner of an open file or folder.
 class Descriptor {
  public:
   Descriptor() = default;
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  // Takes over the system's number or, of Windows, its handle; -1 is none.
+  explicit Descriptor(std::intptr_t number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept
+      : number_(std::exchange(other.number_, -1)), lock_(std::exchange(other.lock_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {
     std::swap(number_, other.number_);
+    std::swap(lock_, other.lock_);
     return *this;
   }
   ~Descriptor() { (void)close(); }
 
-  [[nodiscard]] int number() const { return number_; }
-  explicit operator bool() const { return number_ >= 0; }
+  // Never that of a standard stream: if one of these is closed, printed text would end up in the
+  // file.
+  [[nodiscard]] std::intptr_t number() const { return number_; }
+  explicit operator bool() const { return number_ != -1; }
 
   // Releases the number; the caller closes it.
-  [[nodiscard]] int release() { return std::exchange(number_, -1); }
+  [[nodiscard]] std::intptr_t release() { return std::exchange(number_, -1); }
 
   // Closes it; returns 0 or errno, as a full disk may be reported only then.
   [[nodiscard]] int close();
 
  private:
-  friend Descriptor open_at(int folder, const char* name, int flags);
-  explicit Descriptor(int number) : number_(number) {}
+  friend struct LockOf;
 
-  int number_ = -1;
+  std::intptr_t number_ = -1;
+  mutable std::intptr_t lock_ = -1;  // of Windows, where a folder itself cannot be locked
 };
 
-// openat() of a name in a folder (AT_FDCWD: the working directory), with close-on-exec. On failure
-// the descriptor is empty and errno is set. Waits for the other end of a pipe unless O_NONBLOCK is
-// given. The flags are the system's; other rooms use open_to_read and open_folder.
-[[nodiscard]] Descriptor open_at(int folder, const char* name, int flags);
+// The functions that open return an empty descriptor on failure, and set errno.
 
-// Opens a file for reading, without waiting.
+// Opens a file for reading, without waiting for the other end of a pipe.
 [[nodiscard]] Descriptor open_to_read(const std::filesystem::path& path);
+// Lets reads of it wait.
+[[nodiscard]] int let_wait(const Descriptor& file);
+// Opens a device for writing.
+[[nodiscard]] Descriptor open_to_write(const std::filesystem::path& path);
 
 // Writes all bytes; returns 0 or errno.
 [[nodiscard]] int write_all(const Descriptor& file, std::string_view bytes);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "json_memory.hpp"
 
-#include <sys/mman.h>
-
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <new>
+
+#include "pages.hpp"
 
 namespace shigusa {
 namespace {
@@ -43,11 +43,10 @@ bool forget(void* block) {
 
 void* take_list_memory(std::size_t bytes) {
   if (void* const memory = ::operator new(bytes, std::nothrow)) return memory;
-  void* const block =
-      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (block == MAP_FAILED) throw std::bad_alloc();
+  void* const block = take_pages(bytes);
+  if (block == nullptr) throw std::bad_alloc();
   if (note(block)) return block;
-  munmap(block, bytes);
+  give_pages(block, bytes);
   throw std::bad_alloc();
 }
 
@@ -56,7 +55,7 @@ void give_list_memory(void* memory, std::size_t bytes) noexcept {
   constexpr std::uintptr_t kPage = 4096;
   const bool page = reinterpret_cast<std::uintptr_t>(memory) % kPage == 0;
   if (page && memory != nullptr && taken.load(std::memory_order_relaxed) > 0 && forget(memory)) {
-    munmap(memory, bytes);
+    give_pages(memory, bytes);
   } else {
     ::operator delete(memory);
   }

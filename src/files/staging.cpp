@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "staging.hpp"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <ctime>
 #include <random>
 
 namespace shigusa {
@@ -39,11 +34,8 @@ namespace {
 
 // Whether an open folder or file is abandoned. On file systems without locks its age decides.
 bool abandoned(const Descriptor& entry) {
-  constexpr std::time_t kOld = 24 * 60 * 60;  // s
-  if (flock(entry.number(), LOCK_EX | LOCK_NB) == 0) return true;
-  struct stat status {};
-  return errno != EWOULDBLOCK && fstat(entry.number(), &status) == 0 &&
-         status.st_mtime + kOld < std::time(nullptr);
+  const int reason = lock_now(entry, LockKind::alone);
+  return reason == 0 || (reason != EWOULDBLOCK && older_than(entry, std::chrono::hours(24)));
 }
 
 }  // namespace
@@ -61,7 +53,7 @@ void remove_leftovers(const Descriptor& folder) {
       continue;
     }
     for (const std::string& file : names_in(entry)) remove_in(entry, file);
-    unlinkat(folder.number(), name.c_str(), AT_REMOVEDIR);
+    remove_folder_in(folder, name);
   }
 }
 
@@ -81,20 +73,15 @@ int Staging::make() {
 
 // EEXIST: another name must be tried.
 int Staging::make_locked(const std::string& name) {
-  if (mkdirat(folder_.number(), name.c_str(), 0700) != 0) return errno;
-  Descriptor made = open_at(folder_.number(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
+  if (const int reason = make_folder_in(folder_, name)) return reason;
+  Descriptor made = open_entry(folder_, name);
   if (!made) {
     const int reason = errno;
-    unlinkat(folder_.number(), name.c_str(), AT_REMOVEDIR);
+    remove_folder_in(folder_, name);
     // an unlocked one may have been removed as a leftover
     return reason == ENOENT ? EEXIST : reason;
   }
-  (void)flock(made.number(), LOCK_EX);
-  struct stat ours {};
-  struct stat named {};
-  const bool there = fstatat(folder_.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0;
-  if (fstat(made.number(), &ours) != 0) return errno;
-  if (!there || ours.st_ino != named.st_ino) return EEXIST;
+  if (!try_lock(made, LockKind::alone) || !is_named(made, folder_, name)) return EEXIST;
   self_ = std::move(made);
   name_ = name;
   return 0;
@@ -105,7 +92,7 @@ std::filesystem::path Staging::path_of(const std::string& name) const {
 }
 
 Descriptor Staging::create(const std::string& name) {
-  Descriptor file = open_at(self_.number(), name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW);
+  Descriptor file = create_in(self_, name);
   if (file) files_.push_back(name);
   return file;
 }
@@ -119,14 +106,7 @@ int Staging::add(const std::string& name, std::string_view bytes, bool durable) 
 }
 
 int Staging::move_out(const std::string& name, const std::string& to) {
-  struct stat old {};
-  const bool there = fstatat(folder_.number(), to.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0;
-  constexpr mode_t kPermissions = 0777;
-  if (there && S_ISREG(old.st_mode) &&
-      fchmodat(self_.number(), name.c_str(), old.st_mode & kPermissions, 0) != 0) {
-    return errno;
-  }
-  if (renameat(self_.number(), name.c_str(), folder_.number(), to.c_str()) != 0) return errno;
+  if (const int reason = move_in(self_, name, folder_, to)) return reason;
   std::erase(files_, name);
   return 0;
 }
@@ -134,7 +114,7 @@ int Staging::move_out(const std::string& name, const std::string& to) {
 Staging::~Staging() {
   if (!self_) return;
   for (const std::string& name : files_) remove_in(self_, name);
-  unlinkat(folder_.number(), name_.c_str(), AT_REMOVEDIR);
+  remove_folder_in(folder_, name_);
 }
 
 }  // namespace shigusa

@@ -245,7 +245,7 @@ TEST_F(File, FilesNeverGetAStandardStreamsNumber) {
   const pid_t child = fork();
   if (child == 0) {
     for (int number = 0; number < 3; ++number) close(number);
-    const Descriptor file = open_at(AT_FDCWD, at("a").c_str(), O_RDONLY);
+    const Descriptor file = open_to_read(at("a"));
     _exit(file.number() > 2 && read_text_file(at("a"), kPlenty) ? 0 : 1);
   }
   int status = 0;

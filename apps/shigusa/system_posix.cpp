@@ -11,7 +11,6 @@
 #include <atomic>
 #include <cerrno>
 #include <filesystem>
-#include <utility>
 
 #include "commands.hpp"
 
@@ -61,18 +60,7 @@ bool InputLines::read_block(bool wait) {
   return false;
 }
 
-std::optional<std::string> InputLines::next(bool wait) {
-  for (;;) {
-    const std::size_t end = std::min(block_.find('\n', used_), block_.size());
-    line_.append(block_, used_, std::min(end - used_, most_ + 1 - line_.size()));
-    const bool whole = end < block_.size();
-    used_ = whole ? end + 1 : end;
-    if (whole) return std::exchange(line_, {});
-    if (read_block(wait)) continue;
-    if (!ended_ || line_.empty()) return std::nullopt;
-    return std::exchange(line_, {});
-  }
-}
+char** utf8_arguments(char** arguments) { return arguments; }
 
 bool is_terminal() { return isatty(STDERR_FILENO) != 0; }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "sha256.hpp"
-
 #include <sha2.h>
 
 #include <cstdint>
+
+#include "sha256.hpp"
 
 namespace shigusa {
 namespace {

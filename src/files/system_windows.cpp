@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+#include <windows.h>
+
+#include <algorithm>
+
+#include "folder.hpp"
+#include "pages.hpp"
+
+namespace shigusa {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What an open folder or a read file permits others: everything, as with POSIX.
+constexpr DWORD kShared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
+
+HANDLE handle_of(std::intptr_t number) { return reinterpret_cast<HANDLE>(number); }
+HANDLE handle_of(const Descriptor& entry) { return handle_of(entry.number()); }
+
+// errno of the last failed call.
+int reason() {
+  switch (GetLastError()) {
+    case ERROR_FILE_NOT_FOUND:
+    case ERROR_PATH_NOT_FOUND:
+    case ERROR_INVALID_NAME:
+    case ERROR_BAD_NETPATH:
+    case ERROR_INVALID_DRIVE:
+      return ENOENT;
+    case ERROR_ACCESS_DENIED:
+    case ERROR_SHARING_VIOLATION:
+    case ERROR_WRITE_PROTECT:
+    case ERROR_DELETE_PENDING:
+      return EACCES;
+    case ERROR_FILE_EXISTS:
+    case ERROR_ALREADY_EXISTS:
+      return EEXIST;
+    case ERROR_LOCK_VIOLATION:
+    case ERROR_IO_PENDING:
+      return EWOULDBLOCK;
+    case ERROR_DISK_FULL:
+    case ERROR_HANDLE_DISK_FULL:
+      return ENOSPC;
+    case ERROR_DIR_NOT_EMPTY:
+      return ENOTEMPTY;
+    case ERROR_DIRECTORY:
+      return ENOTDIR;
+    case ERROR_INVALID_FUNCTION:
+      return EISDIR;  // reading a folder
+    case ERROR_NOT_ENOUGH_MEMORY:
+      return ENOMEM;
+    default:
+      return EIO;
+  }
+}
+
+int told(BOOL done) { return done ? 0 : reason(); }
+
+Descriptor open(const std::wstring& path, DWORD access, DWORD how, DWORD flags = 0) {
+  const HANDLE handle = CreateFileW(path.c_str(), access, kShared, nullptr, how,
+                                    FILE_FLAG_BACKUP_SEMANTICS | flags, nullptr);
+  if (handle == INVALID_HANDLE_VALUE) errno = reason();
+  return Descriptor(reinterpret_cast<std::intptr_t>(handle));
+}
+
+// Path of a name in an open folder.
+std::wstring path_in(const Descriptor& folder, const std::string& name) {
+  std::wstring path(MAX_PATH, L'\0');
+  for (;;) {
+    const DWORD size = GetFinalPathNameByHandleW(handle_of(folder), path.data(),
+                                                 static_cast<DWORD>(path.size()), 0);
+    const bool fits = size < path.size();
+    path.resize(size);
+    if (fits) break;
+  }
+  return path + L'\\' + fs::path(name).wstring();
+}
+
+fs::file_type type_of_attributes(DWORD attributes) {
+  if (attributes == INVALID_FILE_ATTRIBUTES) return fs::file_type::not_found;
+  if ((attributes & FILE_ATTRIBUTE_REPARSE_POINT) != 0) return fs::file_type::symlink;
+  if ((attributes & FILE_ATTRIBUTE_DIRECTORY) != 0) return fs::file_type::directory;
+  return fs::file_type::regular;
+}
+
+std::optional<BY_HANDLE_FILE_INFORMATION> information_of(const Descriptor& entry) {
+  BY_HANDLE_FILE_INFORMATION information;
+  if (!GetFileInformationByHandle(handle_of(entry), &information)) return std::nullopt;
+  return information;
+}
+
+std::uint64_t whole(DWORD high, DWORD low) { return std::uint64_t{high} << 32 | low; }
+
+DWORD piece(std::size_t size) {
+  return static_cast<DWORD>(std::min<std::size_t>(size, std::size_t{1} << 30));
+}
+
+// Whether a folder is another machine's, which knows nothing of the locks here.
+bool is_remote(const Descriptor& entry) {
+  const std::wstring path = path_in(entry, "");
+  return path.starts_with(L"\\\\?\\UNC\\") ||
+         (path.size() > 6 && GetDriveTypeW(path.substr(4, 3).c_str()) == DRIVE_REMOTE);
+}
+
+}  // namespace
+
+// Windows locks ranges of files, but no folders. So a folder's lock is a byte of one file in the
+// folder of temporary files, at an offset that the folder's number gives.
+struct LockOf {
+  static int release(const Descriptor& entry) {
+    if (entry.lock_ == -1) return 0;
+    return told(CloseHandle(handle_of(std::exchange(entry.lock_, -1))));
+  }
+
+  static int take(const Descriptor& entry, LockKind kind) {
+    (void)release(entry);
+    const auto information = information_of(entry);
+    wchar_t temporary[MAX_PATH + 1];
+    if (!information || is_remote(entry) || GetTempPathW(MAX_PATH + 1, temporary) == 0) {
+      return ENOTSUP;
+    }
+    Descriptor locks =
+        open(std::wstring(temporary) + L"shigusa.lock", GENERIC_READ | GENERIC_WRITE, OPEN_ALWAYS);
+    if (!locks) return ENOTSUP;
+    OVERLAPPED place{};
+    place.Offset = information->nFileIndexLow ^ information->dwVolumeSerialNumber;
+    place.OffsetHigh = information->nFileIndexHigh & 0x7FFFFFFF;
+    const DWORD how = kind == LockKind::alone ? LOCKFILE_EXCLUSIVE_LOCK : 0;
+    if (!LockFileEx(handle_of(locks), how | LOCKFILE_FAIL_IMMEDIATELY, 0, 1, 0, &place)) {
+      return reason();
+    }
+    entry.lock_ = locks.release();
+    return 0;
+  }
+};
+
+int Descriptor::close() {
+  (void)LockOf::release(*this);
+  return number_ == -1 ? 0 : told(CloseHandle(handle_of(std::exchange(number_, -1))));
+}
+
+Descriptor open_to_read(const fs::path& path) {
+  return open(path.wstring(), GENERIC_READ, OPEN_EXISTING);
+}
+
+int let_wait(const Descriptor&) { return 0; }
+
+Descriptor open_to_write(const fs::path& path) {
+  return open(path.wstring(), GENERIC_WRITE, OPEN_EXISTING);
+}
+
+int write_all(const Descriptor& file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    DWORD count = 0;
+    if (!WriteFile(handle_of(file), bytes.data(), piece(bytes.size()), &count, nullptr)) {
+      return reason();
+    }
+    bytes.remove_prefix(count);
+  }
+  return 0;
+}
+
+std::ptrdiff_t read_some(const Descriptor& file, char* block, std::size_t size) {
+  DWORD count = 0;
+  if (ReadFile(handle_of(file), block, piece(size), &count, nullptr)) return count;
+  if (GetLastError() == ERROR_BROKEN_PIPE || GetLastError() == ERROR_HANDLE_EOF) return 0;
+  errno = reason();
+  return -1;
+}
+
+bool read_at(const Descriptor& file, std::uint64_t at, char* block, std::size_t size) {
+  while (size > 0) {
+    OVERLAPPED place{};
+    place.Offset = static_cast<DWORD>(at);
+    place.OffsetHigh = static_cast<DWORD>(at >> 32);
+    DWORD count = 0;
+    if (!ReadFile(handle_of(file), block, piece(size), &count, &place) || count == 0) return false;
+    block += count;
+    at += count;
+    size -= count;
+  }
+  return true;
+}
+
+int go_to(const Descriptor& file, std::uint64_t at) {
+  LARGE_INTEGER to;
+  to.QuadPart = static_cast<LONGLONG>(at);
+  return told(SetFilePointerEx(handle_of(file), to, nullptr, FILE_BEGIN));
+}
+
+std::optional<std::uint64_t> go_to_end(const Descriptor& file) {
+  LARGE_INTEGER end;
+  if (SetFilePointerEx(handle_of(file), {}, &end, FILE_END)) {
+    return static_cast<std::uint64_t>(end.QuadPart);
+  }
+  errno = reason();
+  return std::nullopt;
+}
+
+Descriptor open_folder(const fs::path& path) {
+  Descriptor folder = open(path.wstring(), GENERIC_READ, OPEN_EXISTING);
+  if (!folder || type_of(folder) == fs::file_type::directory) return folder;
+  errno = ENOTDIR;
+  return {};
+}
+
+Descriptor open_entry(const Descriptor& folder, const std::string& name) {
+  Descriptor entry =
+      open(path_in(folder, name), GENERIC_READ, OPEN_EXISTING, FILE_FLAG_OPEN_REPARSE_POINT);
+  if (!entry || type_of(entry) != fs::file_type::symlink) return entry;
+  errno = ELOOP;
+  return {};
+}
+
+Descriptor create_in(const Descriptor& folder, const std::string& name) {
+  return open(path_in(folder, name), GENERIC_READ | GENERIC_WRITE, CREATE_NEW);
+}
+
+std::vector<std::string> names_in(const Descriptor& folder) {
+  std::vector<std::string> names;
+  WIN32_FIND_DATAW found;
+  const HANDLE search = FindFirstFileW(path_in(folder, "*").c_str(), &found);
+  if (search == INVALID_HANDLE_VALUE) return names;
+  do {
+    const std::string name = fs::path(found.cFileName).string();
+    if (name != "." && name != "..") names.push_back(name);
+  } while (FindNextFileW(search, &found));
+  FindClose(search);
+  return names;
+}
+
+fs::file_type type_of(const Descriptor& entry) {
+  const DWORD type = entry ? GetFileType(handle_of(entry)) : FILE_TYPE_UNKNOWN;
+  if (type == FILE_TYPE_PIPE) return fs::file_type::fifo;
+  if (type == FILE_TYPE_CHAR) return fs::file_type::character;
+  const auto information = information_of(entry);
+  return information ? type_of_attributes(information->dwFileAttributes) : fs::file_type::not_found;
+}
+
+fs::file_type type_in(const Descriptor& folder, const std::string& name) {
+  return type_of_attributes(GetFileAttributesW(path_in(folder, name).c_str()));
+}
+
+bool is_named(const Descriptor& entry, const Descriptor& folder, const std::string& name) {
+  const auto ours = information_of(entry);
+  const auto named = information_of(open_entry(folder, name));
+  return ours && named && ours->nFileIndexHigh == named->nFileIndexHigh &&
+         ours->nFileIndexLow == named->nFileIndexLow;
+}
+
+bool older_than(const Descriptor& entry, std::chrono::seconds age) {
+  constexpr std::uint64_t kTicks = 10'000'000;  // of a file's time in 1 s
+  const auto information = information_of(entry);
+  if (!information) return false;
+  FILETIME now;
+  GetSystemTimeAsFileTime(&now);
+  const FILETIME& changed = information->ftLastWriteTime;
+  return whole(changed.dwHighDateTime, changed.dwLowDateTime) +
+             static_cast<std::uint64_t>(age.count()) * kTicks <
+         whole(now.dwHighDateTime, now.dwLowDateTime);
+}
+
+int check_writable(const Descriptor& folder, const std::string& name) {
+  const DWORD attributes = GetFileAttributesW(path_in(folder, name).c_str());
+  if (attributes == INVALID_FILE_ATTRIBUTES) return reason();
+  return (attributes & FILE_ATTRIBUTE_READONLY) != 0 ? EACCES : 0;
+}
+
+int make_folder_in(const Descriptor& folder, const std::string& name) {
+  return told(CreateDirectoryW(path_in(folder, name).c_str(), nullptr));
+}
+
+int remove_in(const Descriptor& folder, const std::string& name) {
+  return told(DeleteFileW(path_in(folder, name).c_str()));
+}
+
+int remove_folder_in(const Descriptor& folder, const std::string& name) {
+  return told(RemoveDirectoryW(path_in(folder, name).c_str()));
+}
+
+// The new file has the permissions that its folder gives.
+int move_in(const Descriptor& from, const std::string& name, const Descriptor& folder,
+            const std::string& to) {
+  return told(MoveFileExW(path_in(from, name).c_str(), path_in(folder, to).c_str(),
+                          MOVEFILE_REPLACE_EXISTING));
+}
+
+int settle(const Descriptor& entry) {
+  // names of a folder cannot be flushed
+  return type_of(entry) == fs::file_type::directory ? 0 : told(FlushFileBuffers(handle_of(entry)));
+}
+
+int lock_now(const Descriptor& entry, LockKind kind) { return LockOf::take(entry, kind); }
+
+std::optional<fs::path> path_in_environment(const char* variable) {
+  const wchar_t* value = _wgetenv(fs::path(variable).c_str());
+  if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;
+  return fs::path(value);
+}
+
+void* take_pages(std::size_t bytes) {
+  return VirtualAlloc(nullptr, bytes, MEM_RESERVE | MEM_COMMIT, PAGE_READWRITE);
+}
+
+void give_pages(void* pages, std::size_t) noexcept { VirtualFree(pages, 0, MEM_RELEASE); }
+
+}  // namespace shigusa
