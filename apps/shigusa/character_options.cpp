@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "core/parse_number.hpp"
+#include "files/path.hpp"
 #include "next_step.hpp"
 #include "picture.hpp"
 #include "usage.hpp"
@@ -41,7 +42,7 @@ Result<void> add_bones(const std::string& text, CharacterSpec& spec) {
     spec.map.emplace_back(text.substr(0, sign), text.substr(sign + 1));
     return {};
   }
-  SHG_TRY_ASSIGN(const BoneRequest bones, read_bone_request(text));
+  SHG_TRY_ASSIGN(const BoneRequest bones, read_bone_request(to_path(text)));
   spec.map.insert(spec.map.end(), bones.begin(), bones.end());
   return {};
 }
@@ -298,7 +299,7 @@ Result<RecordedMotion> read_clip(const std::string& clip, const CharacterOptions
   CharacterOptions person = options;
   person.animation.reset();
   SHG_TRY(apply_character_options(person, character));
-  return read_recorded(clip, std::move(character), first, options.animation.value_or(""));
+  return read_recorded(to_path(clip), std::move(character), first, options.animation.value_or(""));
 }
 
 }  // namespace shigusa::app

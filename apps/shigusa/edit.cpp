@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "files/path.hpp"
 #include "next_step.hpp"
 #include "table.hpp"
 #include "usage.hpp"
@@ -38,7 +39,7 @@ struct EditOptions {
 
 // Folder of the result.
 fs::path folder_of(const EditOptions& options) {
-  const fs::path result = options.result;
+  const fs::path result = to_path(options.result);
   std::error_code ignored;
   const fs::path folder = fs::is_directory(result, ignored) ? result : result.parent_path();
   return folder.empty() ? fs::path(".") : folder;
@@ -47,7 +48,8 @@ fs::path folder_of(const EditOptions& options) {
 // Refuses to overwrite the original.
 Result<void> check_folder(const EditOptions& options) {
   std::error_code ignored;
-  if (options.out.empty() || !fs::equivalent(options.out, folder_of(options), ignored)) return {};
+  if (options.out.empty() || !fs::equivalent(to_path(options.out), folder_of(options), ignored))
+    return {};
   return fail(ErrorCode::invalid_argument,
               "is the result's own folder, which an edit never writes over; give another",
               "--out " + options.out);
@@ -56,7 +58,7 @@ Result<void> check_folder(const EditOptions& options) {
 // Creates the output folder: the user's, or else a new "edit-1", "edit-2", … or "mirror-1", …
 // beside the result, for which `own` is set.
 Result<fs::path> make_folder(const EditOptions& options, std::optional<EditFolder>& own) {
-  fs::path folder = options.out;
+  fs::path folder = to_path(options.out);
   if (options.out.empty()) {
     SHG_TRY_ASSIGN(own, EditFolder::make(folder_of(options), options.mirror ? "mirror" : "edit"));
     folder = own->path();
@@ -70,14 +72,15 @@ Result<fs::path> make_folder(const EditOptions& options, std::optional<EditFolde
 Result<fs::path> attach_character(const EditOptions& options, StoredResult& stored) {
   CharacterSpec& person = stored.task.character;
   if (options.character) {
-    const auto attached = attach_file(person, *options.character);
-    return attached ? Result<fs::path>(*options.character) : tl::unexpected(attached.error());
+    const auto attached = attach_file(person, to_path(*options.character));
+    return attached ? Result<fs::path>(to_path(*options.character))
+                    : tl::unexpected(attached.error());
   }
   if (!person.landmarks) return fs::path{};
   fs::path file;
   std::string why = "the result does not say where that is";
   if (!stored.character.empty()) {
-    file = folder_of(options) / stored.character;
+    file = folder_of(options) / to_path(stored.character);
     const auto attached = attach_file(person, file);
     if (attached) return file;
     why = attached.error().to_string();
@@ -149,7 +152,7 @@ Result<int> edit(const EditOptions& options) {
   SHG_TRY(check_folder(options));
   const bool is_clip = file_ending(options.result) != ".json" && format_of_file(options.result);
   SHG_TRY_ASSIGN(StoredResult stored,
-                 with_hint(read_result(options.result, options.candidate),
+                 with_hint(read_result(to_path(options.result), options.candidate),
                            is_clip ? "; give the folder that it is in, as a result" : ""));
   if (options.mirror) {
     SHG_TRY(mirror_result(stored));

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "files/file.hpp"
+#include "files/path.hpp"
 #include "manual.hpp"
 #include "next_step.hpp"
 #include "usage.hpp"
@@ -43,8 +44,8 @@ struct ManualOptions {
 
 // Writes the pages of the program and of each of its commands: "shigusa.1", "shigusa-reach.1", ….
 Result<int> write_pages(const CommandManual& program, const std::string& folder) {
-  SHG_TRY(prepare_out(folder));
-  const std::filesystem::path into = folder;
+  SHG_TRY(prepare_out(to_path(folder)));
+  const std::filesystem::path into = to_path(folder);
   SHG_TRY(write_file(into / (program.name() + ".1"), manual_page(program)));
   for (const CommandManual& command : program.commands) {
     const std::string name = program.name() + "-" + command.name() + ".1";

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "core/parse_number.hpp"
 #include "files/file.hpp"
+#include "files/path.hpp"
 #include "next_step.hpp"
 #include "task_input.hpp"
 #include "usage.hpp"
@@ -91,7 +92,7 @@ Result<int> map(const MapOptions& options) {
   SHG_TRY_ASSIGN(Task task, make_task(file, folder_of(options.input)));
   task.batch = batch;
   SHG_TRY_ASSIGN(const SectionAt section, section_of(options.section, task));
-  SHG_TRY(prepare_out(options.out));
+  SHG_TRY(prepare_out(to_path(options.out)));
   const Result<ReachMap> made = reach_map(task, settings, terminal_progress());
   end_progress_line();
   if (!made) return tl::unexpected(in_task(made.error(), options.input, "map"));
@@ -106,7 +107,7 @@ Result<int> map(const MapOptions& options) {
       {"section.svg", svg},
   }};
   for (const auto& [name, bytes] : written) {
-    const std::filesystem::path path = std::filesystem::path(options.out) / name;
+    const std::filesystem::path path = to_path(options.out) / name;
     SHG_TRY(write_file(path, bytes));
     print_out("{}\n", path.string());
   }

@@ -6,6 +6,7 @@
 
 #include "assistant/assistant.hpp"
 #include "commands.hpp"
+#include "files/path.hpp"
 #include "next_step.hpp"
 #include "picture.hpp"
 #include "usage.hpp"
@@ -29,7 +30,7 @@ void send_line(std::string_view line) {
 
 Result<int> mcp(const McpOptions& options) {
   std::error_code ignored;
-  if (!options.folder.empty() && !std::filesystem::is_directory(options.folder, ignored)) {
+  if (!options.folder.empty() && !std::filesystem::is_directory(to_path(options.folder), ignored)) {
     return fail(ErrorCode::not_found, "is no folder", "--folder " + options.folder);
   }
   InputLines lines(kAssistantLineMost);
@@ -45,7 +46,7 @@ Result<int> mcp(const McpOptions& options) {
     return interrupted().load();
   };
   Assistant assistant(
-      {.folder = options.folder, .from_svg = picture_from, .threads = options.threads},
+      {.folder = to_path(options.folder), .from_svg = picture_from, .threads = options.threads},
       {.version = SHIGUSA_VERSION, .send = send_line, .stops = stops});
   session = &assistant;
   while (!interrupted()) {

@@ -10,6 +10,8 @@
 #include <shigusa/formats.hpp>
 #include <vector>
 
+#include "files/path.hpp"
+
 #ifdef SHIGUSA_HAS_DATASETS
 #include <shigusa/dataset.hpp>
 #endif
@@ -59,7 +61,7 @@ std::string nearest_path(const fs::path& path) {
   const std::vector<std::string> names = names_in(folder);
   const std::string_view nearest = nearest_name(path.filename().string(), names);
   if (nearest.empty()) return files_alike(path, folder, names);
-  return fmt::format("; did you mean '{}'?", (path.parent_path() / nearest).string());
+  return fmt::format("; did you mean '{}'?", (path.parent_path() / to_path(nearest)).string());
 }
 
 }  // namespace
@@ -69,7 +71,7 @@ std::string next_step(const Error& error) {
     return "; another version of shigusa wrote it: make it again by this one";
   }
   std::error_code ignored;
-  const fs::path path = error.place;
+  const fs::path path = to_path(error.place);
   const std::string& text = error.message.text;
   const bool is_missing =
       text.ends_with("No such file or directory") || text.ends_with("Not a directory");

@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "files/file.hpp"
+#include "files/path.hpp"
 #include "next_step.hpp"
 #include "table.hpp"
 #include "task_input.hpp"
@@ -38,7 +39,7 @@ Result<void> write_report(const ReachOptions& options, const TaskFile& file, con
                  try_changes(task, best, ergonomics, terminal_progress()));
   end_progress_line();
   SHG_TRY_ASSIGN(const std::string html, cost_report({task, best, cost, ergonomics, changes, {}}));
-  SHG_TRY(placed("--report", write_file(options.report, html)));
+  SHG_TRY(placed("--report", write_file(to_path(options.report), html)));
   if (!options.json) print_out("\n{}\n", options.report);
   return {};
 }
@@ -48,8 +49,9 @@ Result<int> reach(const ReachOptions& options) {
   SHG_TRY_ASSIGN(const BatchSettings batch, batch_settings(options.input));
   SHG_TRY_ASSIGN(TaskFile file, task_file_of(options.input));
   const std::filesystem::path folder = folder_of(options.input);
-  const std::filesystem::path character =
-      is_complete(file.character) ? std::filesystem::path{} : folder / file.character.source;
+  const std::filesystem::path character = is_complete(file.character)
+                                              ? std::filesystem::path{}
+                                              : folder / to_path(file.character.source);
   SHG_TRY_ASSIGN(const std::vector<Message> scene_notes, add_scene(file, folder));
   for (const Message& left_out : scene_notes) note("scene", left_out.text);
   SHG_TRY_ASSIGN(Task task, make_task(file, folder));
@@ -65,9 +67,9 @@ Result<int> reach(const ReachOptions& options) {
   if (!works) prepared = PreparedTask::of(task);
   if (!prepared) return tl::unexpected(in_task(prepared.error(), options.input, "reach"));
   for (const Message& odd : goal_notes(task)) note("goal", odd.text);
-  SHG_TRY(prepare_out(options.out));
+  SHG_TRY(prepare_out(to_path(options.out)));
   // a folder that is not there is told before the search
-  if (const auto within = std::filesystem::path(options.report).parent_path(); !within.empty()) {
+  if (const auto within = to_path(options.report).parent_path(); !within.empty()) {
     SHG_TRY(placed("--report", prepare_folder(within)));
   }
   const auto begin = std::chrono::steady_clock::now();
@@ -83,9 +85,10 @@ Result<int> reach(const ReachOptions& options) {
     return tl::unexpected(works ? in_task(generation.error(), options.input, "reach")
                                 : generation.error());
   }
-  SHG_TRY_ASSIGN(const int code,
-                 deliver({file, task, *generation, search_info(task, begin)},
-                         {.folder = options.out, .settings = settings, .json = options.json}));
+  SHG_TRY_ASSIGN(
+      const int code,
+      deliver({file, task, *generation, search_info(task, begin)},
+              {.folder = to_path(options.out), .settings = settings, .json = options.json}));
   if (!options.report.empty()) SHG_TRY(write_report(options, file, task, *generation));
   return code;
 }

@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "files/file.hpp"
+#include "files/path.hpp"
 #include "next_step.hpp"
 #include "number_range.hpp"
 #include "picture.hpp"
@@ -36,9 +37,9 @@ std::string clip_hint(const std::filesystem::path& clip) {
 }
 
 Result<int> render(const RenderOptions& options) {
-  const std::filesystem::path clip = options.clip;
-  const std::filesystem::path out = options.out.empty() ? clip.filename().replace_extension(".svg")
-                                                        : std::filesystem::path(options.out);
+  const std::filesystem::path clip = to_path(options.clip);
+  const std::filesystem::path out =
+      options.out.empty() ? clip.filename().replace_extension(".svg") : to_path(options.out);
   StripSettings settings;
   settings.poses = options.poses;
   SHG_TRY_ASSIGN(const FrameRange frames, parse_frames(options.frames));

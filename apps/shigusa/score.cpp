@@ -9,6 +9,7 @@
 #include <shigusa/score.hpp>
 
 #include "commands.hpp"
+#include "files/path.hpp"
 #include "next_step.hpp"
 #include "table.hpp"
 #include "text_table.hpp"
@@ -85,7 +86,7 @@ Result<Ergonomics> ergonomics_after(const ScoreOptions& options, const Ergonomic
 
 // Scores the clip as the actions of a task.
 Result<int> score_actions(const ScoreOptions& options, const ScoreSettings& settings) {
-  const std::filesystem::path path = *options.task;
+  const std::filesystem::path path = to_path(*options.task);
   SHG_TRY_ASSIGN(TaskFile file, read_task(path));
   SHG_TRY_ASSIGN(const Task task, make_task(file, path.parent_path()));
   CharacterSpec character;

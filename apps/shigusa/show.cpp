@@ -13,6 +13,7 @@
 
 #include "commands.hpp"
 #include "files/file.hpp"
+#include "files/path.hpp"
 #include "picture.hpp"
 #include "usage.hpp"
 
@@ -34,7 +35,7 @@ struct PlayedResult {
 };
 
 Result<PlayedResult> played(const std::string& path) {
-  SHG_TRY_ASSIGN(StoredResult stored, read_result(path));
+  SHG_TRY_ASSIGN(StoredResult stored, read_result(to_path(path)));
   SHG_TRY_ASSIGN(Task task, make_task(stored.task, {}));
   Result<GenerateResult> generation = replay_all(task, stored, terminal_progress());
   end_progress_line();
@@ -45,7 +46,7 @@ Result<PlayedResult> played(const std::string& path) {
 // Refuses a call that would fail later, before the motions are computed.
 Result<void> check_call(const ShowOptions& options) {
   for (const std::string& picture : options.pictures) {
-    SHG_TRY(picture_format(picture));
+    SHG_TRY(picture_format(to_path(picture)));
   }
   if (options.titles.size() <= options.results.size()) return {};
   return fail(ErrorCode::invalid_argument,
@@ -71,13 +72,13 @@ Result<int> show(const ShowOptions& options) {
   SHG_TRY_ASSIGN(std::string page, motion_page(shown, options.heading));
   files.emplace_back(options.out, std::move(page));
   for (const std::string& picture : options.pictures) {
-    SHG_TRY_ASSIGN(const FileFormat format, picture_format(picture));
+    SHG_TRY_ASSIGN(const FileFormat format, picture_format(to_path(picture)));
     SHG_TRY_ASSIGN(const std::string svg, result_strips(shown));
     SHG_TRY_ASSIGN(std::string drawn, picture_from(svg, format));
     files.emplace_back(picture, std::move(drawn));
   }
   for (const auto& [path, bytes] : files) {
-    SHG_TRY(write_file(path, bytes));
+    SHG_TRY(write_file(to_path(path), bytes));
     print_out("{}\n", printable(path));
   }
   return kDone;

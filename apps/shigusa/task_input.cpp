@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <shigusa/error.hpp>
 
+#include "files/path.hpp"
 #include "next_step.hpp"
 #include "usage.hpp"
 
@@ -38,7 +39,7 @@ Error about_task(const Error& error, const std::string& task) {
   std::error_code ignored;
   const std::string& text = error.message.text;
   std::string hint;
-  if (!std::filesystem::exists(task, ignored)) {
+  if (!std::filesystem::exists(to_path(task), ignored)) {
     if (task.find('=') != task.npos) {
       hint = "; a goal is given by --goal " + task;
     } else if (task.find_first_not_of("0123456789.,-+") == task.npos) {
@@ -46,7 +47,7 @@ Error about_task(const Error& error, const std::string& task) {
     } else if (parse_formats(task)) {
       hint = "; formats are joined by commas, as in --formats bvh,glb";
     }
-  } else if (std::filesystem::is_directory(task, ignored)) {
+  } else if (std::filesystem::is_directory(to_path(task), ignored)) {
     hint = "; a task file (JSON) is expected";
   } else if (error.code == ErrorCode::parse && format_of_file(task)) {
     hint = "; a task file is JSON, and a character is given by --character " + task;
@@ -58,7 +59,7 @@ Error about_task(const Error& error, const std::string& task) {
 
 Result<TaskFile> file_of(const TaskInput& input) {
   if (input.task.empty()) return TaskFile{};
-  Result<TaskFile> file = read_task(input.task);
+  Result<TaskFile> file = read_task(to_path(input.task));
   if (!file) return tl::unexpected(about_task(file.error(), input.task));
   return file;
 }
@@ -121,14 +122,15 @@ Result<TaskFile> task_file_of(const TaskInput& input) {
   SHG_TRY_ASSIGN(TaskFile file, file_of(input));
   SHG_TRY(apply_options(input, file));
   // files on the command line are relative to the working directory
-  if (input.asked.has("--scene")) file.scene = std::filesystem::absolute(file.scene).string();
+  if (input.asked.has("--scene"))
+    file.scene = std::filesystem::absolute(to_path(file.scene)).string();
   note_other_units(file);
   return file;
 }
 
 std::filesystem::path folder_of(const TaskInput& input) {
   if (input.character || input.task.empty()) return {};
-  return std::filesystem::path(input.task).parent_path();
+  return to_path(input.task).parent_path();
 }
 
 Error in_task(const Error& error, const TaskInput& input, const char* command) {
@@ -139,7 +141,7 @@ Error in_task(const Error& error, const TaskInput& input, const char* command) {
             command};
   }
   if (input.task.empty() || input.asked.has("--goal")) return error;
-  return {error.code, error.to_string(), std::filesystem::path(input.task).filename().string()};
+  return {error.code, error.to_string(), to_path(input.task).filename().string()};
 }
 
 void note_other_axes(const Task& task) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/parse_number.hpp"
+#include "files/path.hpp"
 #include "next_step.hpp"
 #include "problem/request_fields.hpp"
 
@@ -208,7 +209,7 @@ Result<Habit> habit_of(const std::string& text) {
     return fail(ErrorCode::invalid_argument,
                 unknown_name("habit", text, words).text + ", or a path such as ./habit.json");
   }
-  if (text.find('=') == text.npos) return read_habit(text);
+  if (text.find('=') == text.npos) return read_habit(to_path(text));
   Habit habit;
   for (const std::string& part : split_at_commas(text)) {
     const auto named = parse_named(part, 1);

@@ -13,6 +13,7 @@
 #include <shigusa/score.hpp>
 #include <system_error>
 
+#include "files/path.hpp"
 #include "formats/base64.hpp"
 #include "formats/json_reader.hpp"
 
@@ -351,7 +352,7 @@ Result<fs::path> AssistantTools::file_at(const std::string& name) const {
   }
   std::error_code wrong;
   const fs::path folder = fs::canonical(settings_.folder, wrong);
-  const fs::path path = fs::weakly_canonical(folder / name, wrong);
+  const fs::path path = fs::weakly_canonical(folder / to_path(name), wrong);
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   if (!wrong && end == folder.end() && rest != path.end()) return path;
   return fail(ErrorCode::invalid_argument, "is not below the server's folder", name.substr(0, 200));

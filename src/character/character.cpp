@@ -11,6 +11,7 @@
 #include "character_places.hpp"
 #include "character_robot.hpp"
 #include "core/say.hpp"
+#include "files/path.hpp"
 #include "formats/file_kind.hpp"
 #include "formats/nodes_glb.hpp"
 #include "human/at_ease.hpp"
@@ -117,7 +118,7 @@ Result<void> measure_character(CharacterSpec& spec, const std::filesystem::path&
   SHG_TRY(check_person(spec));
   if (is_complete(spec)) return {};
   SHG_TRY(check_source(spec));
-  const std::filesystem::path path = folder / spec.source;
+  const std::filesystem::path path = folder / to_path(spec.source);
   SHG_TRY_ASSIGN(std::string bytes, read_character_bytes(path));
   spec.source = path.filename().string();
   return load_character(std::move(bytes), spec, path.parent_path());

@@ -7,6 +7,7 @@
 
 #include "character_file.hpp"
 #include "core/say.hpp"
+#include "files/path.hpp"
 #include "formats/mjcf.hpp"
 #include "formats/urdf.hpp"
 #include "humanoid_request.hpp"
@@ -22,7 +23,7 @@ struct ReadRobot {
 };
 
 std::string file_name(const CharacterSpec& spec) {
-  return std::filesystem::path(spec.source).filename().string();
+  return to_path(spec.source).filename().string();
 }
 
 Result<ReadRobot> read_robot(Robot robot, const CharacterSpec& spec) {

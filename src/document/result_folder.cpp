@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "export_file.hpp"
+#include "files/path.hpp"
 #include "files/sha256.hpp"
 
 namespace shigusa {
@@ -119,7 +120,7 @@ Result<void> check_described(const std::filesystem::path& path, const Descriptor
                 fmt::format("is not the file that {} describes: it was changed, or is another "
                             "result's. Delete it to go on without it, or make the result anew",
                             kSummaryName),
-                (path / file.name).string());
+                (path / to_path(file.name)).string());
   }
   return {};
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/say.hpp"
+#include "files/path.hpp"
 
 namespace shigusa {
 
@@ -26,7 +27,7 @@ Result<std::vector<Message>> add_scene(TaskFile& file, const std::filesystem::pa
     }
   }
   settings.boxes = kObstaclesMax - std::min(kObstaclesMax, file.obstacles.size());
-  SHG_TRY_ASSIGN(Scene scene, read_scene(folder / file.scene, settings));
+  SHG_TRY_ASSIGN(Scene scene, read_scene(folder / to_path(file.scene), settings));
   for (std::size_t a = 0; a < file.actions.size(); ++a) {
     const std::string& name = file.actions[a].grasp;
     const bool known = name.empty() || is_in(settings.left_out, name) ||

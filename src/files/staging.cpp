@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <random>
 
+#include "path.hpp"
+
 namespace shigusa {
 namespace {
 
@@ -88,7 +90,7 @@ int Staging::make_locked(const std::string& name) {
 }
 
 std::filesystem::path Staging::path_of(const std::string& name) const {
-  return path_ / name_ / name;
+  return path_ / name_ / to_path(name);
 }
 
 Descriptor Staging::create(const std::string& name) {

@@ -12,6 +12,7 @@
 
 #include "folder.hpp"
 #include "pages.hpp"
+#include "path.hpp"
 
 namespace shigusa {
 namespace {
@@ -199,6 +200,8 @@ std::optional<fs::path> path_in_environment(const char* variable) {
   if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;
   return fs::path(value);
 }
+
+fs::path to_path(std::string_view text) { return text; }
 
 void* take_pages(std::size_t bytes) {
   void* const pages =

@@ -5,6 +5,7 @@
 
 #include "folder.hpp"
 #include "pages.hpp"
+#include "path.hpp"
 
 namespace shigusa {
 namespace {
@@ -72,7 +73,7 @@ std::wstring path_in(const Descriptor& folder, const std::string& name) {
     path.resize(size);
     if (fits) break;
   }
-  return path + L'\\' + fs::path(name).wstring();
+  return path + L'\\' + to_path(name).wstring();
 }
 
 fs::file_type type_of_attributes(DWORD attributes) {
@@ -292,9 +293,18 @@ int settle(const Descriptor& entry) {
 int lock_now(const Descriptor& entry, LockKind kind) { return LockOf::take(entry, kind); }
 
 std::optional<fs::path> path_in_environment(const char* variable) {
-  const wchar_t* value = _wgetenv(fs::path(variable).c_str());
+  const wchar_t* value = _wgetenv(to_path(variable).c_str());
   if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;
   return fs::path(value);
+}
+
+// Bytes that are no UTF-8 become replacement characters.
+fs::path to_path(std::string_view text) {
+  std::wstring wide(text.size(), L'\0');
+  const int size = MultiByteToWideChar(CP_UTF8, 0, text.data(), static_cast<int>(text.size()),
+                                       wide.data(), static_cast<int>(wide.size()));
+  wide.resize(static_cast<std::size_t>(size));
+  return wide;
 }
 
 void* take_pages(std::size_t bytes) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/text.hpp"
+#include "files/path.hpp"
 
 namespace shigusa {
 namespace {
@@ -29,7 +30,7 @@ bool has_mannequin() {
 }
 
 std::string file_ending(const std::string& name) {
-  return lower(std::filesystem::path(name).extension().string());
+  return lower(to_path(name).extension().string());
 }
 
 std::optional<FileFormat> format_of_file(const std::string& name) {

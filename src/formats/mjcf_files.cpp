@@ -5,6 +5,7 @@
 
 #include "core/say.hpp"
 #include "files/file.hpp"
+#include "files/path.hpp"
 
 namespace shigusa {
 namespace {
@@ -21,9 +22,9 @@ MjcfInclude included_from(std::filesystem::path folder) {
     namespace fs = std::filesystem;
     std::error_code failed;
     const fs::path base = fs::weakly_canonical(folder.empty() ? "." : folder, failed);
-    const fs::path path = fs::weakly_canonical(base / file, failed);
+    const fs::path path = fs::weakly_canonical(base / to_path(file), failed);
     const fs::path within = path.lexically_relative(base);
-    if (failed || within.empty() || *within.begin() == ".." || fs::path(file).is_absolute()) {
+    if (failed || within.empty() || *within.begin() == ".." || to_path(file).is_absolute()) {
       return fail(ErrorCode::invalid_argument, say("outside_folder"), file);
     }
     return read_text_file(path, kMjcfMaxBytes);
@@ -82,10 +83,10 @@ void MjcfFiles::include(const XmlElement& element, const MjcfInclude& include_fi
   const XmlElement*& root = included_[&element];
   if (!include_file) return absent_.push_back(file);
   // relative to the including file, then to the main one
-  std::filesystem::path path = (folder / file).lexically_normal();
+  std::filesystem::path path = (folder / to_path(file)).lexically_normal();
   Result<std::string> text = include_file(path.generic_string());
   if (!text && text.error().code == ErrorCode::not_found && !folder.empty()) {
-    path = std::filesystem::path(file).lexically_normal();
+    path = to_path(file).lexically_normal();
     text = include_file(path.generic_string());
   }
   const std::string name = path.generic_string();

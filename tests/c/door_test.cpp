@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 TEST(CInterface, TellsItsVersion) {
   EXPECT_EQ(shigusa_abi_version(), static_cast<uint32_t>(SHIGUSA_ABI_VERSION));
-  EXPECT_THAT(shigusa_version(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+"));
+  EXPECT_THAT(std::string(shigusa_version()), testing::Contains('.').Times(2));
 }
 
 TEST(CInterface, AHostOfAnotherVersionIsTold) {

@@ -2,7 +2,6 @@
 #include "files/folder.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <cerrno>
 
@@ -15,22 +14,19 @@ namespace {
 using testing_support::WorkFolder;
 using Type = std::filesystem::file_type;
 
-TEST(Folder, TellsWhatHasANameAndFollowsNoLink) {
+TEST(Folder, TellsWhatHasAName) {
   const WorkFolder work;
   work.put("file", "text");
   std::filesystem::create_directory(work / "folder");
-  std::filesystem::create_symlink("file", work / "link");
-  ASSERT_EQ(mkfifo((work / "pipe").c_str(), 0600), 0);
   const Descriptor folder = open_folder(work.path());
   EXPECT_EQ(type_in(folder, "file"), Type::regular);
   EXPECT_EQ(type_in(folder, "folder"), Type::directory);
-  EXPECT_EQ(type_in(folder, "link"), Type::symlink);
-  EXPECT_EQ(type_in(folder, "pipe"), Type::fifo);
   EXPECT_EQ(type_in(folder, "none"), Type::not_found);
   EXPECT_EQ(type_of(open_entry(folder, "file")), Type::regular);
-  EXPECT_EQ(type_of(open_entry(folder, "pipe")), Type::fifo);
-  EXPECT_EQ(type_of(open_entry(folder, "link")), Type::not_found);
-  EXPECT_EQ(names_in(folder).size(), 4u);
+  EXPECT_FALSE(open_entry(folder, "none"));
+  EXPECT_EQ(errno, ENOENT);
+  EXPECT_EQ(type_of(Descriptor()), Type::not_found);
+  EXPECT_EQ(names_in(folder).size(), 2u);
 }
 
 TEST(Folder, RemovesAFileAndTellsWhyItCannot) {
@@ -54,6 +50,54 @@ TEST(Folder, OneLockAloneKeepsOutOthersAndSharedOnesDoNot) {
   EXPECT_EQ(other.close(), 0);
   EXPECT_TRUE(try_lock(one, LockKind::alone));
   EXPECT_FALSE(try_lock(open_folder(work.path()), LockKind::shared));
+}
+
+TEST(Folder, OfAFileIsNone) {
+  const WorkFolder work;
+  work.put("file", "text");
+  EXPECT_FALSE(open_folder(work / "file"));
+  EXPECT_EQ(errno, ENOTDIR);
+}
+
+TEST(Folder, KnowsWhatIsCalledByAName) {
+  const WorkFolder work;
+  work.put("one", "text");
+  work.put("other", "text");
+  const Descriptor folder = open_folder(work.path());
+  const Descriptor one = open_entry(folder, "one");
+  EXPECT_TRUE(is_named(one, folder, "one"));
+  EXPECT_FALSE(is_named(one, folder, "other"));
+  EXPECT_FALSE(is_named(one, folder, "none"));
+}
+
+TEST(Folder, MakesAndRemovesFoldersWithin) {
+  const WorkFolder work;
+  const Descriptor folder = open_folder(work.path());
+  EXPECT_EQ(make_folder_in(folder, "within"), 0);
+  EXPECT_EQ(make_folder_in(folder, "within"), EEXIST);
+  work.put("within/file", "text");
+  EXPECT_EQ(remove_folder_in(folder, "within"), ENOTEMPTY);
+  EXPECT_EQ(remove_in(open_entry(folder, "within"), "file"), 0);
+  EXPECT_EQ(remove_folder_in(folder, "within"), 0);
+  EXPECT_TRUE(names_in(folder).empty());
+}
+
+TEST(Folder, CreatesNoFileInThePlaceOfAnother) {
+  const WorkFolder work;
+  const Descriptor folder = open_folder(work.path());
+  Descriptor file = create_in(folder, "仕草.bin");
+  EXPECT_EQ(write_all(file, "text"), 0);
+  EXPECT_FALSE(create_in(folder, "仕草.bin"));
+  EXPECT_EQ(errno, EEXIST);
+  EXPECT_EQ(work.get("仕草.bin"), "text");
+  EXPECT_EQ(names_in(folder), std::vector<std::string>{"仕草.bin"});
+}
+
+TEST(Descriptor, TellsItsAge) {
+  const WorkFolder work;
+  const Descriptor folder = open_folder(work.path());
+  EXPECT_FALSE(older_than(folder, std::chrono::hours(1)));
+  EXPECT_TRUE(older_than(folder, std::chrono::hours(-1)));
 }
 
 TEST(Descriptor, ReadsAtAPlaceAllOrNothing) {

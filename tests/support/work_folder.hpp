@@ -2,15 +2,16 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <map>
+#include <random>
 #include <string>
 #include <string_view>
 
 #include "core/check.hpp"
 #include "files/file.hpp"
+#include "files/path.hpp"
 
 namespace shigusa::testing_support {
 
@@ -18,9 +19,10 @@ namespace shigusa::testing_support {
 class WorkFolder {
  public:
   WorkFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "shigusa-XXXXXX").string();
-    SHG_CHECK(mkdtemp(name.data()) != nullptr, "a folder " + name);
-    path_ = name;
+    std::random_device random;
+    do {
+      path_ = std::filesystem::temp_directory_path() / ("shigusa-" + std::to_string(random()));
+    } while (!std::filesystem::create_directory(path_));
   }
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
@@ -31,18 +33,20 @@ class WorkFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
-    return path_ / name;
+    return path_ / to_path(name);
   }
 
   // Makes a file; the full path as the command line takes it.
   std::string put(const std::string& name, std::string_view bytes) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
+    std::filesystem::create_directories((path_ / to_path(name)).parent_path());
     const auto written = write_file(path_ / name, bytes);
     SHG_CHECK(written.has_value(), "writing " + name);
-    return (path_ / name).string();
+    return (path_ / to_path(name)).string();
   }
 
-  [[nodiscard]] std::string get(const std::string& name) const { return bytes_of(path_ / name); }
+  [[nodiscard]] std::string get(const std::string& name) const {
+    return bytes_of(path_ / to_path(name));
+  }
 
   // Every file below, with its bytes; folders as "name/". Files over 1 MB count by their size, and
   // entries that are no files by their names.
