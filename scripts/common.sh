@@ -136,6 +136,19 @@ run_rooms() {
   return "$failed"
 }
 
+project_folder=$PWD
+# without_project COMMAND…: runs it where an empty folder lies over the project's, if this system can hide a folder
+without_project() {
+  # shellcheck disable=SC2016  # for the inner shell
+  local hide=(unshare --map-root-user --mount sh -euc 'mount -t tmpfs none "$1"; shift; exec "$@"' sh "$project_folder")
+  if "${hide[@]}" true 2>/dev/null; then
+    "${hide[@]}" "$@"
+  else
+    echo "$(basename "$0"): this system cannot hide a folder (unshare), so that $1 can see the project's" >&2
+    "$@"
+  fi
+}
+
 # attempt WHAT COMMAND…: runs the command, and records a failure or, by 77, a skip
 attempt() {
   local what=$1 status=0
