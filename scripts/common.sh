@@ -136,6 +136,19 @@ run_rooms() {
   return "$failed"
 }
 
+# install_alone PRESET FOLDER PACKAGE…: installs what needs nothing else, the program and the C interface, into a folder
+# to be packed, with the licences of the Debian packages that are linked in
+install_alone() {
+  local preset=$1 folder=$2 package
+  shift 2
+  quietly cmake --install "build/$preset" --prefix "$folder" || return
+  # the C++ library needs others, and the page a server
+  (cd "$folder" && rm -rf include/shigusa lib/libshigusa.a lib/cmake lib/pkgconfig/shigusa.pc share/shigusa/studio) || return
+  mv "$folder/share/doc/shigusa/LICENSE" "$folder" || return
+  mkdir "$folder/licences" || return
+  for package in "$@"; do cp -L "/usr/share/doc/$package/copyright" "$folder/licences/$package" || return; done
+}
+
 project_folder=$PWD
 # without_project COMMAND…: runs it where an empty folder lies over the project's, if this system can hide a folder
 without_project() {

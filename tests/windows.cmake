@@ -2,6 +2,10 @@
 # What of the tests runs in Windows: those of files/ and those of the C interface, over the DLL. GoogleTest is compiled
 # from Debian's sources, as Debian has none for Windows.
 set(googletest /usr/src/googletest)
+if(NOT EXISTS ${googletest})
+  message(STATUS "tests are left out: ${googletest} is not there")
+  return()
+endif()
 add_library(shigusa_gtest STATIC ${googletest}/googletest/src/gtest-all.cc ${googletest}/googlemock/src/gmock-all.cc
                                  ${googletest}/googlemock/src/gmock_main.cc)
 target_include_directories(
