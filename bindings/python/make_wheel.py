@@ -12,7 +12,7 @@ import zipfile
 HERE = pathlib.Path(__file__).parent
 # licences of what is compiled into the library, as Debian's packages have them
 LICENSES = [f"/usr/share/doc/{package}/copyright" for package in
-            ("libdraco-dev", "libexpected-dev", "libfmt-dev", "nlohmann-json3-dev")] + ["/usr/share/common-licenses/Apache-2.0"]
+            ("libdraco-dev", "libexpected-dev", "libfmt-dev", "libmd-dev", "nlohmann-json3-dev", "zlib1g-dev")] + ["/usr/share/common-licenses/Apache-2.0"]
 METADATA = """\
 Metadata-Version: 2.1
 Name: shigusa

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What an open folder or a read file permits others: everything, as with POSIX.
+// Sharing mode of all handles: others may do anything, as with POSIX.
 constexpr DWORD kShared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 
 HANDLE handle_of(std::intptr_t number) { return reinterpret_cast<HANDLE>(number); }
