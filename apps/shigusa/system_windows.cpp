@@ -9,7 +9,7 @@
 #include <shellapi.h>
 
 #include <atomic>
-#include <filesystem>
+#include <cstdlib>
 
 namespace shigusa::app {
 namespace {
@@ -41,7 +41,16 @@ void open_standard_streams() {
     // this takes the lowest free number; writing to a read-only descriptor fails
     (void)_wopen(L"NUL", stream == 2 ? _O_WRONLY : _O_RDONLY);
   }
+  // a console keeps its code page after the program
+  static const UINT code_page = GetConsoleOutputCP();
   SetConsoleOutputCP(CP_UTF8);
+  std::atexit([] { SetConsoleOutputCP(code_page); });
+  // escape sequences of the progress line
+  const HANDLE console = GetStdHandle(STD_ERROR_HANDLE);
+  DWORD mode = 0;
+  if (GetConsoleMode(console, &mode)) {
+    SetConsoleMode(console, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
+  }
 }
 
 char** utf8_arguments(char** arguments) {
@@ -50,7 +59,11 @@ char** utf8_arguments(char** arguments) {
   int count = 0;
   wchar_t** const wide = CommandLineToArgvW(GetCommandLineW(), &count);
   if (wide == nullptr) return arguments;
-  for (int k = 0; k < count; ++k) texts.push_back(std::filesystem::path(wide[k]).string());
+  for (int k = 0; k < count; ++k) {
+    const int most = 3 * lstrlenW(wide[k]) + 1;
+    std::string& text = texts.emplace_back(static_cast<std::size_t>(most), '\0');
+    WideCharToMultiByte(CP_UTF8, 0, wide[k], -1, text.data(), most, nullptr, nullptr);
+  }
   LocalFree(wide);
   for (std::string& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);

@@ -76,6 +76,15 @@ std::wstring path_in(const Descriptor& folder, const std::string& name) {
   return path + L'\\' + to_path(name).wstring();
 }
 
+// Name in UTF-8; what is no UTF-16 becomes replacement characters.
+std::string name_of(std::wstring_view wide) {
+  const int size = static_cast<int>(wide.size());
+  std::string name(3 * wide.size(), '\0');
+  name.resize(static_cast<std::size_t>(
+      WideCharToMultiByte(CP_UTF8, 0, wide.data(), size, name.data(), 3 * size, nullptr, nullptr)));
+  return name;
+}
+
 fs::file_type type_of_attributes(DWORD attributes) {
   if (attributes == INVALID_FILE_ATTRIBUTES) return fs::file_type::not_found;
   if ((attributes & FILE_ATTRIBUTE_REPARSE_POINT) != 0) return fs::file_type::symlink;
@@ -222,7 +231,7 @@ std::vector<std::string> names_in(const Descriptor& folder) {
   const HANDLE search = FindFirstFileW(path_in(folder, "*").c_str(), &found);
   if (search == INVALID_HANDLE_VALUE) return names;
   do {
-    const std::string name = fs::path(found.cFileName).string();
+    const std::string name = name_of(found.cFileName);
     if (name != "." && name != "..") names.push_back(name);
   } while (FindNextFileW(search, &found));
   FindClose(search);
