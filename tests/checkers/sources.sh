@@ -26,7 +26,7 @@ write bench/a.cpp '#include "rollout/b.hpp"'
 write dataset/a.cpp '#include <shigusa/files.hpp>' '#include "formats/b.hpp"' '#include "c.hpp"'
 write src/files/a.cpp '#include <unistd.h>' '#include <sys/stat.h>' '#include <csignal>'
 write tests/files/a_test.cpp '#include "files/b.hpp"' '#include <fcntl.h>'
-write apps/shigusa/system.cpp '#include <signal.h>'
+write apps/shigusa/system_posix.cpp '#include <signal.h>'
 write apps/shigusa/b.cpp '#include "problem/b.hpp"'
 accepts check_layers.sh
 public=include/shigusa
