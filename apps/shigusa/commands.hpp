@@ -139,8 +139,8 @@ inline constexpr const char* kFramesHelp = "Part of the clip, by its frames from
 // and writing to stdout fails. Of Windows, lets them pass every byte as it is.
 void open_standard_streams();
 
-// The arguments of main() in UTF-8.
-[[nodiscard]] char** utf8_arguments(char** arguments);
+// The arguments of main() in UTF-8, and their number, as Windows may count them otherwise.
+[[nodiscard]] char** utf8_arguments(int& count, char** arguments);
 
 // Lines of the standard input.
 class InputLines {

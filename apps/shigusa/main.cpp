@@ -58,7 +58,8 @@ int main(int argc, char** argv) {
   int exit_code = kDone;
   add_commands(app, exit_code);
   try {
-    app.parse(argc, utf8_arguments(argv));
+    argv = utf8_arguments(argc, argv);
+    app.parse(argc, argv);
     return finish_output(exit_code);
   } catch (const CLI::ParseError& error) {
     return answer(app, error);

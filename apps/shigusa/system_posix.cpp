@@ -60,7 +60,7 @@ bool InputLines::read_block(bool wait) {
   return false;
 }
 
-char** utf8_arguments(char** arguments) { return arguments; }
+char** utf8_arguments(int&, char** arguments) { return arguments; }
 
 bool is_terminal() { return isatty(STDERR_FILENO) != 0; }
 

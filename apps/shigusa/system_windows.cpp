@@ -15,11 +15,21 @@ namespace shigusa::app {
 namespace {
 
 std::atomic<bool> interrupt_flag{false};
+UINT code_page = 0;  // of the console before the program
+HANDLE main_thread = nullptr;
+
+// A console keeps its code page after the program.
+void restore_console() { SetConsoleOutputCP(code_page); }
 
 // Called on a thread of its own.
 BOOL WINAPI on_interrupt(DWORD) {
-  // a second Ctrl-C gives up waiting for the best motion so far
-  if (interrupt_flag.exchange(true)) ExitProcess(130);
+  if (interrupt_flag.exchange(true)) {
+    // a second Ctrl-C gives up waiting for the best motion so far
+    restore_console();
+    TerminateProcess(GetCurrentProcess(), 130);
+  }
+  // a read of the standard input that waits
+  CancelSynchronousIo(main_thread);
   return TRUE;
 }
 
@@ -41,10 +51,9 @@ void open_standard_streams() {
     // this takes the lowest free number; writing to a read-only descriptor fails
     (void)_wopen(L"NUL", stream == 2 ? _O_WRONLY : _O_RDONLY);
   }
-  // a console keeps its code page after the program
-  static const UINT code_page = GetConsoleOutputCP();
+  code_page = GetConsoleOutputCP();
   SetConsoleOutputCP(CP_UTF8);
-  std::atexit([] { SetConsoleOutputCP(code_page); });
+  std::atexit(restore_console);
   // escape sequences of the progress line
   const HANDLE console = GetStdHandle(STD_ERROR_HANDLE);
   DWORD mode = 0;
@@ -53,10 +62,9 @@ void open_standard_streams() {
   }
 }
 
-char** utf8_arguments(char** arguments) {
+char** utf8_arguments(int& count, char** arguments) {
   static std::vector<std::string> texts;
   static std::vector<char*> pointers;
-  int count = 0;
   wchar_t** const wide = CommandLineToArgvW(GetCommandLineW(), &count);
   if (wide == nullptr) return arguments;
   for (int k = 0; k < count; ++k) {
@@ -87,7 +95,11 @@ bool is_terminal() {
   return GetConsoleMode(GetStdHandle(STD_ERROR_HANDLE), &mode) != 0;
 }
 
-void catch_interrupts() { SetConsoleCtrlHandler(on_interrupt, TRUE); }
+void catch_interrupts() {
+  const HANDLE self = GetCurrentProcess();
+  DuplicateHandle(self, GetCurrentThread(), self, &main_thread, 0, FALSE, DUPLICATE_SAME_ACCESS);
+  SetConsoleCtrlHandler(on_interrupt, TRUE);
+}
 
 const std::atomic<bool>& interrupted() { return interrupt_flag; }
 

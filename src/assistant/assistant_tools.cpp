@@ -352,7 +352,10 @@ Result<fs::path> AssistantTools::file_at(const std::string& name) const {
   }
   std::error_code wrong;
   const fs::path folder = fs::canonical(settings_.folder, wrong);
-  const fs::path path = fs::weakly_canonical(folder / to_path(name), wrong);
+  const fs::path named = to_path(name);
+  // one of another machine is not even looked for
+  const bool elsewhere = named.has_root_name() && named.root_name() != folder.root_name();
+  const fs::path path = elsewhere ? named : fs::weakly_canonical(folder / named, wrong);
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   if (!wrong && end == folder.end() && rest != path.end()) return path;
   return fail(ErrorCode::invalid_argument, "is not below the server's folder", name.substr(0, 200));

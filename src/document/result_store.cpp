@@ -20,7 +20,9 @@ std::string from_folder(const fs::path& character, const fs::path& folder) {
   if (character.empty()) return {};
   std::error_code error;
   const fs::path path = fs::relative(character, folder, error);
-  return error ? std::string() : path.generic_string();
+  if (error) return {};
+  // empty from one disk of Windows to another
+  return (path.empty() ? fs::absolute(character, error) : path).generic_string();
 }
 
 FileSettings file_settings(const ExportSettings& settings) {
@@ -126,7 +128,8 @@ Result<void> prepare_folder(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (error || !fs::is_directory(folder, error)) {
     return fail(ErrorCode::io,
-                "cannot make this folder: " + (error ? error.message() : "it is a file"),
+                "cannot make this folder: " +
+                    (error ? error.default_error_condition().message() : "it is a file"),
                 folder.string());
   }
   // opening creates a folder within, and removes it

@@ -58,7 +58,7 @@ Result<EditFolder> EditFolder::make(const fs::path& within, std::string_view nam
     std::error_code error;
     const bool made = fs::create_directory(path, error);
     if (error && error != std::errc::file_exists) {
-      return refused(path, "make this folder", error.value());
+      return refused(path, "make this folder", error.default_error_condition().value());
     }
     Staging& staging = held->staging;
     const bool opened = staging.open(path) == 0;

@@ -16,30 +16,33 @@ namespace {
 class Sum {
  public:
   Sum() {
-    (void)BCryptOpenAlgorithmProvider(&provider_, BCRYPT_SHA256_ALGORITHM, nullptr, 0);
-    (void)BCryptCreateHash(provider_, &hash_, nullptr, 0, nullptr, 0, 0);
+    if (BCryptOpenAlgorithmProvider(&provider_, BCRYPT_SHA256_ALGORITHM, nullptr, 0) != 0) return;
+    works_ = BCryptCreateHash(provider_, &hash_, nullptr, 0, nullptr, 0, 0) == 0;
   }
   ~Sum() {
-    (void)BCryptDestroyHash(hash_);
-    (void)BCryptCloseAlgorithmProvider(provider_, 0);
+    if (hash_ != nullptr) (void)BCryptDestroyHash(hash_);
+    if (provider_ != nullptr) (void)BCryptCloseAlgorithmProvider(provider_, 0);
   }
   Sum(const Sum&) = delete;
   Sum& operator=(const Sum&) = delete;
 
   void add(const char* bytes, std::size_t size) {
     auto* const first = reinterpret_cast<UCHAR*>(const_cast<char*>(bytes));
-    (void)BCryptHashData(hash_, first, static_cast<ULONG>(size), 0);
+    works_ = works_ && BCryptHashData(hash_, first, static_cast<ULONG>(size), 0) == 0;
   }
 
+  // Empty if the system cannot.
   std::string digits() {
     std::array<UCHAR, 32> sum{};
-    (void)BCryptFinishHash(hash_, sum.data(), static_cast<ULONG>(sum.size()), 0);
+    const auto size = static_cast<ULONG>(sum.size());
+    if (!works_ || BCryptFinishHash(hash_, sum.data(), size, 0) != 0) return {};
     return fmt::format("{:02x}", fmt::join(sum, ""));
   }
 
  private:
   BCRYPT_ALG_HANDLE provider_ = nullptr;
   BCRYPT_HASH_HANDLE hash_ = nullptr;
+  bool works_ = false;
 };
 
 constexpr std::size_t kBlock = 1 << 16;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <new>
 #include <random>
 
 #include "path.hpp"
@@ -115,8 +116,12 @@ int Staging::move_out(const std::string& name, const std::string& to) {
 
 Staging::~Staging() {
   if (!self_) return;
-  for (const std::string& name : files_) remove_in(self_, name);
-  remove_folder_in(folder_, name_);
+  try {
+    for (const std::string& name : files_) remove_in(self_, name);
+    remove_folder_in(folder_, name_);
+  } catch (const std::bad_alloc&) {
+    // a later program removes the leftovers
+  }
 }
 
 }  // namespace shigusa

@@ -18,62 +18,76 @@ constexpr DWORD kShared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE
 HANDLE handle_of(std::intptr_t number) { return reinterpret_cast<HANDLE>(number); }
 HANDLE handle_of(const Descriptor& entry) { return handle_of(entry.number()); }
 
+constexpr std::pair<DWORD, int> kReasons[] = {
+    {ERROR_FILE_NOT_FOUND, ENOENT},      {ERROR_PATH_NOT_FOUND, ENOENT},
+    {ERROR_INVALID_NAME, ENOENT},        {ERROR_BAD_PATHNAME, ENOENT},
+    {ERROR_BAD_NETPATH, ENOENT},         {ERROR_BAD_NET_NAME, ENOENT},
+    {ERROR_INVALID_DRIVE, ENOENT},       {ERROR_ACCESS_DENIED, EACCES},
+    {ERROR_WRITE_PROTECT, EACCES},       {ERROR_DELETE_PENDING, EACCES},
+    {ERROR_SHARING_VIOLATION, EBUSY},    {ERROR_FILE_EXISTS, EEXIST},
+    {ERROR_ALREADY_EXISTS, EEXIST},      {ERROR_LOCK_VIOLATION, EWOULDBLOCK},
+    {ERROR_IO_PENDING, EWOULDBLOCK},     {ERROR_DISK_FULL, ENOSPC},
+    {ERROR_HANDLE_DISK_FULL, ENOSPC},    {ERROR_DIR_NOT_EMPTY, ENOTEMPTY},
+    {ERROR_DIRECTORY, ENOTDIR},          {ERROR_FILENAME_EXCED_RANGE, ENAMETOOLONG},
+    {ERROR_TOO_MANY_OPEN_FILES, EMFILE}, {ERROR_NOT_ENOUGH_MEMORY, ENOMEM},
+    {ERROR_INVALID_FUNCTION, ENOTSUP},   {ERROR_NOT_SUPPORTED, ENOTSUP},
+};
+
 // errno of the last failed call.
 int reason() {
-  switch (GetLastError()) {
-    case ERROR_FILE_NOT_FOUND:
-    case ERROR_PATH_NOT_FOUND:
-    case ERROR_INVALID_NAME:
-    case ERROR_BAD_NETPATH:
-    case ERROR_INVALID_DRIVE:
-      return ENOENT;
-    case ERROR_ACCESS_DENIED:
-    case ERROR_SHARING_VIOLATION:
-    case ERROR_WRITE_PROTECT:
-    case ERROR_DELETE_PENDING:
-      return EACCES;
-    case ERROR_FILE_EXISTS:
-    case ERROR_ALREADY_EXISTS:
-      return EEXIST;
-    case ERROR_LOCK_VIOLATION:
-    case ERROR_IO_PENDING:
-      return EWOULDBLOCK;
-    case ERROR_DISK_FULL:
-    case ERROR_HANDLE_DISK_FULL:
-      return ENOSPC;
-    case ERROR_DIR_NOT_EMPTY:
-      return ENOTEMPTY;
-    case ERROR_DIRECTORY:
-      return ENOTDIR;
-    case ERROR_INVALID_FUNCTION:
-      return EISDIR;  // reading a folder
-    case ERROR_NOT_ENOUGH_MEMORY:
-      return ENOMEM;
-    default:
-      return EIO;
+  const DWORD error = GetLastError();
+  for (const auto& [known, why] : kReasons) {
+    if (known == error) return why;
   }
+  return EIO;
 }
 
 int told(BOOL done) { return done ? 0 : reason(); }
 
-Descriptor open(const std::wstring& path, DWORD access, DWORD how, DWORD flags = 0) {
-  const HANDLE handle = CreateFileW(path.c_str(), access, kShared, nullptr, how,
+// Calls again for a second while another program, such as one that looks for viruses, holds a file.
+template <class Call>
+int insist(Call call) {
+  for (int tries = 40;; --tries) {
+    const int why = told(call());
+    if ((why != EACCES && why != EBUSY) || tries == 0) return why;
+    Sleep(25);
+  }
+}
+
+Descriptor open(const std::wstring& path, DWORD access, DWORD how, DWORD flags = 0,
+                DWORD shared = kShared) {
+  const HANDLE handle = CreateFileW(path.c_str(), access, shared, nullptr, how,
                                     FILE_FLAG_BACKUP_SEMANTICS | flags, nullptr);
   if (handle == INVALID_HANDLE_VALUE) errno = reason();
   return Descriptor(reinterpret_cast<std::intptr_t>(handle));
 }
 
-// Path of a name in an open folder.
-std::wstring path_in(const Descriptor& folder, const std::string& name) {
+// Path of an open folder in one of the system's forms; empty if it has none.
+std::wstring path_of(const Descriptor& folder, DWORD form) {
   std::wstring path(MAX_PATH, L'\0');
   for (;;) {
     const DWORD size = GetFinalPathNameByHandleW(handle_of(folder), path.data(),
-                                                 static_cast<DWORD>(path.size()), 0);
+                                                 static_cast<DWORD>(path.size()), form);
     const bool fits = size < path.size();
     path.resize(size);
-    if (fits) break;
+    if (fits) return path;
   }
-  return path + L'\\' + to_path(name).wstring();
+}
+
+// Path of a name in an open folder. Empty, which every call refuses, if the folder has none.
+std::wstring path_in(const Descriptor& folder, const std::string& name) {
+  std::wstring path = path_of(folder, VOLUME_NAME_DOS);
+  if (path.empty()) {
+    // a disk without a letter, or that its driver has not announced
+    path = path_of(folder, VOLUME_NAME_NT);
+    if (path.empty()) return path;
+    path = L"\\\\?\\GLOBALROOT" + path;
+  }
+  if (!path.ends_with(L'\\')) path += L'\\';
+  path += to_path(name).wstring();
+  // a short one without the prefix, by which names such as NUL and "a." would be files
+  const bool has_letter = path.size() > 6 && path[5] == L':';
+  return has_letter && path.size() < MAX_PATH ? path.substr(4) : path;
 }
 
 // Name in UTF-8; what is no UTF-16 becomes replacement characters.
@@ -85,11 +99,19 @@ std::string name_of(std::wstring_view wide) {
   return name;
 }
 
-fs::file_type type_of_attributes(DWORD attributes) {
-  if (attributes == INVALID_FILE_ATTRIBUTES) return fs::file_type::not_found;
-  if ((attributes & FILE_ATTRIBUTE_REPARSE_POINT) != 0) return fs::file_type::symlink;
-  if ((attributes & FILE_ATTRIBUTE_DIRECTORY) != 0) return fs::file_type::directory;
-  return fs::file_type::regular;
+// Type of an open file or folder that is neither a pipe nor a device. Files of a cloud's folder are
+// reparse points too, and no links.
+fs::file_type type_on_disk(const Descriptor& entry) {
+  FILE_ATTRIBUTE_TAG_INFO about{};
+  if (!GetFileInformationByHandleEx(handle_of(entry), FileAttributeTagInfo, &about, sizeof about)) {
+    return fs::file_type::not_found;
+  }
+  if ((about.FileAttributes & FILE_ATTRIBUTE_REPARSE_POINT) != 0 &&
+      IsReparseTagNameSurrogate(about.ReparseTag)) {
+    return fs::file_type::symlink;
+  }
+  return (about.FileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0 ? fs::file_type::directory
+                                                                : fs::file_type::regular;
 }
 
 std::optional<BY_HANDLE_FILE_INFORMATION> information_of(const Descriptor& entry) {
@@ -106,15 +128,15 @@ DWORD piece(std::size_t size) {
 
 // Whether a folder is another machine's, which knows nothing of the locks here.
 bool is_remote(const Descriptor& entry) {
-  const std::wstring path = path_in(entry, "");
-  return path.starts_with(L"\\\\?\\UNC\\") ||
+  const std::wstring path = path_of(entry, VOLUME_NAME_DOS);
+  return path.empty() || path.starts_with(L"\\\\?\\UNC\\") ||
          (path.size() > 6 && GetDriveTypeW(path.substr(4, 3).c_str()) == DRIVE_REMOTE);
 }
 
 }  // namespace
 
-// Windows locks ranges of files, but no folders. So a folder's lock is a byte of one file in the
-// folder of temporary files, at an offset that the folder's number gives.
+// Windows locks ranges of files, but no folders. So a folder's lock is a byte of one file that all
+// users of the machine share, at an offset that the folder's number gives.
 struct LockOf {
   static int release(const Descriptor& entry) {
     if (entry.lock_ == -1) return 0;
@@ -124,12 +146,13 @@ struct LockOf {
   static int take(const Descriptor& entry, LockKind kind) {
     (void)release(entry);
     const auto information = information_of(entry);
-    wchar_t temporary[MAX_PATH + 1];
-    if (!information || is_remote(entry) || GetTempPathW(MAX_PATH + 1, temporary) == 0) {
-      return ENOTSUP;
-    }
-    Descriptor locks =
-        open(std::wstring(temporary) + L"shigusa.lock", GENERIC_READ | GENERIC_WRITE, OPEN_ALWAYS);
+    const auto shared = path_in_environment("ProgramData");
+    if (!information || !shared || is_remote(entry)) return ENOTSUP;
+    const std::uint64_t number = whole(information->nFileIndexHigh, information->nFileIndexLow);
+    // of file systems that number nothing
+    if (number == 0 || number == ~std::uint64_t{0}) return ENOTSUP;
+    Descriptor locks = open((*shared / L"shigusa.lock").wstring(), GENERIC_READ, OPEN_ALWAYS, 0,
+                            FILE_SHARE_READ | FILE_SHARE_WRITE);
     if (!locks) return ENOTSUP;
     OVERLAPPED place{};
     place.Offset = information->nFileIndexLow ^ information->dwVolumeSerialNumber;
@@ -174,6 +197,7 @@ std::ptrdiff_t read_some(const Descriptor& file, char* block, std::size_t size) 
   if (ReadFile(handle_of(file), block, piece(size), &count, nullptr)) return count;
   if (GetLastError() == ERROR_BROKEN_PIPE || GetLastError() == ERROR_HANDLE_EOF) return 0;
   errno = reason();
+  if (errno == ENOTSUP) errno = EISDIR;
   return -1;
 }
 
@@ -214,9 +238,10 @@ Descriptor open_folder(const fs::path& path) {
 }
 
 Descriptor open_entry(const Descriptor& folder, const std::string& name) {
-  Descriptor entry =
-      open(path_in(folder, name), GENERIC_READ, OPEN_EXISTING, FILE_FLAG_OPEN_REPARSE_POINT);
-  if (!entry || type_of(entry) != fs::file_type::symlink) return entry;
+  // not as a reparse point, as a file of a cloud's folder would stay where it is
+  if (type_in(folder, name) != fs::file_type::symlink) {
+    return open(path_in(folder, name), GENERIC_READ, OPEN_EXISTING);
+  }
   errno = ELOOP;
   return {};
 }
@@ -242,12 +267,12 @@ fs::file_type type_of(const Descriptor& entry) {
   const DWORD type = entry ? GetFileType(handle_of(entry)) : FILE_TYPE_UNKNOWN;
   if (type == FILE_TYPE_PIPE) return fs::file_type::fifo;
   if (type == FILE_TYPE_CHAR) return fs::file_type::character;
-  const auto information = information_of(entry);
-  return information ? type_of_attributes(information->dwFileAttributes) : fs::file_type::not_found;
+  return type_on_disk(entry);
 }
 
 fs::file_type type_in(const Descriptor& folder, const std::string& name) {
-  return type_of_attributes(GetFileAttributesW(path_in(folder, name).c_str()));
+  return type_on_disk(open(path_in(folder, name), FILE_READ_ATTRIBUTES, OPEN_EXISTING,
+                           FILE_FLAG_OPEN_REPARSE_POINT));
 }
 
 bool is_named(const Descriptor& entry, const Descriptor& folder, const std::string& name) {
@@ -270,33 +295,40 @@ bool older_than(const Descriptor& entry, std::chrono::seconds age) {
 }
 
 int check_writable(const Descriptor& folder, const std::string& name) {
-  const DWORD attributes = GetFileAttributesW(path_in(folder, name).c_str());
-  if (attributes == INVALID_FILE_ATTRIBUTES) return reason();
-  return (attributes & FILE_ATTRIBUTE_READONLY) != 0 ? EACCES : 0;
+  const Descriptor file = open(path_in(folder, name), GENERIC_WRITE | DELETE, OPEN_EXISTING,
+                               FILE_FLAG_OPEN_REPARSE_POINT);
+  return file ? 0 : errno;
 }
 
+// For all who may use the folder around it.
 int make_folder_in(const Descriptor& folder, const std::string& name) {
   return told(CreateDirectoryW(path_in(folder, name).c_str(), nullptr));
 }
 
 int remove_in(const Descriptor& folder, const std::string& name) {
-  return told(DeleteFileW(path_in(folder, name).c_str()));
+  const std::wstring path = path_in(folder, name);
+  return insist([&] { return DeleteFileW(path.c_str()); });
 }
 
 int remove_folder_in(const Descriptor& folder, const std::string& name) {
-  return told(RemoveDirectoryW(path_in(folder, name).c_str()));
+  const std::wstring path = path_in(folder, name);
+  return insist([&] { return RemoveDirectoryW(path.c_str()); });
 }
 
 // The new file has the permissions that its folder gives.
 int move_in(const Descriptor& from, const std::string& name, const Descriptor& folder,
             const std::string& to) {
-  return told(MoveFileExW(path_in(from, name).c_str(), path_in(folder, to).c_str(),
-                          MOVEFILE_REPLACE_EXISTING));
+  const std::wstring old = path_in(from, name);
+  const std::wstring target = path_in(folder, to);
+  return insist(
+      [&] { return MoveFileExW(old.c_str(), target.c_str(), MOVEFILE_REPLACE_EXISTING); });
 }
 
 int settle(const Descriptor& entry) {
   // names of a folder cannot be flushed
-  return type_of(entry) == fs::file_type::directory ? 0 : told(FlushFileBuffers(handle_of(entry)));
+  if (type_of(entry) == fs::file_type::directory) return 0;
+  const int why = told(FlushFileBuffers(handle_of(entry)));
+  return why == ENOTSUP ? 0 : why;
 }
 
 int lock_now(const Descriptor& entry, LockKind kind) { return LockOf::take(entry, kind); }

@@ -22,9 +22,12 @@ MjcfInclude included_from(std::filesystem::path folder) {
     namespace fs = std::filesystem;
     std::error_code failed;
     const fs::path base = fs::weakly_canonical(folder.empty() ? "." : folder, failed);
-    const fs::path path = fs::weakly_canonical(base / to_path(file), failed);
+    const fs::path named = to_path(file);
+    // one of another machine is not even looked for
+    const fs::path path =
+        named.has_root_path() ? named : fs::weakly_canonical(base / named, failed);
     const fs::path within = path.lexically_relative(base);
-    if (failed || within.empty() || *within.begin() == ".." || to_path(file).is_absolute()) {
+    if (failed || within.empty() || *within.begin() == ".." || named.has_root_path()) {
       return fail(ErrorCode::invalid_argument, say("outside_folder"), file);
     }
     return read_text_file(path, kMjcfMaxBytes);
