@@ -295,8 +295,12 @@ bool older_than(const Descriptor& entry, std::chrono::seconds age) {
 }
 
 int check_writable(const Descriptor& folder, const std::string& name) {
-  const Descriptor file = open(path_in(folder, name), GENERIC_WRITE | DELETE, OPEN_EXISTING,
-                               FILE_FLAG_OPEN_REPARSE_POINT);
+  const std::wstring path = path_in(folder, name);
+  const DWORD attributes = GetFileAttributesW(path.c_str());
+  if (attributes == INVALID_FILE_ATTRIBUTES) return reason();
+  if ((attributes & FILE_ATTRIBUTE_READONLY) != 0) return EACCES;
+  const Descriptor file =
+      open(path, GENERIC_WRITE | DELETE, OPEN_EXISTING, FILE_FLAG_OPEN_REPARSE_POINT);
   return file ? 0 : errno;
 }
 
