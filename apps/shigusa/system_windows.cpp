@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Calls of Windows: streams, arguments, Ctrl-C.
 #include "commands.hpp"
+#include "files/path.hpp"
 // after ours, as it defines words such as near
 #include <fcntl.h>
 #include <io.h>
@@ -67,11 +68,7 @@ char** utf8_arguments(int& count, char** arguments) {
   static std::vector<char*> pointers;
   wchar_t** const wide = CommandLineToArgvW(GetCommandLineW(), &count);
   if (wide == nullptr) return arguments;
-  for (int k = 0; k < count; ++k) {
-    const int most = 3 * lstrlenW(wide[k]) + 1;
-    std::string& text = texts.emplace_back(static_cast<std::size_t>(most), '\0');
-    WideCharToMultiByte(CP_UTF8, 0, wide[k], -1, text.data(), most, nullptr, nullptr);
-  }
+  for (int k = 0; k < count; ++k) texts.push_back(to_utf8(wide[k]));
   LocalFree(wide);
   for (std::string& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);

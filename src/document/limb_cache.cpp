@@ -3,7 +3,7 @@
 #include <system_error>
 
 #include "files/file.hpp"
-#include "files/folder.hpp"
+#include "files/path.hpp"
 
 namespace shigusa {
 

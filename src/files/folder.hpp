@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,8 +64,5 @@ enum class LockKind { alone, shared };
   const int reason = lock_now(entry, kind);
   return reason != EWOULDBLOCK && reason != EINTR;
 }
-
-// Absolute path in an environment variable; empty for a relative one or none.
-[[nodiscard]] std::optional<std::filesystem::path> path_in_environment(const char* variable);
 
 }  // namespace shigusa

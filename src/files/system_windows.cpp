@@ -90,15 +90,6 @@ std::wstring path_in(const Descriptor& folder, const std::string& name) {
   return has_letter && path.size() < MAX_PATH ? path.substr(4) : path;
 }
 
-// Name in UTF-8; what is no UTF-16 becomes replacement characters.
-std::string name_of(std::wstring_view wide) {
-  const int size = static_cast<int>(wide.size());
-  std::string name(3 * wide.size(), '\0');
-  name.resize(static_cast<std::size_t>(
-      WideCharToMultiByte(CP_UTF8, 0, wide.data(), size, name.data(), 3 * size, nullptr, nullptr)));
-  return name;
-}
-
 // Type of an open file or folder that is neither a pipe nor a device. Files of a cloud's folder are
 // reparse points too, and no links.
 fs::file_type type_on_disk(const Descriptor& entry) {
@@ -256,7 +247,7 @@ std::vector<std::string> names_in(const Descriptor& folder) {
   const HANDLE search = FindFirstFileW(path_in(folder, "*").c_str(), &found);
   if (search == INVALID_HANDLE_VALUE) return names;
   do {
-    const std::string name = name_of(found.cFileName);
+    const std::string name = to_utf8(found.cFileName);
     if (name != "." && name != "..") names.push_back(name);
   } while (FindNextFileW(search, &found));
   FindClose(search);
@@ -350,6 +341,14 @@ fs::path to_path(std::string_view text) {
                                        wide.data(), static_cast<int>(wide.size()));
   wide.resize(static_cast<std::size_t>(size));
   return wide;
+}
+
+std::string to_utf8(std::wstring_view text) {
+  const int size = static_cast<int>(text.size());
+  std::string bytes(3 * text.size(), '\0');
+  bytes.resize(static_cast<std::size_t>(WideCharToMultiByte(
+      CP_UTF8, 0, text.data(), size, bytes.data(), 3 * size, nullptr, nullptr)));
+  return bytes;
 }
 
 void* take_pages(std::size_t bytes) {
